@@ -1,0 +1,45 @@
+# Two targets are enough: `make demo` and `make test`. Each makes its own .venv.
+VENV := .venv
+BIN := $(VENV)/bin
+NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
+
+# The first Python that is new enough, unless `make PYTHON=...` says which.
+PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
+	$$p $(NEW_ENOUGH) 2>/dev/null && echo $$p && break; done)
+
+.PHONY: demo test lint sweep golden clean
+
+$(VENV)/installed: pyproject.toml
+	@if [ -z "$(PYTHON)" ]; then \
+		echo "lagsolve needs Python 3.11 or later; here there is: $$(python3 --version 2>&1 || true)"; \
+		echo "Install a newer one, or say where it is: make PYTHON=/path/to/python3.12"; exit 1; fi
+	@$(PYTHON) $(NEW_ENOUGH) || \
+		{ echo "lagsolve needs Python 3.11 or later, and $(PYTHON) is $$($(PYTHON) --version 2>&1)"; exit 1; }
+	$(PYTHON) -m venv $(VENV) || \
+		{ echo "$(PYTHON) cannot make an environment; on Debian: apt install python3-venv"; exit 1; }
+	@echo "installing into $(VENV), which takes a minute or two"
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	touch $@
+
+demo: $(VENV)/installed
+	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
+
+test: lint
+	$(BIN)/python -m pytest
+
+lint: $(VENV)/installed
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+# Every shipped problem in every format; LaTeX is compiled where pdflatex is installed.
+sweep: $(VENV)/installed
+	$(BIN)/python tests/sweep.py
+
+# Renews the golden files. Read the difference before you commit it.
+golden: $(VENV)/installed
+	$(BIN)/python -m pytest tests/test_golden.py --renew
+
+clean:
+	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis tests/actual
+	find . -name __pycache__ -prune -exec rm -rf {} +
