@@ -1,0 +1,1 @@
+"""Analytical mechanics step by step: constraints, virtual displacements, d'Alembert's principle."""

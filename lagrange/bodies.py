@@ -1,0 +1,177 @@
+"""Reading rigid bodies, and how they are turned.
+
+A planar body turns by an angle α about k: ω = α' k. In space the orientation is a sequence of three rotations about
+body axes (`313`: first about e_3, then about the new e_1, then about the new e_3), or the file gives a triad for the
+inertia and the angular velocity. With R the product of the rotations (columns: the body's axes in i, j, k),
+
+    ω = a_1' n_1 + a_2' n_2 + a_3' n_3 ,   n_k the axis of rotation k, where the rotations before it have turned it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.diagnostics import Diagnostic, ProblemError
+from lagrange.exact import DivisionByZeroError
+from lagrange.nodes import Node, Scalar
+from lagrange.nodes import Sequence as ListNode
+from lagrange.notation import Slots
+from lagrange.problem import Body
+from lagrange.reading import Reading
+from lagrange.sections import Section, items_of, mapping_of, scalar_of, wrong_kind
+from lagrange.symbols import CONSTANT, POSITION, RATE
+from lagrange.vectors import Vector
+
+SEQUENCES = ("121", "123", "131", "132", "212", "213", "231", "232", "312", "313", "321", "323")
+_KEYS = ("mass", "inertia", "position", "angle", "orientation", "axes", "angular_velocity")
+_EXAMPLE = "{mass: m, inertia: I_G, position: x*i + y*j, angle: theta}"
+_TURNING = (
+    "a planar body has one moment of inertia and `angle`; a body in space has three, and `orientation`, "
+    "or `axes` with `angular_velocity`"
+)
+
+
+def names_of_body(name: str) -> dict[str, str]:
+    """The vectors that a body adds to the language, and what they are."""
+    axes = {f"e{n}_{name}": f"an axis of the body `{name}`" for n in (1, 2, 3)}
+    return {f"r_{name}": f"the position of `{name}`", f"omega_{name}": f"the angular velocity of `{name}`"} | axes
+
+
+def read_body(name: str, key: Scalar, node: Node, reading: Reading) -> tuple[Body, Mapping[str, Vector]]:
+    """One entry of `bodies`, and the vectors that it adds to the language."""
+    what = f"the body `{name}`"
+    section = Section(mapping_of(node, what, f"{name}: {_EXAMPLE}"), what, _KEYS, reading.findings)
+    mass, inertia, position = reading.findings.all_of(
+        lambda: mass_of(section.get("mass"), name, reading),
+        lambda: _inertia(section.required("inertia", key.span, "I_G"), reading),
+        lambda: reading.vector(section.required("position", key.span, "x*i + y*j"), f"the position of `{name}`"),
+    )
+    body = Body(name, mass, position, inertia, key.span)
+    turned, axes, spin = _turned_body(body, section, reading)
+    vectors = (position, spin, *axes)
+    return turned, dict(zip(names_of_body(name), vectors, strict=True))
+
+
+def constant(node: Node, what: str, reading: Reading) -> sp.Expr:
+    """An expression of parameters that is not negative. Raises ProblemError where it is none."""
+    value = reading.scalar(node, what, CONSTANT)
+    if value.xreplace(reading.values).is_negative:
+        shown = "" if value.is_negative else ", with the values that the file gives"
+        raise ProblemError(Diagnostic("negative", f"{what} is negative{shown}", node.span, help="change its sign"))
+    return value
+
+
+def mass_of(node: Node | None, name: str, reading: Reading) -> sp.Expr:
+    """The mass of a particle or body; 0 where the file gives none."""
+    return sp.S.Zero if node is None else constant(node, f"the mass of `{name}`", reading)
+
+
+def _inertia(node: Node, reading: Reading) -> tuple[sp.Expr, ...]:
+    if not isinstance(node, ListNode):
+        return (constant(node, "a moment of inertia", reading),)
+    if len(node.items) != 3:
+        message = f"`inertia` has one moment, or three principal moments, and not {len(node.items)}"
+        raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]`"))
+    return tuple(constant(item, "a moment of inertia", reading) for item in node.items)
+
+
+def _turned_body(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
+    """The body with what says how it is turned, its axes and its angular velocity."""
+    given = {k for k in ("angle", "orientation", "axes", "angular_velocity") if section.has(k)}
+    planar = len(body.inertia) == 1
+    if planar and given == {"angle"}:
+        return _with_angle(body, section, reading)
+    if not planar and given == {"orientation"}:
+        return _with_orientation(body, section, reading)
+    if not planar and given == {"axes", "angular_velocity"}:
+        return _with_axes(body, section, reading)
+    message = f"it is not clear how the body `{body.name}` is turned"
+    raise ProblemError(Diagnostic("orientation", message, body.span, help=_TURNING))
+
+
+def _with_angle(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
+    angle = reading.scalar(section.required("angle", body.span, "theta"), f"the angle of `{body.name}`", POSITION)
+    axes, spin = _turned(((3, angle),), reading.scope.slots)
+    return replace(body, angle=angle), axes, spin
+
+
+def _with_orientation(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
+    example = "{axes: 313, angles: [phi, theta, psi]}"
+    node = section.required("orientation", body.span, example)
+    mapping = mapping_of(node, "`orientation`", f"orientation: {example}")
+    inner = Section(mapping, "the orientation", ("axes", "angles"), reading.findings)
+    sequence = _sequence(inner.required("axes", node.span, "313"))
+    angles_node = inner.required("angles", node.span, "[phi, theta, psi]")
+    items = items_of(angles_node, "`angles`", "angles: [phi, theta, psi]")
+    if len(items) != 3:
+        message = f"an orientation has three angles, not {len(items)}"
+        help_ = "write `angles: [phi, theta, psi]`"
+        raise ProblemError(Diagnostic("orientation", message, angles_node.span, help=help_))
+    angles = tuple(reading.scalar(i, f"an angle of `{body.name}`", POSITION) for i in items)
+    axes, spin = _turned(tuple(zip(map(int, sequence), angles, strict=True)), reading.scope.slots)
+    return replace(body, sequence=sequence, angles=angles), axes, spin
+
+
+def _sequence(node: Node) -> str:
+    scalar = scalar_of(node, "`axes`")
+    if scalar.text not in SEQUENCES:
+        message = f"`{scalar.text}` is not a sequence of rotations"
+        help_ = f"it is one of {', '.join(SEQUENCES)}: neighbouring axes differ"
+        raise ProblemError(Diagnostic("unknown-sequence", message, scalar.span, help=help_))
+    return scalar.text
+
+
+def _with_axes(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
+    node = section.required("axes", body.span, "[e1, e2, e3]")
+    items = items_of(node, "`axes`", "axes: [e1, e2, e3]")
+    if len(items) != 3:
+        raise ProblemError(wrong_kind(node, f"`axes` has three vectors, and not {len(items)}", "write `[e1, e2, e3]`"))
+    a, b, c = (reading.vector(i, f"an axis of `{body.name}`") for i in items)
+    _check_triad((a, b, c), node, reading)
+    spin_node = section.required("angular_velocity", body.span, "theta'*k")
+    spin = reading.vector(spin_node, f"the angular velocity of `{body.name}`", RATE)
+    return replace(body, axes=(a, b, c), angular_velocity=spin), (a, b, c), spin
+
+
+def _check_triad(axes: tuple[Vector, Vector, Vector], node: Node, reading: Reading) -> None:
+    """Refuses axes that are not perpendicular unit vectors in right-handed order. What is undecided passes."""
+    wanted = [(axes[m].dot(axes[n]), int(m == n)) for m in range(3) for n in range(m, 3)]
+    if any(_differs(value, number, reading) for value, number in wanted):
+        message = "these axes are not perpendicular unit vectors"
+        help_ = "check their lengths and the angles between them"
+    elif _differs(axes[0].cross(axes[1]).dot(axes[2]), 1, reading):
+        message, help_ = "these axes are left-handed", "reverse or exchange two of them"
+    else:
+        return
+    raise ProblemError(Diagnostic("axes", message, node.span, help=help_))
+
+
+def _differs(value: sp.Expr, number: int, reading: Reading) -> bool:
+    try:
+        return reading.is_zero(value - number) is False
+    except DivisionByZeroError:
+        return True
+
+
+def _rotation(axis: int, angle: sp.Expr) -> sp.Matrix:
+    """The rotation by `angle` about coordinate axis 1, 2 or 3; columns are the turned axes."""
+    s, c = sp.sin(angle), sp.cos(angle)
+    a, b = {1: (1, 2), 2: (2, 0), 3: (0, 1)}[axis]
+    matrix = sp.eye(3)
+    matrix[a, a] = matrix[b, b] = c
+    matrix[a, b], matrix[b, a] = -s, s
+    return matrix
+
+
+def _turned(rotations: tuple[tuple[int, sp.Expr], ...], slots: Slots) -> tuple[tuple[Vector, ...], Vector]:
+    """The body's axes and its angular velocity, in i, j, k."""
+    matrix = sp.eye(3)
+    spin = Vector.zero()
+    for axis, angle in rotations:
+        direction = Vector(tuple(matrix[:, axis - 1]))
+        spin = spin + direction * slots.time_derivative(angle)
+        matrix = matrix * _rotation(axis, angle)
+    return tuple(Vector(tuple(matrix[:, k])) for k in range(3)), spin

@@ -1,0 +1,195 @@
+"""Answers compared: those that a problem file states, and somebody else's.
+
+`compared_answers` is what every solve does with the file's own; `check_answer` and `check_own_answers` are what
+`lagsolve check` does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from lagrange.answers import EXIT_STATUS, AnswerVerdict, Verdict, check_equations
+from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.problem import Problem
+from lagrange.references import Reference, reference_of_equations, reference_of_solution
+from lagrange.solution import Solution, solve
+
+
+@dataclass(frozen=True)
+class ComparedAnswer:
+    """One of the file's answers, with the verdict on it."""
+
+    name: str
+    verdict: Verdict
+
+
+def compared_answers(solution: Solution) -> Iterator[ComparedAnswer]:
+    """The file's own answers against the solution."""
+    yield from _before_equations(solution)
+    answers = solution.problem.answers
+    if answers is not None and answers.equations and (verdict := _equations(solution)) is not None:
+        yield ComparedAnswer("equations", verdict)
+    yield from _after_equations(solution)
+
+
+def _before_equations(solution: Solution) -> Iterator[ComparedAnswer]:
+    answers = solution.problem.answers
+    if answers is None:
+        return
+    classification = solution.classification
+    if answers.degrees_of_freedom is not None:
+        yield ComparedAnswer(
+            "degrees_of_freedom", _agrees(answers.degrees_of_freedom == classification.degrees_of_freedom)
+        )
+    if answers.classification:
+        yield ComparedAnswer("classification", _all_agree(_class(solution, word) for word in answers.classification))
+    if answers.integrable:
+        found = {c.constraint.name: c.integrable for c in classification.constraints}
+        verdicts = (None if found.get(n) is None else found[n] == said for n, said in answers.integrable.items())
+        yield ComparedAnswer("integrable", _all_agree(verdicts))
+
+
+def _after_equations(solution: Solution) -> Iterator[ComparedAnswer]:
+    answers = solution.problem.answers
+    if answers is None:
+        return
+    if answers.equilibrium:
+        yield ComparedAnswer("equilibrium", Verdict.UNDECIDED)
+    if answers.reactions:
+        yield ComparedAnswer("reactions", Verdict.UNDECIDED)
+
+
+def _equations(solution: Solution) -> Verdict | None:
+    """The verdict on the file's equations; None where they are in a choice of coordinates that was not asked for."""
+    answers = solution.problem.answers
+    assert answers is not None
+    if solution.motion is None:
+        return Verdict.UNDECIDED
+    verdict = check_equations(answers.equations, reference_of_solution(solution))
+    if verdict.unreadable:
+        raise ProblemError(verdict.unreadable)
+    some_left_out = len(solution.choices) < len(solution.problem.choices)
+    return None if verdict.verdict is Verdict.UNREADABLE and some_left_out else verdict.verdict
+
+
+def _agrees(same: bool | None) -> Verdict:
+    return Verdict.UNDECIDED if same is None else Verdict.EQUIVALENT if same else Verdict.WRONG
+
+
+def _all_agree(verdicts: Iterator[bool | None]) -> Verdict:
+    found = list(verdicts)
+    return _agrees(False if False in found else None if None in found else True)
+
+
+def _class(solution: Solution, word: str) -> bool | None:
+    """Whether the system is of a class; None where that is undecided."""
+    c = solution.classification
+    positive = {"holonomic": c.holonomic, "scleronomic": c.scleronomic, "catastatic": c.catastatic}
+    negative = {"nonholonomic": c.holonomic, "rheonomic": c.scleronomic, "acatastatic": c.catastatic}
+    if word in positive:
+        return positive[word]
+    value = negative[word]
+    return None if value is None else not value
+
+
+@dataclass(frozen=True)
+class CheckedAnswer:
+    """The outcome of `lagsolve check`: the verdict on equations; of the file's own answers, on the others too."""
+
+    equations: AnswerVerdict
+    others: tuple[ComparedAnswer, ...] = ()
+
+    @property
+    def verdict(self) -> Verdict:
+        """The verdict on everything: the first that applies."""
+        found = [self.equations.verdict, *(a.verdict for a in self.others)]
+        return next((v for v in _FIRST if v in found), self.equations.verdict)
+
+    @property
+    def exit_status(self) -> int:
+        """0 equivalent; 1 wrong, incomplete or trivial; 2 unreadable; 3 undecided."""
+        return EXIT_STATUS[self.verdict]
+
+    @property
+    def messages(self) -> tuple[Diagnostic, ...]:
+        """What could not be read, with its place, and how the rest was read where that may surprise."""
+        return (*self.equations.unreadable, *self.equations.notes)
+
+    def as_json(self) -> dict[str, object]:
+        """The verdict as FORMAT's JSON object; `answers` are those of the file that are not equations."""
+        equations = [
+            {"text": e.text, "verdict": e.verdict.value, "diagnosis": e.diagnosis, "remarks": list(e.remarks)}
+            for e in self.equations.equations
+        ]
+        found = {"verdict": self.verdict.value, "equations": equations, "missing": self.equations.missing}
+        answers = [{"name": a.name, "verdict": a.verdict.value} for a in self.others]
+        return found | ({"answers": answers} if answers else {})
+
+    def as_text(self) -> str:
+        """The verdict for a person."""
+        headlines = _HEADLINES | (_HEADLINES_OF_FILE if self.others else {})
+        lines = [headlines[self.verdict].format(missing=_missing(self.equations.missing))]
+        lines += [f"  {_MARKS[a.verdict]} {a.name.replace('_', ' ')}" for a in self.others]
+        for e in self.equations.equations:
+            said = "; ".join((*((e.diagnosis,) if e.diagnosis else ()), *e.remarks))
+            lines.append(f"  {_MARKS[e.verdict]} {e.text}{'    ' + said if said else ''}")
+        return "\n".join(lines)
+
+
+_FIRST = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
+_HEADLINES = {
+    Verdict.EQUIVALENT: "equivalent: the equations have the same solutions as the derived ones",
+    Verdict.WRONG: "wrong: not every equation follows from the equations of motion",
+    Verdict.INCOMPLETE: "incomplete: what is there follows, and {missing}",
+    Verdict.TRIVIAL: "trivial: the equations say nothing of the motion",
+    Verdict.UNREADABLE: "unreadable: not every equation can be read",
+    Verdict.UNDECIDED: "undecided: it could not be settled whether the equations follow",
+}
+_HEADLINES_OF_FILE = {
+    Verdict.EQUIVALENT: "equivalent: the file's answers agree with what is derived",
+    Verdict.WRONG: "wrong: not all of the file's answers agree with what is derived",
+    Verdict.UNDECIDED: "undecided: it could not be settled whether all of the file's answers are right",
+}
+_MARKS = {
+    Verdict.EQUIVALENT: "✓",
+    Verdict.WRONG: "✗",
+    Verdict.TRIVIAL: "·",
+    Verdict.UNREADABLE: "!",
+    Verdict.UNDECIDED: "?",
+    Verdict.INCOMPLETE: "·",
+}
+
+
+def _missing(number: int) -> str:
+    return "one independent equation is missing" if number == 1 else f"{number} independent equations are missing"
+
+
+def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
+    """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
+    return CheckedAnswer(check_equations(answer, reference(problem)))
+
+
+def check_own_answers(problem: Problem) -> CheckedAnswer:
+    """The verdict on the answers that the problem file states. Raises ProblemError where it states none."""
+    stated = problem.answers.equations if problem.answers is not None else ()
+    if problem.equations:
+        return check_answer(problem, stated)
+    solution = solve(problem)
+    others = (*_before_equations(solution), *_after_equations(solution))
+    if not stated and others:
+        return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
+    return CheckedAnswer(check_equations(stated, _reference_of(solution)), others)
+
+
+def reference(problem: Problem) -> Reference:
+    """What answers to a problem are compared with: its solution, or the equations that it gives outright."""
+    return reference_of_equations(problem) if problem.equations else _reference_of(solve(problem))
+
+
+def _reference_of(solution: Solution) -> Reference:
+    if solution.motion is None:
+        message = "the problem asks for no motion: there are no equations to compare with"
+        help_ = "give the problem masses, and leave `find` out"
+        raise ProblemError(Diagnostic("no-equations", message, help=help_))
+    return reference_of_solution(solution)

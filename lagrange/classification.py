@@ -1,0 +1,195 @@
+"""The whole system of constraints: rank, hidden finite relations, classification, degrees of freedom.
+
+    degrees of freedom        n − rank A               independent virtual displacements
+    configuration dimension   n − integrable_rank      reachable configurations
+
+`integrable_rank` is the rank of the last derived system: the number of finite relations that the constraints hold
+together, some of them perhaps shown by none alone. The system is holonomic when all of them come to finite relations.
+A constraint that is a finite relation makes it rheonomic by t in that relation, one that is not by t in its form.
+
+Shapes: A (m, n), a_t (m,). All ranks are taken at generic points where the geometric constraints hold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from lagrange.constraints import ConstraintAnalysis, analysis, pfaffian_form
+from lagrange.diagnostics import Diagnostic, ProblemError, UndecidedError
+from lagrange.exact import NoPointError, Surface
+from lagrange.integrability import Flag, derived_flag
+from lagrange.kinematics import Row
+from lagrange.notation import base, t
+from lagrange.problem import Constraint, Problem
+
+
+@dataclass(frozen=True)
+class Classification:
+    """What the constraints are together. What is None could not be decided.
+
+    rank       of A
+    flag       the ranks of the derived flag
+    redundant  names of constraints that follow from those before them
+    moving     names of particles whose position contains t
+    """
+
+    constraints: tuple[ConstraintAnalysis, ...]
+    rank: int
+    flag: Flag
+    redundant: tuple[str, ...]
+    moving: tuple[str, ...]
+    coordinates: int
+
+    @property
+    def integrable_rank(self) -> int | None:
+        """The number of independent finite relations in the constraints."""
+        return self.flag.integrable_rank
+
+    @property
+    def holonomic(self) -> bool | None:
+        """Whether all constraints come to finite relations."""
+        return None if self.integrable_rank is None else self.integrable_rank == self.rank
+
+    @property
+    def scleronomic(self) -> bool | None:
+        """Whether neither the constraints nor the positions contain t."""
+        verdicts = [c.depends_on_time for c in self.constraints]
+        if self.moving or True in verdicts:
+            return False
+        return None if None in verdicts else True
+
+    @property
+    def catastatic(self) -> bool | None:
+        """Whether a_t = 0 in all constraints."""
+        verdicts = [c.catastatic for c in self.constraints]
+        return False if False in verdicts else None if None in verdicts else True
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """The number of independent virtual displacements."""
+        return self.coordinates - self.rank
+
+    @property
+    def configuration_dimension(self) -> int | None:
+        """The dimension of the reachable configurations."""
+        return None if self.integrable_rank is None else self.coordinates - self.integrable_rank
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The differential forms."""
+        return tuple(c.row for c in self.constraints)
+
+
+def classify(problem: Problem) -> Classification:
+    """Analyses the constraints of a problem.
+
+    Raises ProblemError where they contradict one another, UndecidedError where their rank could not be found,
+    NotCoveredError where one is not linear in the velocities.
+    """
+    slots = problem.slots
+    rows = tuple(pfaffian_form(c, slots) for c in problem.constraints)
+    geometric = [r for r in rows if r.finite is not None]
+    surface = Surface([r.finite for r in geometric], slots.coordinates)
+    _check_consistent(problem.constraints, rows, surface)
+    redundant = _redundant(rows, surface)
+    independent = [r for r in geometric if r.name not in redundant]
+    forms = [(*r.coefficients, r.drift) for r in rows]
+    return Classification(
+        constraints=tuple(
+            analysis(c, row, independent, surface, slots) for c, row in zip(problem.constraints, rows, strict=True)
+        ),
+        rank=_rank(rows, surface),
+        flag=derived_flag(forms, slots, surface.constraints) if forms else Flag((0,), 0),
+        redundant=redundant,
+        moving=_moving_positions(problem),
+        coordinates=len(slots.coordinates),
+    )
+
+
+def _rank(rows: Sequence[Row], surface: Surface) -> int:
+    found = surface.rank([r.coefficients for r in rows]) if rows else 0
+    if found is None:
+        raise UndecidedError("how many of the constraints are independent")
+    return found
+
+
+def _check_consistent(constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> None:
+    """Refuses constraints that exclude one another: f = 0 with f = 1, or a_t outside the range of A."""
+    geometric = [c for c in constraints if not c.kinematic]
+    clash = [geometric[k] for k in surface.contradictory()]
+    if not clash or has_real_point(surface):
+        _check_regular(geometric, rows, surface)
+        clash = _clash_of_rates(constraints, rows, surface)
+    if clash:
+        listed = " and ".join(f"`{c.name}`" for c in clash)
+        message = f"{listed} contradict each other" if len(clash) > 1 else f"{listed} cannot be satisfied"
+        help_ = "no position or velocity satisfies them; correct or remove one"
+        raise ProblemError(Diagnostic("contradictory-constraints", message, clash[-1].span, help=help_))
+
+
+def has_real_point(surface: Surface) -> bool:
+    """Whether a real configuration satisfies the constraints; found by Newton's iteration, so that True is certain."""
+    try:
+        surface.real_point()
+    except NoPointError:
+        return False
+    return True
+
+
+def _check_regular(geometric: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> None:
+    """Refuses constraints such as sin x = 1, whose differential vanishes where they hold and binds nothing."""
+    finite = [r for r in rows if r.finite is not None]
+    for constraint, row in zip(geometric, finite, strict=True):
+        if surface.rank([row.coefficients]) == 0:
+            message = f"the differential of `{constraint.name}` vanishes wherever the constraint holds"
+            help_ = "write it so that it changes sign there: `x = pi/2` and not `sin(x) = 1`"
+            raise ProblemError(Diagnostic("singular-constraint", message, constraint.span, help=help_))
+
+
+def _clash_of_rates(constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> list[Constraint]:
+    """The first constraint whose velocity form excludes those before it, with them."""
+    for count in range(1, len(rows) + 1):
+        some = rows[:count]
+        a = surface.rank([r.coefficients for r in some])
+        whole = surface.rank([(*r.coefficients, r.drift) for r in some])
+        if a is not None and whole is not None and whole > a:
+            return _smallest_clash(constraints[:count], some, surface)
+    return []
+
+
+def _smallest_clash(constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> list[Constraint]:
+    """Without those constraints that the contradiction does not need."""
+    kept = list(zip(constraints, rows, strict=True))
+    for pair in list(kept):
+        fewer = [p for p in kept if p is not pair]
+        a = surface.rank([r.coefficients for _, r in fewer]) if fewer else 0
+        whole = surface.rank([(*r.coefficients, r.drift) for _, r in fewer]) if fewer else 0
+        if a is not None and whole is not None and whole > a:
+            kept = fewer
+    return [c for c, _ in kept]
+
+
+def _redundant(rows: Sequence[Row], surface: Surface) -> tuple[str, ...]:
+    """The rows that raise the rank of those before them by nothing."""
+    found = []
+    before = 0
+    for count, row in enumerate(rows, start=1):
+        now = surface.rank([r.coefficients for r in rows[:count]])
+        if now is None:
+            raise UndecidedError(f"whether the constraint `{row.name}` follows from the others")
+        if now == before:
+            found.append(row.name)
+        before = now
+    return tuple(found)
+
+
+def _moving_positions(problem: Problem) -> tuple[str, ...]:
+    """The particles and bodies whose position contains t, explicitly or through a prescribed motion."""
+    prescribed = set(problem.slots.prescribed)
+    positions = [(p.name, p.position) for p in problem.particles] + [(b.name, b.position) for b in problem.bodies]
+    return tuple(
+        name
+        for name, r in positions
+        if any(s == t or base(s) in prescribed for c in r.components for s in c.free_symbols)
+    )

@@ -1,0 +1,203 @@
+"""Do two systems of equations have the same solutions?
+
+Equations of motion are affine in the unknowns (accelerations, multipliers). At a random state on the constraint
+surface, with velocities that satisfy the constraints, each becomes a row [A | b]. An equation follows from a system
+when its row lies in the row space of the system's rows and of the second derivatives of the constraints, and two
+systems agree when their row spaces do. Any rearrangement, any nonzero factor and any linear combination is taken in.
+Multipliers are columns like the others; where they may be eliminated, their columns are projected out.
+
+Rows are taken exactly at random points (`exact`), so that one point decides, up to a chance of about 2^-50, and the
+others are a precaution; a result that differs from point to point is "undecided".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from enum import Enum, auto
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from lagrange.exact import Point
+from lagrange.kinematics import Configuration
+from lagrange.sampling import agreed
+
+
+class Standing(Enum):
+    """How one equation stands to a system."""
+
+    FOLLOWS = auto()
+    CONSTRAINT = auto()  # it holds by the constraints alone, or is an identity
+    REDUNDANT = auto()  # it follows, and from the equations before it
+    CONTRADICTS = auto()
+    NOT_LINEAR = auto()  # in the accelerations
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """How each equation stands to the system, and how many independent ones are missing."""
+
+    standings: tuple[Standing, ...]
+    missing: int
+
+    @property
+    def agree(self) -> bool:
+        """Whether the two systems have the same solutions."""
+        bad = {Standing.CONTRADICTS, Standing.NOT_LINEAR}
+        return self.missing == 0 and not bad & set(self.standings)
+
+
+@dataclass(frozen=True)
+class System:
+    """A system of equations of motion: each of `equations` is zero.
+
+    multipliers  unknowns beside the accelerations: λ_j of the constraints, unknown forces
+    """
+
+    configuration: Configuration
+    equations: tuple[sp.Expr, ...]
+    multipliers: tuple[sp.Symbol, ...] = ()
+
+    @cached_property
+    def accelerated_constraints(self) -> tuple[sp.Expr, ...]:
+        """d/dt of the velocity form of each constraint."""
+        slots = self.configuration.slots
+        return tuple(slots.time_derivative(r.velocity_form(slots)) for r in self.configuration.rows)
+
+
+def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol] = ()) -> Comparison | None:
+    """How the equations `answer` (each zero) stand to a system. None: undecided.
+
+    free  unknown forces that only the answer knows; they are eliminated from it
+
+    Raises DivisionByZero where the answer divides by what is exactly zero.
+    """
+    expressions = (*answer, *system.equations, *system.accelerated_constraints)
+    symbols = symbols_of(expressions)
+    surface = system.configuration.surface
+    return agreed(
+        surface,
+        lambda p: _compared(state(p, system.configuration, symbols), answer, system, free),
+        expressions,
+    )
+
+
+def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
+    """The symbols of several expressions, in a fixed order."""
+    return tuple(sorted(set().union(*(e.free_symbols for e in expressions)), key=lambda s: s.name))
+
+
+def state(point: Point, configuration: Configuration, symbols: Iterable[sp.Symbol]) -> Point:
+    """The point with velocities that satisfy A q' + a_t = 0 and are random otherwise.
+
+    All `symbols` have their values afterwards, so that points made from it share them.
+    """
+    slots, rows = configuration.slots, configuration.rows
+    for s in symbols:
+        point.input(s)
+    velocities: list[Any] = [point.random() for _ in slots.velocities]
+    if rows:
+        a = [point.values(r.coefficients) for r in rows]
+        minus = [point.arithmetic.reduce(-point.value(r.drift)) for r in rows]
+        found = point.solution(a, minus, velocities)
+        if found is None:
+            raise ContradictionError
+        velocities = found
+    return point.with_values(dict(zip(slots.velocities, velocities, strict=True)))
+
+
+class ContradictionError(Exception):
+    """No velocity satisfies the constraints. `classify` refuses such systems before."""
+
+
+def affine_rows(point: Point, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[list[Any]]:
+    """The coefficients of the unknowns and the constant of each expression, shape (m, len(unknowns) + 1).
+
+    The expressions are derived equations, which are affine in accelerations and multipliers.
+    """
+    rows = point.affine(expressions, unknowns)
+    assert rows is not None
+    return rows
+
+
+def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]) -> Comparison:
+    eliminated = len(free) + len(system.multipliers)
+    unknowns = (*free, *system.multipliers, *system.configuration.slots.accelerations)
+    derived = affine_rows(moving, (*system.accelerated_constraints, *system.equations), unknowns)
+    constraints, known = derived[: len(system.accelerated_constraints)], derived
+    rank = moving.rank(known)
+    rows: list[list[Any]] = []
+    standings = []
+    for e in answer:
+        affine = moving.affine([e], unknowns)
+        if affine is None:
+            standings.append(Standing.NOT_LINEAR)
+            rows.append([moving.number(0)] * (len(unknowns) + 1))
+            continue
+        row = affine[0]
+        standings.append(_standing(moving, row, known, rank, constraints, rows, len(free)))
+        rows.append(row)
+    _judge_free(moving, standings, rows, known, rank, len(free))
+    good = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]
+    wanted = _rank_without(moving, known, eliminated)
+    reached = _rank_without(moving, [*constraints, *good], eliminated)
+    return Comparison(tuple(standings), max(0, wanted - reached))
+
+
+_COUNTED = (Standing.FOLLOWS, Standing.CONSTRAINT, Standing.REDUNDANT)
+
+
+def _standing(
+    point: Point,
+    row: list[Any],
+    known: list[list[Any]],
+    rank: int,
+    constraints: list[list[Any]],
+    before: list[list[Any]],
+    free: int,
+) -> Standing:
+    vanishes = point.arithmetic.vanishes
+    if any(not vanishes(x) for x in row[:free]):
+        return Standing.FOLLOWS  # judged together with the others, once the free unknowns are eliminated
+    if point.rank([*known, row]) > rank:
+        return Standing.CONTRADICTS
+    if point.rank([*constraints, row]) == point.rank(constraints):
+        return Standing.CONSTRAINT
+    if point.rank([*constraints, *before, row]) == point.rank([*constraints, *before]):
+        return Standing.REDUNDANT
+    return Standing.FOLLOWS
+
+
+def _rank_without(point: Point, rows: list[list[Any]], eliminated: int) -> int:
+    """The number of independent equations that are left when the first unknowns are eliminated."""
+    head = [row[:eliminated] for row in rows]
+    return point.rank(rows) - (point.rank(head) if eliminated else 0)
+
+
+def _judge_free(
+    point: Point,
+    standings: list[Standing],
+    rows: list[list[Any]],
+    known: list[list[Any]],
+    rank: int,
+    free: int,
+) -> None:
+    """Equations with free unknowns contradict the system where what is left after eliminating them does."""
+    if not free:
+        return
+    using = [n for n, row in enumerate(rows) if any(not point.arithmetic.vanishes(x) for x in row[:free])]
+    chosen = [rows[n] for n in using]
+    if not chosen:
+        return
+    transposed = [list(column) for column in zip(*(row[:free] for row in chosen), strict=True)]
+    for combination in point.nullspace(transposed, len(chosen)):
+        row = [
+            point.arithmetic.reduce(sum(c * r[k] for c, r in zip(combination, chosen, strict=True)))
+            for k in range(len(chosen[0]))
+        ]
+        if point.rank([*known, row]) > rank:
+            for n, c in zip(using, combination, strict=True):
+                if not point.arithmetic.vanishes(c):
+                    standings[n] = Standing.CONTRADICTS

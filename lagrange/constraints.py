@@ -1,0 +1,163 @@
+"""One constraint at a time: geometric or kinematic, its differential form, whether that is exact or integrable.
+
+    geometric   f(q, t) = 0          a_i = ∂f/∂q_i     a_t = ∂f/∂t
+    kinematic   φ(q, q', t) = 0      a_i = ∂φ/∂q_i'    a_t = φ at q' = 0     (φ linear in q')
+
+ω = Σ a_i dq_i + a_t dt is exact if its partial derivatives agree in pairs, and then ω = dF: the constraint is the
+finite relation F = const. A form that is not exact may still be integrable; Frobenius' condition ω ∧ dω = 0, with dt
+among the differentials, decides. It is taken where the geometric constraints hold.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from lagrange.diagnostics import NotCoveredError
+from lagrange.exact import Surface
+from lagrange.exterior import Form, one_form, wedge
+from lagrange.integrability import Exactness, exactness, frobenius_form, is_integrable
+from lagrange.kinematics import Row
+from lagrange.notation import Slots, base, t
+from lagrange.potentials import potential
+from lagrange.problem import Constraint
+from lagrange.textbook import textbook_form
+
+
+@dataclass(frozen=True)
+class FrobeniusComponent:
+    """coefficient · dq_i ∧ dq_j ∧ ...; `nonzero` where the geometric constraints hold, None: undecided."""
+
+    variables: tuple[sp.Symbol, ...]
+    coefficient: sp.Expr
+    nonzero: bool | None
+
+
+@dataclass(frozen=True)
+class ConstraintAnalysis:
+    """What one constraint is.
+
+    row              its differential form
+    exactness        the pairs of partial derivatives
+    integrable       whether it is a finite relation, on its own and where the geometric constraints hold
+    integral         F, where the form is exact or the constraint is given in finite form; F stays constant
+    frobenius        the components of ω ∧ dω ∧ df_1 ∧ ... that are not written as 0, where the form is not exact; the f
+                     are the geometric constraints, so that only what is seen on their surface counts
+    depends_on_time  t occurs: in the finite relation if it is one, in the form otherwise
+    catastatic       a_t = 0
+    contains_time    t or a prescribed motion is written in the constraint
+    """
+
+    constraint: Constraint
+    row: Row
+    exactness: Exactness
+    integrable: bool | None
+    integral: sp.Expr | None
+    frobenius: tuple[FrobeniusComponent, ...]
+    depends_on_time: bool | None
+    catastatic: bool | None
+    contains_time: bool
+
+
+def pfaffian_form(constraint: Constraint, slots: Slots) -> Row:
+    """The differential form of a constraint. Raises NotCoveredError where it is not linear in the velocities."""
+    f = constraint.function
+    if not constraint.kinematic:
+        return Row(constraint.name, tuple(f.diff(q) for q in slots.coordinates), slots.frozen_derivative(f), f)
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+    coefficients = tuple(_coefficient(f, v, slots) for v in slots.velocities)
+    if any(c is None for c in coefficients):
+        what = f"the constraint `{constraint.name}`, which is not linear in the velocities,"
+        raise NotCoveredError(what, constraint.span)
+    return Row(constraint.name, tuple(c for c in coefficients if c is not None), f.xreplace(at_rest))
+
+
+def _coefficient(f: sp.Expr, velocity: sp.Symbol, slots: Slots) -> sp.Expr | None:
+    """∂f/∂q', free of velocities; None where f is not linear."""
+    derivative = f.diff(velocity)
+    if not derivative.free_symbols & set(slots.velocities):
+        return derivative
+    expanded = sp.expand(derivative)
+    return None if expanded.free_symbols & set(slots.velocities) else expanded
+
+
+def analysis(
+    constraint: Constraint, row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots
+) -> ConstraintAnalysis:
+    """What a constraint is. `geometric` are the rows of the geometric constraints, `surface` is where they hold."""
+    form, variables = (*row.coefficients, row.drift), (*slots.coordinates, t)
+    pairs = exactness(form, variables, slots)
+    integral = _integral(row, pairs.exact, slots)
+    integrable: bool | None = True
+    frobenius: tuple[FrobeniusComponent, ...] = ()
+    if row.finite is None and pairs.exact is not True:
+        integrable = is_integrable(form, slots, surface.constraints)
+        frobenius = _frobenius(row, geometric, surface, slots)
+    return ConstraintAnalysis(
+        constraint=constraint,
+        row=row,
+        exactness=pairs,
+        integrable=integrable,
+        integral=integral,
+        frobenius=frobenius,
+        depends_on_time=_depends_on_time(row, integrable, surface, slots),
+        catastatic=surface.is_zero(row.drift),
+        contains_time=_contains_time(constraint.function, slots),
+    )
+
+
+def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots) -> tuple[FrobeniusComponent, ...]:
+    """ω ∧ dω ∧ df_1 ∧ ..., its components where the geometric constraints hold."""
+    variables = (*slots.coordinates, t)
+    form: Form = {
+        tuple(variables.index(v) for v in c.variables): c.coefficient
+        for c in frobenius_form((*row.coefficients, row.drift), variables, slots)
+    }
+    for other in geometric:
+        form = wedge(form, one_form((*other.coefficients, other.drift)))
+    found = []
+    for indices, coefficient in sorted(form.items()):
+        tidied = textbook_form(coefficient)
+        if tidied == 0:
+            continue
+        zero = surface.is_zero(tidied)
+        nonzero = None if zero is None else not zero
+        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), tidied, nonzero))
+    return tuple(found)
+
+
+def _integral(row: Row, exact: bool | None, slots: Slots) -> sp.Expr | None:
+    """The function that stays constant, without its additive constant."""
+    if row.finite is None:
+        return potential((*row.coefficients, row.drift), (*slots.coordinates, t), slots) if exact else None
+    moving = {*slots.coordinates, *slots.prescribed, t}
+    terms = sp.Add.make_args(sp.expand(row.finite) if row.finite.is_Mul else row.finite)
+    return sp.Add(*(term for term in terms if any(base(s) in moving for s in term.free_symbols)))
+
+
+def _contains_time(expression: sp.Expr, slots: Slots) -> bool:
+    return any(s == t or base(s) in slots.prescribed for s in expression.free_symbols)
+
+
+def _depends_on_time(row: Row, integrable: bool | None, surface: Surface, slots: Slots) -> bool | None:
+    """Whether t occurs, explicitly or through a prescribed motion.
+
+    A finite relation contains t just when its form has a dt. A form that is no finite relation contains t when the
+    ratio of two of its coefficients does, so that a common factor makes no difference.
+    """
+    if row.finite is not None:
+        return _contains_time(row.finite, slots)
+    if integrable is None:
+        return None
+    if integrable:
+        at_rest = surface.is_zero(row.drift)
+        return None if at_rest is None else not at_rest
+    form = (*row.coefficients, row.drift)
+    pivot = next((a for a in form if surface.is_zero(a) is False), None)
+    if pivot is None:
+        return None
+    rate = slots.frozen_derivative
+    verdicts = [surface.is_zero(rate(a) * pivot - a * rate(pivot)) for a in form]
+    return True if False in verdicts else None if None in verdicts else False

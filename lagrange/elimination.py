@@ -1,0 +1,109 @@
+"""Gauss–Jordan elimination over whatever the numbers are: residues mod p, or reals of eighty digits.
+
+Residues are exact, and any pivot that is not zero serves. With reals the largest pivot is taken, and a rank
+is given only where a clear gap separates the pivots from what rounding leaves: no small number is called
+zero by a guess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Protocol
+
+Row = list[Any]
+
+
+class Arithmetic(Protocol):
+    """The numbers at a point."""
+
+    exact: bool
+    random: Any
+
+    def number(self, numerator: int, denominator: int = 1) -> Any:
+        """A rational number."""
+
+    def reduce(self, x: Any) -> Any:
+        """The canonical form of a sum of products."""
+
+    def inverse(self, x: Any) -> Any:
+        """1/x. Raises ZeroDivisorError."""
+
+    def vanishes(self, x: Any) -> bool:
+        """Whether x is 0. Raises InadmissibleError when that cannot be told."""
+
+    def root(self, x: Any) -> Any:
+        """√x. Raises InadmissibleError when it does not exist."""
+
+    def sample(self) -> Any:
+        """A random number."""
+
+
+def row_reduced(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> tuple[list[Row], list[int]]:
+    """Reduced row echelon form without its zero rows, and pivot columns: (m, n) -> (r, n), (r,)."""
+    work = [[arithmetic.reduce(x) for x in row] for row in rows]
+    width = len(work[0]) if work else 0
+    pivots: list[int] = []
+    for column in range(width):
+        top = len(pivots)
+        chosen = _pivot(arithmetic, work, top, column)
+        if chosen is None:
+            continue
+        work[top], work[chosen] = work[chosen], work[top]
+        scale = arithmetic.inverse(work[top][column])
+        pivot = work[top] = [arithmetic.reduce(x * scale) for x in work[top]]
+        for n, row in enumerate(work):
+            factor = row[column]
+            if n != top and factor != 0:
+                work[n] = [arithmetic.reduce(x - factor * y) for x, y in zip(row, pivot, strict=True)]
+                work[n][column] = arithmetic.number(0)
+        pivots.append(column)
+        if len(pivots) == len(work):
+            break
+    return work[: len(pivots)], pivots
+
+
+def rank(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> int:
+    """The rank of a matrix of shape (m, n)."""
+    return len(row_reduced(arithmetic, rows)[1])
+
+
+def nullspace(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]], width: int) -> list[Row]:
+    """A basis of the x with A x = 0: A of shape (m, width), basis vectors of shape (width,)."""
+    reduced, pivots = row_reduced(arithmetic, rows)
+    basis = []
+    for free in (c for c in range(width) if c not in pivots):
+        vector = [arithmetic.number(0)] * width
+        vector[free] = arithmetic.number(1)
+        for row, pivot in zip(reduced, pivots, strict=True):
+            vector[pivot] = arithmetic.reduce(-row[free])
+        basis.append(vector)
+    return basis
+
+
+def solution(
+    arithmetic: Arithmetic,
+    rows: Sequence[Sequence[Any]],
+    right: Sequence[Any],
+    free: Sequence[Any] | None = None,
+) -> Row | None:
+    """An x with A x = b, or None when there is none. A of shape (m, n), b of shape (m,), x of shape (n,).
+
+    Unknowns that stay free take their values from `free`, shape (n,), or 0.
+    """
+    width = len(rows[0]) if rows else len(free or ())
+    reduced, pivots = row_reduced(arithmetic, [[*row, b] for row, b in zip(rows, right, strict=True)])
+    if width in pivots:
+        return None
+    x = list(free) if free is not None else [arithmetic.number(0)] * width
+    others = [c for c in range(width) if c not in pivots]
+    for row, pivot in zip(reduced, pivots, strict=True):
+        x[pivot] = arithmetic.reduce(row[width] - sum(row[c] * x[c] for c in others))
+    return x
+
+
+def _pivot(arithmetic: Arithmetic, rows: list[Row], top: int, column: int) -> int | None:
+    candidates = range(top, len(rows))
+    if arithmetic.exact:
+        return next((n for n in candidates if rows[n][column] != 0), None)
+    best = max(candidates, key=lambda n: abs(rows[n][column]), default=None)
+    return None if best is None or arithmetic.vanishes(rows[best][column]) else best

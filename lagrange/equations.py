@@ -1,0 +1,132 @@
+"""Equations of motion from d'Alembert's principle.
+
+Where the δq_k are independent, each D_k vanishes. Where the constraints bind them, A δq = 0 gives the dependent ones,
+δq_D = B δq_I, and what multiplies each independent δq_k vanishes:
+
+    D_k + Σ_d B_dk D_d = 0 ,      together with the constraints.
+
+Denominators are multiplied out and factors common to all terms divided out; both are recorded, because what is divided
+by must not vanish.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from lagrange.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
+from lagrange.displacements import Elimination
+from lagrange.exact import NoPointError, UnsupportedError
+from lagrange.kinematics import Configuration
+from lagrange.notation import prime, variation
+from lagrange.principle import Principle
+from lagrange.textbook import Factor, common_factor, normalised
+from lagrange.trigonometry import Element
+
+
+@dataclass(frozen=True)
+class EquationOfMotion:
+    """expression = 0, which multiplies the virtual displacement of `coordinate`.
+
+    factor    what has been divided out: its numerator divided by, its denominator multiplied by
+    reversed  whether the sign has been changed too
+    """
+
+    coordinate: sp.Symbol
+    expression: sp.Expr
+    factor: Factor
+    reversed: bool
+
+
+@dataclass(frozen=True)
+class EquationsOfMotion:
+    """The equations of one configuration; the rows of the configuration complete them.
+
+    elimination  of the dependent virtual displacements
+    reduced      Σ over the independent δq: the principle with the dependent ones put in, in textbook form
+    """
+
+    configuration: Configuration
+    principle: Principle
+    elimination: Elimination
+    reduced: sp.Expr
+    equations: tuple[EquationOfMotion, ...]
+
+    @property
+    def expressions(self) -> tuple[sp.Expr, ...]:
+        """Each of these is zero."""
+        return tuple(e.expression for e in self.equations)
+
+
+def equations_of_motion(principle: Principle, elimination: Elimination) -> EquationsOfMotion:
+    """The equations of motion of a configuration, the dependent virtual displacements eliminated."""
+    configuration = principle.configuration
+    coordinates = configuration.slots.coordinates
+    coefficients = _of_independent(principle, elimination)
+    ring, textbook = principle.ring, principle.textbook
+    displacements = [ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
+    reduced = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
+    equations = tuple(
+        _divided(principle, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
+    )
+    return EquationsOfMotion(configuration, principle, elimination, textbook.form(reduced), equations)
+
+
+def _of_independent(principle: Principle, elimination: Elimination) -> list[Element]:
+    """D_k + Σ_d B_dk D_d for each independent k."""
+    ring, d = principle.ring, principle.coefficients
+    found = []
+    for column, k in enumerate(elimination.independent):
+        shares = (
+            ring.from_sympy(row[column]) * d[dependent]
+            for dependent, row in zip(elimination.dependent, elimination.solution, strict=True)
+            if row[column] != 0
+        )
+        found.append(ring.total([d[k], *shares]))
+    return found
+
+
+def _divided(principle: Principle, coordinate: sp.Symbol, coefficient: Element) -> EquationOfMotion:
+    """The equation without common factors and common denominators, its leading acceleration positive."""
+    textbook = principle.textbook
+    expression = textbook.form(coefficient)
+    factor = common_factor(expression)
+    kept = factor.divide(expression)
+    if any(f.is_Add for f, _ in factor.denominator.powers):
+        shorter = factor.numerator.divide(expression)
+        if shorter.count_ops() < kept.count_ops():  # what is gained by multiplying out is lost in length
+            kept, factor = shorter, factor.numerator
+    if factor.denominator.powers:
+        kept = textbook.form(kept)
+    leading = normalised(kept, [prime(coordinate, 2)])
+    return EquationOfMotion(coordinate, leading, factor, leading != kept)
+
+
+def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
+    """Refuses a system whose equations do not determine the accelerations: a coordinate without inertia.
+
+    Raises ProblemError naming the coordinate, UndecidedError where no generic point was found.
+    """
+    configuration = result.configuration
+    slots = configuration.slots
+    matrix = [[e.diff(a) for a in slots.accelerations] for e in result.expressions]
+    matrix += [list(row.coefficients) for row in configuration.rows]
+    try:
+        kernels = configuration.surface.sampled(
+            lambda p: p.nullspace([p.values(row) for row in matrix], len(slots.coordinates)), 2
+        )
+    except (NoPointError, UnsupportedError):
+        raise UndecidedError("whether every coordinate has inertia", span) from None
+    kernel = min(kernels, key=len)
+    if not kernel:
+        return
+    idle = [q for k, q in enumerate(slots.coordinates) if any(v[k] != 0 for v in kernel)]
+    listed = ", ".join(f"`{q}`" for q in idle)
+    message = (
+        f"{listed} can change without moving any mass"
+        if len(idle) == 1
+        else f"{listed} can change together without moving any mass"
+    )
+    help_ = "give a mass to what moves with it, or remove the coordinate; with `find: equilibrium` no mass is needed"
+    raise ProblemError(Diagnostic("no-inertia", message, span, help=help_))

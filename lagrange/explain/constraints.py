@@ -1,0 +1,318 @@
+"""The constraints: what kind, their differential forms, exactness, integrability, classification, freedom."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from lagrange.classification import Classification
+from lagrange.constraints import ConstraintAnalysis, FrobeniusComponent
+from lagrange.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Prose,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    Term,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
+from lagrange.displacements import possible_displacement
+from lagrange.explain.words import brief, counted, plural, spoken
+from lagrange.integrability import Comparison
+from lagrange.notation import Partial, Slots, Wedge, differential, t
+
+OMEGA = sp.Symbol("omega", real=True)
+CONSTANT = sp.Symbol("const", real=True)
+SHOWN_PAIRS = 3
+
+
+def explain_constraints(classification: Classification) -> Step:
+    """Each constraint; which are geometric and which kinematic, and whether time occurs."""
+    constraints = classification.constraints
+    if not constraints:
+        return Step(Rule.CONSTRAINT, "Constraints", (prose("There are none: the coordinates are free."),))
+    lines = []
+    for c in constraints:
+        note = f": {c.constraint.note}" if c.constraint.note else ""
+        sides = (c.constraint.lhs, c.constraint.rhs)
+        lines.append(Equation(sides, label=f"constraint-{c.row.name}", condition=(f"({spoken(c.row.name)}{note})",)))
+    body: list[Block] = [display(*lines)]
+    sentences = []
+    for kinematic, why, kind in (
+        (False, "No velocity occurs in ", "geometric"),
+        (True, "Velocities occur in ", "kinematic"),
+    ):
+        members = [c for c in constraints if c.constraint.kinematic is kinematic]
+        if members:
+            refs = listed(Ref(f"constraint-{c.row.name}") for c in members)
+            what = plural(len(members), " constraint.", " constraints.")
+            sentences.append(prose(why, *refs, plural(len(members), ": a ", ": "), Term(kind), what))
+    timed = [c for c in constraints if c.contains_time]
+    if timed:
+        sentences.append(prose("Time occurs in ", *listed(Ref(f"constraint-{c.row.name}") for c in timed), "."))
+    else:
+        sentences.append(prose(plural(len(constraints), "Time does not occur in it.", "Time occurs in none of them.")))
+    title = plural(len(constraints), "The constraint", "Constraints")
+    return Step(Rule.CONSTRAINT, title, (*body, paragraph(*sentences)))
+
+
+def explain_forms(classification: Classification, slots: Slots) -> Step:
+    """The differential forms, and the table of their coefficients."""
+    constraints = classification.constraints
+    lines = (
+        Equation((possible_displacement(c.row, slots), sp.S.Zero), label=f"form-{c.row.name}") for c in constraints
+    )
+    geometric = [Ref(f"constraint-{c.row.name}") for c in constraints if not c.constraint.kinematic]
+    kinematic = [Ref(f"constraint-{c.row.name}") for c in constraints if c.constraint.kinematic]
+    ways: list[Part] = []
+    if geometric:
+        ways += [plural(len(geometric), "The differential of ", "The differentials of "), *listed(geometric)]
+    if kinematic:
+        ways += [", and " if ways else "", *listed(kinematic), " multiplied by ", math(differential(t))]
+    one = len(constraints) == 1
+    body: list[Block] = [
+        prose(*ways, " is" if one else " are"),
+        display(*lines),
+        _coefficients(constraints, slots),
+    ]
+    return Step(Rule.PFAFFIAN_FORM, "Differential form" if one else "Differential forms", tuple(body))
+
+
+def _coefficients(constraints: Sequence[ConstraintAnalysis], slots: Slots) -> Table:
+    """The table of a_ji, with a_jt where some constraint has one."""
+    with_time = any(c.row.drift != 0 for c in constraints)
+    header: list[Part] = ["coefficient of", *(math(differential(q)) for q in slots.coordinates)]
+    if with_time:
+        header.append(math(differential(t)))
+    rows: list[tuple[Part, ...]] = []
+    for c in constraints:
+        cells = (*c.row.coefficients, c.row.drift) if with_time else c.row.coefficients
+        rows.append((spoken(c.row.name), *(math(a) for a in cells)))
+    return Table(tuple(header), tuple(rows))
+
+
+def explain_integrability(classification: Classification) -> Step:
+    """Exactness by pairs, finite forms, Frobenius, and the system as a whole."""
+    finite = [c for c in classification.constraints if c.row.finite is not None]
+    independent = [c for c in finite if c.row.name not in classification.redundant]
+    body = _explain_finite(finite)
+    for c in classification.constraints:
+        if c.row.finite is None:
+            body += _explain_exact(c) if c.exactness.exact else _explain_not_exact(c, independent)
+    body += _explain_together(classification)
+    return Step(Rule.INTEGRABILITY, "Integrability", tuple(body))
+
+
+def _explain_finite(members: Sequence[ConstraintAnalysis]) -> list[Block]:
+    """The geometric constraints: exact, being differentials of finite relations."""
+    if not members:
+        return []
+    refs = listed(Ref(f"form-{c.row.name}") for c in members)
+    relations = listed(Ref(f"constraint-{c.row.name}") for c in members)
+    one = len(members) == 1
+    words: list[Part] = [
+        *refs,
+        " is the differential of the finite relation " if one else " are the differentials of the finite relations ",
+        *relations,
+        ", so " + ("it is " if one else "they are "),
+        Term("exact"),
+        ": all pairs of partial derivatives agree",
+    ]
+    telling = [p for c in members if (p := _telling_pair(c)) is not None]
+    shown = [p for p in telling if 0 not in p.coefficients][:SHOWN_PAIRS]
+    for n, pair in enumerate(shown):
+        words += [", for instance " if n == 0 else ", ", _equal(pair)]
+    return [prose(*words, ".")]
+
+
+def _telling_pair(c: ConstraintAnalysis) -> Comparison | None:
+    """The pair of partial derivatives that says most: one that is not 0 = 0 of zeros."""
+
+    def weight(p: Comparison) -> tuple[bool, bool]:
+        return (p.derivatives == (0, 0), 0 in p.coefficients)
+
+    pairs = c.exactness.comparisons
+    return min(pairs, key=weight) if pairs else None
+
+
+def _explain_exact(c: ConstraintAnalysis) -> list[Block]:
+    """A kinematic constraint whose form is a differential as it stands."""
+    label = f"form-{c.row.name}"
+    pair = _telling_pair(c)
+    words: list[Part] = ["All pairs of partial derivatives of ", Ref(label), " agree"]
+    words += [", for instance ", _equal(pair)] if pair and 0 not in pair.coefficients else []
+    words += [": it is ", Term("exact"), ". "]
+    if c.integral is None:
+        return [prose(*words, "Its finite form was not found in closed form.")]
+    finite = Equation((c.integral, CONSTANT), label=f"integral-{c.row.name}")
+    return [prose(*words, "The constraint is the finite relation"), display(finite)]
+
+
+def _explain_not_exact(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnalysis]) -> list[Block]:
+    """The pairs that differ, and Frobenius' condition."""
+    label = f"form-{c.row.name}"
+    differing = c.exactness.differing
+    if not differing:
+        return [prose("Whether ", Ref(label), " is exact could not be decided.")]
+    found: list[Block] = [
+        prose(
+            "Is ",
+            Ref(label),
+            " the differential of a function? Then its partial derivatives would agree in pairs, but",
+        )
+    ]
+    found += [prose(*_unequal(p)) for p in differing[:SHOWN_PAIRS]]
+    if len(differing) > SHOWN_PAIRS:
+        found += [prose(*_unequal(p), detail=Detail.FULL) for p in differing[SHOWN_PAIRS:]]
+        found.append(prose(f"and so on in {len(differing) - SHOWN_PAIRS} more pairs."))
+    return [*found, *_explain_frobenius(c, label, geometric)]
+
+
+def _explain_frobenius(c: ConstraintAnalysis, label: str, geometric: Sequence[ConstraintAnalysis]) -> list[Block]:
+    others = [sp.Symbol(f"omega_{n}", real=True) for n in range(1, len(geometric) + 1)]
+    product = Wedge(OMEGA, differential(OMEGA), *others)
+    forms: list[Part] = [math(OMEGA), " for the form ", Ref(label)]
+    for n, (symbol, g) in enumerate(zip(others, geometric, strict=True), start=1):
+        forms += [" and " if n == len(others) else ", ", math(symbol), " for ", Ref(f"form-{g.row.name}")]
+    where = " where the geometric constraints hold" if geometric else ""
+    question = prose(
+        "It is not exact. That alone does not settle it: a factor might still make it exact. By Frobenius' theorem one "
+        f"does{where} only if, with ", *forms, ", ", math(product, sp.S.Zero), ".",
+    )  # fmt: skip
+    if c.integrable is None:
+        return [question, prose("Whether that is so could not be decided.")]
+    if c.integrable:
+        words = f"That is so{where}: an integrating factor exists, and the constraint is a finite relation in disguise."
+        return [paragraph(question, prose(words))]
+    nonzero = [k for k in c.frobenius if k.nonzero]
+    more: tuple[Part, ...] = (f"and {counted(len(nonzero) - 1, 'more component')}",) if len(nonzero) > 1 else ()
+    shown = Equation((product, *map(_component, nonzero[:1])), label=f"frobenius-{c.row.name}", condition=more)
+    end = prose(
+        f"This is not zero{where}: no factor exists at all, and no relation between the coordinates is hidden in the "
+        "constraint. It is ", Term("not integrable"), ".",
+    )  # fmt: skip
+    return [paragraph(question, prose("Here")), display(shown), end]
+
+
+def _component(c: FrobeniusComponent) -> sp.Expr:
+    return c.coefficient * Wedge(*(differential(v) for v in c.variables))
+
+
+def _unequal(p: Comparison) -> tuple[Part, ...]:
+    (q, r), (a, b), (left, right) = p.variables, p.coefficients, p.derivatives
+    return math(Partial(a, r), left), " ≠ ", math(right, Partial(b, q))
+
+
+def _equal(p: Comparison) -> Part:
+    (q, r), (a, b), (left, _) = p.variables, p.coefficients, p.derivatives
+    return math(Partial(a, r), left, Partial(b, q))
+
+
+def _explain_together(classification: Classification) -> list[Block]:
+    """The derived systems, where they add something."""
+    if len(classification.constraints) < 2 or all(c.row.finite is not None for c in classification.constraints):
+        return []
+    flag = classification.flag
+    if flag.integrable_rank is None:
+        return [prose("How many finite relations the constraints hold together could not be decided.")]
+    ranks = " and ".join(
+        (", ".join(map(str, flag.ranks[:-1])), str(flag.ranks[-1])) if flag.ranks[1:] else map(str, flag.ranks)
+    )
+    systems = plural(len(flag.ranks), f"the system has the rank {ranks} and loses nothing in its derived system",
+                     f"the system and its derived systems have the ranks {ranks}")  # fmt: skip
+    relations = counted(flag.integrable_rank, "finite relation") if flag.integrable_rank else "no finite relation"
+    words = f"Taken together, {systems}: the constraints come to {relations} between the coordinates"
+    known = sum(1 for c in classification.constraints if c.integrable) - len(classification.redundant)
+    extra = flag.integrable_rank - known
+    if extra > 0:
+        words += f", of which {counted(extra, 'one') if extra > 1 else 'one'} is shown by no single constraint"
+    return [prose(words.replace(" ones is", " are") + ".")]
+
+
+def explain_classification(classification: Classification) -> Step:
+    """Holonomic or not, scleronomic or rheonomic, and why."""
+    constraints = classification.constraints
+    words: list[Part]
+    if classification.holonomic is None:
+        words = ["Whether the system is holonomic could not be decided."]
+    elif not constraints:
+        words = ["Without constraints the system is ", Term("holonomic"), "."]
+    elif classification.holonomic:
+        alone = all(c.integrable for c in constraints)
+        why = plural(len(constraints), "The constraint is a finite relation", "All constraints are finite relations")
+        why = why if alone else "Taken together, the constraints come to finite relations"
+        words = [f"{why}: the system is ", Term("holonomic"), "."]
+    else:
+        names = listed(spoken(c.row.name) for c in constraints if c.integrable is False)
+        verb = " comes to no finite relation" if len(names) == 1 else " do not come to finite relations"
+        words = [
+            "The constraint " if len(names) == 1 else "The constraints ",
+            *names,
+            f"{verb}: the system is ",
+            Term("nonholonomic"),
+            ".",
+        ]
+    sentences = (prose(*words), _time(classification), *_redundant(classification))
+    return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences)),))
+
+
+def _redundant(classification: Classification) -> list[Prose]:
+    if not classification.redundant:
+        return []
+    names = listed(spoken(n) for n in classification.redundant)
+    verb = plural(len(classification.redundant), " follows", " follow")
+    return [prose(*names, f"{verb} from the constraints before: redundant, and not counted.")]
+
+
+def _time(classification: Classification) -> Prose:
+    if classification.scleronomic is None:
+        return prose("Whether time occurs could not be decided.")
+    if classification.scleronomic:
+        words = "Time occurs neither in the constraints nor in the positions: it is "
+        if classification.catastatic is False:
+            return prose(
+                words,
+                Term("scleronomic"),
+                ", though not catastatic, because a term without velocities remains.",
+            )
+        return prose(words, Term("scleronomic"), ".")
+    timed = [spoken(c.row.name) for c in classification.constraints if c.depends_on_time]
+    if timed:
+        words = plural(len(timed), "Time occurs in the constraint ", "Time occurs in the constraints ")
+        return prose(words, *listed(timed),
+                     ": it is ", Term("rheonomic"), ".")  # fmt: skip
+    return prose("Time occurs in the position of ", *listed(classification.moving), ": it is ", Term("rheonomic"), ".")
+
+
+def explain_freedom(classification: Classification) -> Step:
+    """Both counts, and what their difference means."""
+    n, rank, freedom = classification.coordinates, classification.rank, classification.degrees_of_freedom
+    difference = f"{counted(n, 'coordinate')} − {counted(rank, 'independent constraint')} = "
+    sentences = [
+        prose(
+            difference,
+            Term(f"{counted(freedom, 'degree')} of freedom"),
+            ", the number of independent virtual displacements.",
+        )
+    ]
+    dimension = classification.configuration_dimension
+    if dimension is None:
+        sentences.append(prose("The dimension of the configurations that can be reached could not be decided."))
+    elif dimension == freedom:
+        sentences.append(prose(f"The configurations that can be reached have dimension {dimension} as well: "
+                          "nothing is restricted in the velocities alone."))  # fmt: skip
+    else:
+        sentences.append(
+            prose(f"The configurations that can be reached have dimension {dimension}. The difference is what the "
+                  "kinematic constraints do: they restrict the velocities at each position, and not the positions.")
+        )  # fmt: skip
+    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences)),))

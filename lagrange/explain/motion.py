@@ -1,0 +1,261 @@
+"""D'Alembert's principle, generalized coordinates, equations of motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import sympy as sp
+
+from lagrange.coordinates import GeneralizedCoordinates
+from lagrange.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
+from lagrange.displacements import virtual_displacement
+from lagrange.equations import EquationsOfMotion
+from lagrange.explain.displacements import of_points, solved_displacements
+from lagrange.explain.words import plural, spoken
+from lagrange.kinematics import Configuration
+from lagrange.notation import Dot, VectorSymbol, variation
+from lagrange.problem import Problem
+
+ZERO = sp.S.Zero
+
+
+def explain_principle(motion: EquationsOfMotion, problem: Problem) -> Step:
+    """Reactions do no virtual work; the principle, the accelerations, and the principle written out."""
+    body = [
+        *_workless(motion.configuration, problem),
+        display(Equation((_principle(motion.configuration), ZERO), label="principle")),
+        *_accelerations(motion),
+        prose("Written out, it reads"),
+        display(Equation((motion.principle.statement, ZERO), label="written-out")),
+    ]
+    return Step(Rule.PRINCIPLE, "D'Alembert's principle", tuple(body))
+
+
+def _workless(configuration: Configuration, problem: Problem) -> list[Block]:
+    """The virtual work of the reactions: multipliers times the virtual forms, which are zero."""
+    if not configuration.rows:
+        words = "There are no reactions. Newton's law for each particle, multiplied by its virtual displacement and "
+        return [prose(words + "added up, reads")]
+    reactions = {c.name: c.reaction for c in problem.constraints}
+    slots = configuration.slots
+    work = sp.Add(*(reactions[r.name] * virtual_displacement(r, slots) for r in configuration.rows))
+    multipliers = listed(math(reactions[r.name]) for r in configuration.rows)
+    zero = listed(Ref(f"virtual-{r.name}") for r in configuration.rows)
+    one = len(configuration.rows) == 1
+    return [
+        prose(
+            "The constraint is kept by a reaction. " if one else "The constraints are kept by reactions. ",
+            "It is ideal" if one else "They are ideal",
+            ": its components are the coefficients of its form, times an unknown " if one
+            else ": the components of each are the coefficients of its form, times an unknown ",
+            *multipliers, ". So " + ("its" if one else "their") + " virtual work is zero by ", *zero, ":",
+        ),
+        display(Equation((work, ZERO), label="workless")),
+        prose(
+            "Multiply Newton's law for each particle, inertia equal to applied force and reaction, by its virtual "
+            "displacement, and add: the reactions drop out, and d'Alembert's principle remains:"
+        ),
+    ]  # fmt: skip
+
+
+def _principle(configuration: Configuration) -> sp.Expr:
+    """Σ (m r'' − F)·δr, and δV where there is a potential."""
+    terms = []
+    for p in configuration.points:
+        acting = any(f.on == p.name for f in configuration.loads)
+        force = VectorSymbol(f"F_{p.name}") if acting else ZERO
+        bracket = p.mass * VectorSymbol(f"r_{p.name}''") - force
+        if bracket != 0:
+            terms.append(Dot(bracket, VectorSymbol(f"delta(r_{p.name})")))
+    potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
+    return sp.Add(*terms, potential)
+
+
+def _accelerations(motion: EquationsOfMotion) -> list[Block]:
+    accelerations = motion.principle.accelerations
+    suffix = _suffix(motion.configuration)
+    lines = [
+        Equation((VectorSymbol(f"r_{name}''"), a), label=f"acceleration{suffix}-{name}")
+        for name, a in accelerations.items()
+    ]
+    if not lines:
+        return []
+    return [prose("The acceleration is" if len(lines) == 1 else "The accelerations are"), display(*lines)]
+
+
+def _suffix(configuration: Configuration) -> str:
+    return f"-{configuration.name}" if configuration.name else ""
+
+
+def explain_equations(motion: EquationsOfMotion, problem: Problem) -> Step:
+    """The equations in the file's own coordinates."""
+    body: list[Block] = []
+    if motion.configuration.rows:
+        body += _with_the_solved(motion)
+    body += _conclusion(motion)
+    body += _final(motion, problem)
+    title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
+    return Step(
+        Rule.EQUATIONS_OF_MOTION,
+        f"{title} in the given coordinates" if problem.choices else title,
+        tuple(body),
+    )
+
+
+def _with_the_solved(motion: EquationsOfMotion) -> list[Block]:
+    """The principle with the dependent displacements put in."""
+    configuration = motion.configuration
+    suffix = _suffix(configuration)
+    solved = [variation(configuration.slots.coordinates[d]) for d in motion.elimination.dependent]
+    return [
+        prose("With ", *listed(math(d) for d in solved), " put in, ", Ref(f"written-out{suffix}"), " becomes"),
+        display(Equation((motion.reduced, ZERO), label=f"reduced{suffix}")),
+    ]
+
+
+def _conclusion(motion: EquationsOfMotion) -> list[Block]:
+    """The independent δq are arbitrary, so each bracket vanishes; what is divided by."""
+    slots = motion.configuration.slots
+    free = [math(variation(slots.coordinates[k])) for k in motion.elimination.independent]
+    if not free:
+        return [prose("No displacement is free: the constraints alone determine the motion.")]
+    arbitrary = (
+        " is arbitrary, so what multiplies it vanishes"
+        if len(free) == 1
+        else " are independent, so what multiplies each of them vanishes"
+    )
+    scaling = _scaling(motion)
+    return [prose(*listed(free), arbitrary, *((" (", *scaling, ")") if scaling else ()), ":")]
+
+
+def _scaling(motion: EquationsOfMotion) -> tuple[Part, ...]:
+    """`multiplying by x and dividing by m r, where r ≠ 0`."""
+    multiplied = _distinct(e.factor.denominator.expression for e in motion.equations)
+    divided = _distinct(e.factor.numerator.expression for e in motion.equations)
+    excluded = _distinct(f for e in motion.equations for f in e.factor.nonzero)
+    clauses: list[tuple[Part, ...]] = []
+    if multiplied:
+        clauses.append(("multiplying by ", *listed(math(f) for f in multiplied)))
+    if divided:
+        clauses.append(("dividing by ", *listed(math(f) for f in divided)))
+    if any(e.reversed for e in motion.equations):
+        clauses.append(("changing the sign",))
+    words: list[Part] = []
+    for n, clause in enumerate(clauses):
+        words += [("" if n == 0 else " and " if n == len(clauses) - 1 else ", "), *clause]
+    if excluded:
+        words += [", where ", *listed(math(f, ZERO, relation="≠") for f in excluded)]
+    return tuple(words)
+
+
+def _distinct(factors: Iterable[sp.Expr]) -> list[sp.Expr]:
+    return [f for f in dict.fromkeys(factors) if f != 1]
+
+
+def _final(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
+    """The boxed equations, with the constraints that complete them."""
+    configuration = motion.configuration
+    suffix = _suffix(configuration)
+    lines = [Equation((e.expression, ZERO), label=f"motion{suffix}-{e.coordinate.name}") for e in motion.equations]
+    lines += [_constraint(configuration, r.name, problem) for r in configuration.rows]
+    return [display(*lines, boxed=True, detail=Detail.BRIEF)]
+
+
+def _constraint(configuration: Configuration, name: str, problem: Problem) -> Equation:
+    """A constraint that completes the equations, as the file has it where the coordinates are its own."""
+    row = next(r for r in configuration.rows if r.name == name)
+    if not configuration.expressed:
+        constraint = next(c for c in problem.constraints if c.name == name)
+        return Equation((constraint.lhs, constraint.rhs), label=f"with{_suffix(configuration)}-{name}")
+    shown = row.velocity_form(configuration.slots) if row.finite is None else row.finite
+    return Equation((shown, ZERO), label=f"with{_suffix(configuration)}-{name}")
+
+
+def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
+    """The substitution, that it satisfies the constraints, that its coordinates are independent."""
+    choice, configuration = coordinates.choice, coordinates.configuration
+    noun = plural(len(choice.coordinates), "coordinate", "coordinates")
+    chosen = listed(math(q) for q in choice.coordinates)
+    body: list[Block] = [prose(f"As generalized {noun} take ", *chosen, ":" if configuration.expressed else ".")]
+    if configuration.expressed:
+        body.append(
+            display(
+                *(Equation((q, e), label=f"choice-{choice.name}-{q.name}") for q, e in configuration.expressed.items())
+            )
+        )
+    sentences = []
+    if coordinates.signs:
+        signs = listed(math(s) for s in coordinates.signs)
+        each = plural(len(coordinates.signs), " is +1 or −1", " are +1 or −1 each")
+        branches = plural(
+            len(coordinates.signs), "both branches of the square root", f"all {coordinates.branches} branches"
+        )
+        real = listed(math(r, ZERO, relation="≥") for r in coordinates.radicands)
+        sentences.append(prose(*signs, f"{each}: {branches} are carried at once. They are real where ", *real, "."))
+    if coordinates.satisfied:
+        names = listed(spoken(n) for n in coordinates.satisfied)
+        one, more = " is satisfied identically.", " are satisfied identically."
+        sentences.append(prose("The constraint " if len(coordinates.satisfied) == 1 else "The constraints ", *names,
+                               plural(len(coordinates.satisfied), one, more)))  # fmt: skip
+    if len(choice.coordinates) > 1:
+        words = " are independent: the derivatives of the old coordinates by them are linearly independent."
+        sentences.append(prose(*chosen, words))
+    if sentences:
+        body.append(paragraph(*sentences))
+    body += _remaining(coordinates)
+    return Step(Rule.GENERALIZED_COORDINATES, f"Generalized {noun}: {spoken(choice.name)}", tuple(body))
+
+
+def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
+    """The constraints that the choice does not satisfy by itself."""
+    configuration, name = coordinates.configuration, coordinates.choice.name
+    found: list[Block] = []
+    if configuration.rows:
+        names = listed(spoken(r.name) for r in configuration.rows)
+        verb = plural(len(configuration.rows), "remains, and reads", "remain, and read")
+        lines = (
+            Equation((r.velocity_form(configuration.slots), ZERO), label=f"rate-{name}-{r.name}")
+            for r in configuration.rows
+        )
+        found += [prose("Of the constraints, ", *names, f" {verb}"), display(*lines)]
+    if coordinates.through_rates:
+        names = listed(math(q) for q in coordinates.through_rates)
+        verb = plural(len(coordinates.through_rates), "is", "are")
+        found.append(prose(*names, f" {verb} eliminated through the velocities."))
+    return found
+
+
+def explain_motion_in_choice(coordinates: GeneralizedCoordinates, motion: EquationsOfMotion, problem: Problem) -> Step:
+    """The principle and the equations in a choice of coordinates."""
+    configuration = motion.configuration
+    name = coordinates.choice.name
+    body: list[Block] = []
+    if configuration.rows:
+        rows = (virtual_displacement(r, configuration.slots) for r in configuration.rows)
+        body += [prose("In a virtual displacement"), display(*(Equation((row, ZERO)) for row in rows))]
+        body += solved_displacements(motion.elimination, configuration)
+    body += [
+        *_accelerations(motion),
+        *of_points(configuration, motion.elimination),
+        prose("and d'Alembert's principle ", Ref("principle"), " reads"),
+        display(Equation((motion.principle.statement, ZERO), label=f"written-out-{name}")),
+    ]
+    if configuration.rows:
+        body += _with_the_solved(motion)
+    body += _conclusion(motion)
+    body += _final(motion, problem)
+    title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
+    return Step(Rule.EQUATIONS_OF_MOTION, f"{title}: {spoken(name)}", tuple(body))

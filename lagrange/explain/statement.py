@@ -1,0 +1,168 @@
+"""The statement: what the system is, which symbols it has, where things are and what acts on them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+import sympy as sp
+
+from lagrange.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
+from lagrange.kinematics import Configuration
+from lagrange.notation import VectorSymbol
+from lagrange.problem import Assumption, Coordinate, Parameter, Problem
+from lagrange.vectors import UNITS, Vector
+
+
+def explain_statement(problem: Problem, configuration: Configuration) -> Step:
+    """Description, symbols, positions, applied forces."""
+    body: list[Block] = []
+    if problem.description:
+        body.append(prose(problem.description))
+    if problem.axes:
+        words = [(UNITS[name], f" points {word}") for name, word in problem.axes.items()]
+        body.append(prose(*_sentence(listed_pairs(words))))
+    body += _symbols(problem)
+    body += _frame(problem)
+    body += _positions(configuration)
+    body += _forces(configuration)
+    return Step(Rule.STATEMENT, "The system", tuple(body))
+
+
+def listed_pairs(pairs: Iterable[tuple[sp.Expr, str]]) -> tuple[Part, ...]:
+    """`i points right and j points down`."""
+    joined: list[Part] = []
+    pairs = list(pairs)
+    for n, (symbol, words) in enumerate(pairs):
+        if n:
+            joined.append(" and " if n == len(pairs) - 1 else ", ")
+        joined += [math(symbol), words]
+    return tuple(joined)
+
+
+def _sentence(parts: Iterable[Part]) -> tuple[Part, ...]:
+    return (*parts, ".")
+
+
+def _symbols(problem: Problem) -> list[Block]:
+    """A table of the symbols where the file says what they mean, a sentence where it does not."""
+    rows: list[Coordinate | Parameter] = [*problem.coordinates, *problem.parameters]
+    if any(x.meaning or x.unit for x in rows):
+        with_units = any(x.unit for x in rows)
+        header: tuple[Part, ...] = ("symbol", "meaning", "unit") if with_units else ("symbol", "meaning")
+        cells: list[tuple[Part, ...]] = []
+        for x in rows:
+            kind = "parameter" if isinstance(x, Parameter) else "coordinate"
+            row: tuple[Part, ...] = (math(x.symbol), x.meaning or kind)
+            cells.append((*row, raised(x.unit)) if with_units else row)
+        return [Table(header, tuple(cells)), *_assumptions(problem)]
+    found: list[Block] = []
+    coordinates = listed(math(c.symbol) for c in problem.coordinates)
+    several = len(problem.coordinates) > 1
+    found.append(prose("The coordinates are " if several else "The coordinate is ", *coordinates, "."))
+    if problem.parameters:
+        names = listed(math(p.symbol) for p in problem.parameters)
+        found.append(prose("The parameters are " if len(problem.parameters) > 1 else "The parameter is ", *names, "."))
+    return [*found, *_assumptions(problem)]
+
+
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def raised(unit: str) -> str:
+    """A unit as it is printed: m/s^2 is m/s²."""
+    return re.sub(r"\^(-?\d+)", lambda found: found[1].translate(_SUPERSCRIPTS), unit)
+
+
+_ASSUMED = {
+    Assumption.POSITIVE: "positive",
+    Assumption.NONNEGATIVE: "positive or zero",
+    Assumption.REAL: "of either sign",
+    Assumption.SIGN: "+1 or −1",
+}
+
+
+def _assumptions(problem: Problem) -> list[Block]:
+    kinds = {p.assume for p in problem.parameters}
+    if not kinds:
+        return []
+    if kinds == {Assumption.POSITIVE}:
+        if len(problem.parameters) == 1:
+            return []
+        return [prose("All parameters are positive.")]
+    clauses: list[Part] = []
+    for kind in Assumption:
+        members = [p.symbol for p in problem.parameters if p.assume is kind]
+        if members:
+            clauses += [
+                "; " if clauses else "",
+                *listed(math(s) for s in members),
+                " is " if len(members) == 1 else " are ",
+            ]
+            clauses.append(_ASSUMED[kind])
+    return [prose(*clauses, ".")]
+
+
+def _frame(problem: Problem) -> list[Block]:
+    found: list[Block] = []
+    if problem.slots.prescribed:
+        names = listed(math(u) for u in problem.slots.prescribed)
+        what = (
+            " is a prescribed function of time."
+            if len(problem.slots.prescribed) == 1
+            else " are prescribed functions of time."
+        )
+        found.append(prose(*names, what))
+    found += [
+        prose(
+            math(sp.Symbol(f.name)),
+            " is an unspecified function of ",
+            *listed(math(sp.Symbol(a)) for a in f.arguments),
+            ".",
+        )
+        for f in problem.functions
+    ]
+    triad = problem.frame
+    if triad is not None and triad.directions is not None:
+        found.append(prose("The unit vectors of the frame turn with the coordinates:"))
+        lines = []
+        for n, unit in enumerate(triad.units):
+            row = triad.directions[n, :]
+            direction = Vector((row[0], row[1], row[2]))
+            if unit.name not in UNITS:
+                lines.append(Equation((unit, direction)))
+        found.append(display(*lines))
+    return found
+
+
+def _positions(configuration: Configuration) -> list[Block]:
+    found: list[Block] = []
+    for p in configuration.points:
+        what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (", a massless point,",)
+        position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
+        found += [prose(f"The position of {p.name}", *what, " is"), display(position)]
+    return found
+
+
+def _forces(configuration: Configuration) -> list[Block]:
+    found: list[Block] = []
+    for p in configuration.points:
+        loads = [f for f in configuration.loads if f.on == p.name]
+        if not loads:
+            continue
+        names = ["its weight" if f.name == "weight" else f"the force {f.name}" for f in loads]
+        total = sum((f.vector for f in loads), Vector.zero(p.position.triad))
+        shown = total.along(p.position.triad)
+        sides = (VectorSymbol(f"F_{p.name}"), total, shown) if shown != total else (VectorSymbol(f"F_{p.name}"), total)
+        words = "The applied force on " if len(loads) == 1 else "The applied forces on "
+        verb = " is " if len(loads) == 1 else " are "
+        found += [
+            prose(f"{words}{p.name}{verb}", *listed(names), ","),
+            display(Equation(sides, label=f"force-{p.name}")),
+        ]
+    if configuration.potential != 0:
+        found += [
+            prose("The potential energy of the given fields is"),
+            display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
+        ]
+    return found

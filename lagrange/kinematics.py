@@ -1,0 +1,163 @@
+"""A configuration, and how it moves: r(q, t), v = dr/dt, a = dv/dt, and the virtual displacements δr.
+
+With the coordinates q of a configuration,
+
+    v = Σ (∂r/∂q_k) q_k' + ∂r/∂t ,     δr = Σ (∂r/∂q_k) δq_k   (time frozen) .
+
+The same functions serve the file's own coordinates and every choice of generalized coordinates: a choice is another
+configuration, with the positions, forces and remaining constraints written in its coordinates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.exact import Surface
+from lagrange.notation import Slots, prime
+from lagrange.problem import AppliedForce, Potential, Problem
+from lagrange.vectors import Vector
+
+
+@dataclass(frozen=True)
+class Row:
+    """One constraint as a Pfaffian form Σ a_i dq_i + a_t dt = 0 in the coordinates of a configuration.
+
+    coefficients  shape (n,)
+    drift         a_t
+    finite        f(q, t), where the constraint is the finite relation f = 0; None for a constraint on velocities
+    """
+
+    name: str
+    coefficients: tuple[sp.Expr, ...]
+    drift: sp.Expr
+    finite: sp.Expr | None = None
+
+    @property
+    def is_identity(self) -> bool:
+        """Whether it is written 0 = 0."""
+        return self.drift == 0 and all(a == 0 for a in self.coefficients)
+
+    def velocity_form(self, slots: Slots) -> sp.Expr:
+        """Σ a_i q_i' + a_t."""
+        terms = (a * v for a, v in zip(self.coefficients, slots.velocities, strict=True))
+        return sp.Add(*terms, self.drift)
+
+
+@dataclass(frozen=True)
+class Load:
+    """An applied force and the point that it acts at."""
+
+    name: str
+    on: str
+    vector: Vector
+    point: Vector
+
+
+@dataclass(frozen=True)
+class MassPoint:
+    """A particle and its motion. `partials`, shape (n,): the vectors ∂r/∂q_k."""
+
+    name: str
+    mass: sp.Expr
+    position: Vector
+    velocity: Vector
+    acceleration: Vector
+    partials: tuple[Vector, ...]
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """The system in one set of coordinates.
+
+    name        of the choice of generalized coordinates; empty for the file's own coordinates
+    slots       the coordinates and the prescribed motions
+    points      the particles
+    loads       the applied forces, weights included
+    potential   the potential energy of what is given by a potential
+    rows        the constraints that these coordinates still have to satisfy
+    expressed   each old coordinate that is replaced, in the present coordinates
+    """
+
+    name: str
+    slots: Slots
+    points: tuple[MassPoint, ...]
+    loads: tuple[Load, ...]
+    potential: sp.Expr
+    rows: tuple[Row, ...]
+    expressed: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    @property
+    def finite_constraints(self) -> tuple[sp.Expr, ...]:
+        """The finite relations f(q, t) = 0 among the rows."""
+        return tuple(r.finite for r in self.rows if r.finite is not None)
+
+    @cached_property
+    def surface(self) -> Surface:
+        """The generic points where the finite relations hold."""
+        return Surface(self.finite_constraints, self.slots.coordinates)
+
+    def rewritten(self, expression: sp.Expr) -> sp.Expr:
+        """An expression of the file's coordinates, velocities and accelerations in the present ones."""
+        return expression.xreplace(self.substitution) if self.expressed else expression
+
+    @property
+    def substitution(self) -> dict[sp.Basic, sp.Basic]:
+        """q, q', q'' of each replaced coordinate -> their expressions."""
+        rule: dict[sp.Basic, sp.Basic] = {}
+        for q, e in self.expressed.items():
+            velocity = self.slots.time_derivative(e)
+            rule |= {q: e, prime(q): velocity, prime(q, 2): self.slots.time_derivative(velocity)}
+        return rule
+
+
+def applied_loads(problem: Problem) -> tuple[Load, ...]:
+    """The weights, then the forces in the order of the file."""
+    loads = []
+    for p in problem.particles:
+        if problem.gravity is not None and p.mass != 0:
+            loads.append(Load("weight", p.name, problem.gravity * p.mass, p.position))
+    positions = {p.name: p.position for p in problem.particles}
+    for f in problem.forces:
+        if isinstance(f, AppliedForce):
+            loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on]))
+    return tuple(loads)
+
+
+def file_configuration(problem: Problem, rows: tuple[Row, ...]) -> Configuration:
+    """The system in the coordinates of the file."""
+    potential = sp.Add(*(f.energy for f in problem.forces if isinstance(f, Potential)))
+    return Configuration(
+        name="",
+        slots=problem.slots,
+        points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in problem.particles),
+        loads=applied_loads(problem),
+        potential=potential,
+        rows=rows,
+    )
+
+
+def substituted_configuration(
+    original: Configuration,
+    name: str,
+    coordinates: tuple[sp.Symbol, ...],
+    expressed: Mapping[sp.Symbol, sp.Expr],
+    rows: tuple[Row, ...],
+) -> Configuration:
+    """The same system in other coordinates; `expressed` gives each coordinate that is replaced."""
+    slots = Slots(coordinates, original.slots.prescribed)
+    blank = Configuration(name, slots, (), (), sp.S.Zero, rows, expressed)
+    rule = blank.substitution
+    points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
+    loads = tuple(Load(f.name, f.on, f.vector.xreplace(rule), f.point.xreplace(rule)) for f in original.loads)
+    return Configuration(name, slots, points, loads, original.potential.xreplace(rule), rows, expressed)
+
+
+def _moving(name: str, mass: sp.Expr, position: Vector, slots: Slots) -> MassPoint:
+    velocity = position.time_derivative(slots)
+    acceleration = velocity.time_derivative(slots)
+    partials = tuple(position.partial(q) for q in slots.coordinates)
+    return MassPoint(name, mass, position, velocity, acceleration, partials)

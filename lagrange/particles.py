@@ -1,0 +1,165 @@
+"""Reading `let`, `particles` and `bodies`, which may refer to one another.
+
+An abbreviation may use the position r_P of a particle, and a position an abbreviation or another position. Each entry
+is read once, after those whose names it uses; entries that are defined by one another are an error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import partial
+
+from lagrange.bodies import mass_of, names_of_body, read_body
+from lagrange.diagnostics import Diagnostic, ProblemError
+from lagrange.names import names_in
+from lagrange.nodes import Node, Scalar, scalars
+from lagrange.problem import Body, Particle
+from lagrange.reading import Reading
+from lagrange.sections import Section, entries_of, mapping_of
+from lagrange.vectors import Vector
+
+_PARTICLE = "P: {mass: m, position: x*i + y*j}"
+_BODY = "B: {mass: m, inertia: I_G, position: x*i + y*j, angle: theta}"
+
+
+@dataclass(frozen=True)
+class Things:
+    """What the file says of masses, in its order."""
+
+    particles: tuple[Particle, ...]
+    bodies: tuple[Body, ...]
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """An entry that waits to be read: the names that it gives, and those that it uses."""
+
+    key: Scalar
+    gives: tuple[str, ...]
+    uses: frozenset[str]
+    read: Callable[[], None]
+
+
+def read_things(root: Section, reading: Reading) -> Things:
+    """The abbreviations go into the scope, particles and bodies are returned."""
+    particles: dict[str, Particle] = {}
+    bodies: dict[str, Body] = {}
+    entries = [*_abbreviations(root, reading), *_particles(root, reading, particles), *_bodies(root, reading, bodies)]
+    for entry in _in_order(entries, reading):
+        try:
+            entry.read()
+        except ProblemError as error:
+            reading.findings.report_all(error.diagnostics)
+            reading.names.fail(*entry.gives)
+    known = reading.things.known()
+    return Things(tuple(particles[n] for n in known if n in particles), tuple(bodies[n] for n in known if n in bodies))
+
+
+def _entries(root: Section, key: str, example: str, reading: Reading) -> tuple[tuple[Scalar, Node], ...]:
+    node = root.section(key)
+    if node is None:
+        return ()
+    entries = reading.findings.attempt(lambda: entries_of(node, f"`{key}`", f"{key}: {{{example}}}"))
+    if entries is None:
+        reading.names.fail_all(node)
+    return entries or ()
+
+
+def _abbreviations(root: Section, reading: Reading) -> Iterator[_Entry]:
+    for key, node in _entries(root, "let", 'n: "sin(theta)*i - cos(theta)*j"', reading):
+        name = reading.names.declare(key, "an abbreviation")
+        if name is not None:
+            yield _Entry(key, (name,), _uses(node), partial(_read_abbreviation, name, node, reading))
+
+
+def _read_abbreviation(name: str, node: Node, reading: Reading) -> None:
+    value = reading.value(node, f"`{name}`")
+    if isinstance(value, Vector):
+        reading.add_vectors({name: value})
+    else:
+        reading.add_scalars({name: value})
+
+
+def _particles(root: Section, reading: Reading, found: dict[str, Particle]) -> Iterator[_Entry]:
+    for key, node in _entries(root, "particles", _PARTICLE, reading):
+        name = reading.things.declare(key, "a particle")
+        if name is None:
+            continue
+        reading.points[name] = None
+        reading.names.add(f"r_{name}", f"the position of `{name}`", key.span)
+        yield _Entry(key, (f"r_{name}",), _uses(node), partial(_read_particle, name, key, node, reading, found))
+
+
+def _read_particle(name: str, key: Scalar, node: Node, reading: Reading, found: dict[str, Particle]) -> None:
+    mapping = mapping_of(node, f"the particle `{name}`", f"{name}: {{mass: m, position: x*i + y*j}}")
+    section = Section(mapping, f"the particle `{name}`", ("mass", "position"), reading.findings)
+    mass = reading.findings.attempt(lambda: mass_of(section.get("mass"), name, reading))
+    position = reading.vector(section.required("position", key.span, "x*i + y*j"), f"the position of `{name}`")
+    reading.points[name] = position
+    reading.add_vectors({f"r_{name}": position})
+    if mass is not None:
+        found[name] = Particle(name, mass, position, key.span)
+
+
+def _bodies(root: Section, reading: Reading, found: dict[str, Body]) -> Iterator[_Entry]:
+    for key, node in _entries(root, "bodies", _BODY, reading):
+        name = reading.things.declare(key, "a rigid body")
+        if name is None:
+            continue
+        reading.points[name] = None
+        reading.bodies.append(name)
+        gives = names_of_body(name)
+        for vector, what in gives.items():
+            reading.names.add(vector, what, key.span)
+        yield _Entry(key, tuple(gives), _uses(node), partial(_read_body, name, key, node, reading, found))
+
+
+def _read_body(name: str, key: Scalar, node: Node, reading: Reading, found: dict[str, Body]) -> None:
+    body, vectors = read_body(name, key, node, reading)
+    reading.points[name] = body.position
+    reading.add_vectors(vectors)
+    found[name] = body
+
+
+def _uses(node: Node) -> frozenset[str]:
+    return frozenset(name for scalar in scalars(node) for name in names_in(scalar.text))
+
+
+# -- order -----------------------------------------------------------------------------------------------------------
+
+
+def _in_order(entries: list[_Entry], reading: Reading) -> list[_Entry]:
+    """Each entry after those whose names it uses; entries that go round in a circle are reported and left out."""
+    giver = {name: n for n, entry in enumerate(entries) for name in entry.gives}
+    needs = [[giver[name] for name in sorted(entry.uses) if name in giver] for entry in entries]
+    order: dict[int, None] = {}
+    for start in range(len(entries)):
+        path = {start: iter(needs[start])} if start not in order else {}
+        while path:
+            here = next(reversed(path))
+            needed = next((n for n in path[here] if n not in order), None)
+            if needed is None:
+                order[here] = None
+                del path[here]
+            elif needed in path:
+                around = list(path)
+                _report_circle([entries[n] for n in around[around.index(needed) :]], reading)
+            else:
+                path[needed] = iter(needs[needed])
+    return [entries[n] for n in order if not any(reading.names.has_failed(g) for g in entries[n].gives)]
+
+
+def _report_circle(circle: list[_Entry], reading: Reading) -> None:
+    """Reports entries that are defined by one another, at the first of them in the file."""
+    ordered = sorted(circle, key=lambda e: e.key.span.start)
+    for entry in ordered:
+        reading.names.fail(*entry.gives)
+    names = [f"`{entry.key.text}`" for entry in ordered]
+    message = (
+        f"{names[0]} is defined by itself"
+        if len(names) == 1
+        else f"{', '.join(names[:-1])} and {names[-1]} are defined by one another"
+    )
+    help_ = "write one of them without the others" if len(names) > 1 else "write it with other names"
+    reading.findings.report(Diagnostic("circular-definition", message, ordered[0].key.span, help=help_))

@@ -1,0 +1,92 @@
+"""D'Alembert's principle: the reactions do no virtual work, so that
+
+    Σ (m r'' − F)·δr = 0        for every virtual displacement,
+
+which, with δr = Σ (∂r/∂q_k) δq_k, is Σ D_k δq_k = 0. D_k is the inertia Σ m r''·∂r/∂q_k less the generalized force
+Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k. The δq_k are free only where the coordinates are independent; otherwise A δq = 0 binds
+them. Everything is built in the ring of Fourier sums, where it comes out reduced.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from lagrange.kinematics import Configuration
+from lagrange.notation import variation
+from lagrange.textbook import Textbook
+from lagrange.trigonometry import Element, Ring
+from lagrange.vectors import Vector
+
+
+@dataclass(frozen=True)
+class Principle:
+    """D'Alembert's principle in the coordinates of a configuration.
+
+    coefficients  shape (n,): D_k, as ring elements
+    forces        shape (n,): Q_k, in textbook form
+    statement     Σ D_k δq_k, in textbook form
+    accelerations of the particles, by name, in textbook form
+    textbook      what writes ring elements down
+    """
+
+    configuration: Configuration
+    coefficients: tuple[Element, ...]
+    forces: tuple[sp.Expr, ...]
+    statement: sp.Expr
+    accelerations: Mapping[str, Vector]
+    textbook: Textbook
+
+    @property
+    def ring(self) -> Ring:
+        """The ring of the coefficients."""
+        return self.textbook.ring
+
+
+def dalembert(configuration: Configuration) -> Principle:
+    """D'Alembert's principle, written out."""
+    ring = Ring()
+    textbook = Textbook(ring)
+    forces = generalized_forces(configuration, ring)
+    inertia = _inertia(configuration, ring)
+    coefficients = tuple(i - q for i, q in zip(inertia, forces, strict=True))
+    displacements = [ring.from_sympy(variation(q)) for q in configuration.slots.coordinates]
+    statement = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
+    return Principle(
+        configuration=configuration,
+        coefficients=coefficients,
+        forces=tuple(textbook.form(q) for q in forces),
+        statement=textbook.form(statement),
+        accelerations={p.name: p.acceleration.map(textbook.form) for p in configuration.points if p.mass != 0},
+        textbook=textbook,
+    )
+
+
+def generalized_forces(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
+    """Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k, shape (n,)."""
+    found = []
+    for q in configuration.slots.coordinates:
+        work = [_dot(load.vector, load.point.partial(q), ring) for load in configuration.loads]
+        found.append(ring.total(work) - ring.from_sympy(configuration.potential.diff(q)))
+    return tuple(found)
+
+
+def _inertia(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
+    """Σ m r''·∂r/∂q_k, shape (n,)."""
+    total = [ring.zero] * len(configuration.slots.coordinates)
+    for p in configuration.points:
+        if p.mass == 0:
+            continue
+        mass = ring.from_sympy(p.mass)
+        for k, partial in enumerate(p.partials):
+            if not partial.is_zero:
+                total[k] = total[k] + mass * _dot(p.acceleration, partial, ring)
+    return tuple(total)
+
+
+def _dot(a: Vector, b: Vector, ring: Ring) -> Element:
+    """a·b in the ring, in the triad of b."""
+    a = a.along(b.triad)
+    return ring.dot([ring.from_sympy(c) for c in a.components], [ring.from_sympy(c) for c in b.components])

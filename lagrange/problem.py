@@ -1,0 +1,239 @@
+"""What a problem is: the statement of a textbook exercise, as data.
+
+Everything here is as the file says it, read and checked for form, with nothing derived yet. Quantities are SymPy
+expressions in the slots of `notation` (q, q', q'', t); positions and forces are `Vector`s. A constraint is kept as the
+difference of its sides, f(q, q', t) = 0. `unit`, `meaning` and `note` are for the reader; `span` is the place in the
+file, for messages.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import sympy as sp
+
+from lagrange.diagnostics import Diagnostic, Fragment, Span
+from lagrange.expressions import FunctionDeclaration, Scope
+from lagrange.notation import Slots
+from lagrange.vectors import Triad, Vector
+
+
+class Assumption(StrEnum):
+    """What is assumed of a parameter."""
+
+    POSITIVE = "positive"
+    NONNEGATIVE = "nonnegative"
+    REAL = "real"
+    SIGN = "sign"
+
+
+class Find(StrEnum):
+    """What is asked."""
+
+    CONSTRAINTS = "constraints"
+    EQUILIBRIUM = "equilibrium"
+    MOTION = "motion"
+    LINEARIZATION = "linearization"
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A constant of the problem; `value` is its exact number where the file gives one."""
+
+    symbol: sp.Symbol
+    assume: Assumption = Assumption.POSITIVE
+    unit: str = ""
+    meaning: str = ""
+    value: sp.Rational | None = None
+
+
+@dataclass(frozen=True)
+class Coordinate:
+    """One of the coordinates q."""
+
+    symbol: sp.Symbol
+    meaning: str = ""
+    unit: str = ""
+
+
+@dataclass(frozen=True)
+class Particle:
+    """A point of mass m (0: a massless point) at the position r(q, t)."""
+
+    name: str
+    mass: sp.Expr
+    position: Vector
+    span: Span
+
+
+@dataclass(frozen=True)
+class Body:
+    """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: three principal
+    moments and either an Euler sequence with its angles, or a triad with the angular velocity.
+    """
+
+    name: str
+    mass: sp.Expr
+    position: Vector
+    inertia: tuple[sp.Expr, ...]
+    span: Span
+    angle: sp.Expr | None = None
+    sequence: str = ""
+    angles: tuple[sp.Expr, ...] = ()
+    axes: tuple[Vector, ...] = ()
+    angular_velocity: Vector | None = None
+
+
+@dataclass(frozen=True)
+class Constraint:
+    """f(q, q', t) = 0, where f is the left side minus the right side.
+
+    `kinematic` is true where a velocity occurs. `reaction` is what its multiplier is called.
+    """
+
+    name: str
+    lhs: sp.Expr
+    rhs: sp.Expr
+    kinematic: bool
+    reaction: sp.Symbol
+    span: Span
+    note: str = ""
+
+    @property
+    def function(self) -> sp.Expr:
+        """f, whose vanishing is the constraint."""
+        return self.lhs - self.rhs
+
+
+@dataclass(frozen=True)
+class AppliedForce:
+    """A force vector on a particle or body, at its position or `at` another point."""
+
+    name: str
+    on: str
+    vector: Vector
+    span: Span
+    at: Vector | None = None
+
+
+@dataclass(frozen=True)
+class AppliedMoment:
+    """A moment on a rigid body."""
+
+    name: str
+    on: str
+    moment: Vector
+    span: Span
+
+
+@dataclass(frozen=True)
+class Spring:
+    """A linear spring of stiffness k and free length between two points."""
+
+    name: str
+    stiffness: sp.Expr
+    ends: tuple[Vector, Vector]
+    length: sp.Expr
+    span: Span
+
+
+@dataclass(frozen=True)
+class Damper:
+    """A linear damper of coefficient c between two points."""
+
+    name: str
+    coefficient: sp.Expr
+    ends: tuple[Vector, Vector]
+    span: Span
+
+
+@dataclass(frozen=True)
+class Potential:
+    """A potential energy V(q, t)."""
+
+    name: str
+    energy: sp.Expr
+    span: Span
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Coulomb friction μ|R| against the slip, R being the reaction of a constraint."""
+
+    name: str
+    coefficient: sp.Expr
+    constraint: str
+    on: str
+    span: Span
+    surface_velocity: Vector | None = None
+    slip: int | None = None
+    contact: int | None = None
+
+
+Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction
+
+
+@dataclass(frozen=True)
+class Choice:
+    """A choice of generalized coordinates.
+
+    `substitute` gives the old coordinates that it does not keep, in terms of the chosen ones and t. It is None where
+    the choice keeps some of the old coordinates and leaves the rest to be solved from the constraints.
+    """
+
+    name: str
+    coordinates: tuple[sp.Symbol, ...]
+    substitute: Mapping[sp.Symbol, sp.Expr] | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Answers:
+    """What the textbook says. Expressions stay text: they are read like any reader's answer."""
+
+    degrees_of_freedom: int | None = None
+    classification: tuple[str, ...] = ()
+    integrable: Mapping[str, bool] = field(default_factory=dict)
+    equations: tuple[Fragment, ...] = ()
+    equilibrium: tuple[tuple[Fragment, ...], ...] = ()
+    reactions: Mapping[str, Fragment] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A problem file, read."""
+
+    title: str
+    coordinates: tuple[Coordinate, ...]
+    slots: Slots
+    scope: Scope
+    source: str = ""
+    description: str = ""
+    axes: Mapping[str, str] = field(default_factory=dict)
+    frame: Triad | None = None
+    parameters: tuple[Parameter, ...] = ()
+    functions: tuple[FunctionDeclaration, ...] = ()
+    particles: tuple[Particle, ...] = ()
+    bodies: tuple[Body, ...] = ()
+    constraints: tuple[Constraint, ...] = ()
+    gravity: Vector | None = None
+    forces: tuple[Force, ...] = ()
+    unknowns: tuple[sp.Symbol, ...] = ()
+    speeds: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    choices: tuple[Choice, ...] = ()
+    equations: tuple[Fragment, ...] = ()
+    find: tuple[Find, ...] = (Find.CONSTRAINTS,)
+    answers: Answers | None = None
+    notes: tuple[Diagnostic, ...] = ()
+
+    @property
+    def geometric(self) -> tuple[Constraint, ...]:
+        """The constraints in which no velocity occurs."""
+        return tuple(c for c in self.constraints if not c.kinematic)
+
+    @property
+    def kinematic(self) -> tuple[Constraint, ...]:
+        """The constraints in which a velocity occurs."""
+        return tuple(c for c in self.constraints if c.kinematic)

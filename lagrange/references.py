@@ -1,0 +1,191 @@
+"""What answers are compared with: the derived system in every set of coordinates, and the names that answers may use.
+
+A solved problem gives one system for the file's own coordinates and one for each choice, with the multipliers of the
+constraints that remain there as unknowns. An answer in the coordinates of a choice may use the multipliers of
+constraints that the choice has made disappear (the tension of a pendulum's rod, with the angle): it is compared with
+the file's own equations, rewritten in the choice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.comparison import System
+from lagrange.constraints import pfaffian_form
+from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.equations import EquationsOfMotion
+from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
+from lagrange.kinematics import Configuration, file_configuration
+from lagrange.problem import Problem
+from lagrange.solution import Solution
+from lagrange.vectors import Vector
+from lagrange.verification import multiplier_system
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One equation of an answer: its components, each zero; or why it cannot be read."""
+
+    text: str
+    components: tuple[sp.Expr, ...] = ()
+    error: ProblemError | None = None
+    notes: list[Diagnostic] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One system that an answer may be compared with; it is made when it is first wanted.
+
+    choice       the choice of coordinates; empty for the file's own
+    multipliers  the unknowns beside the accelerations
+    """
+
+    choice: str
+    configuration: Configuration
+    multipliers: tuple[sp.Symbol, ...]
+    build: Callable[[], System]
+
+    @cached_property
+    def system(self) -> System:
+        """The system."""
+        return self.build()
+
+    @property
+    def known(self) -> set[str]:
+        """The names of coordinates and unknowns that its equations, or answers rewritten for it, may have."""
+        slots = self.configuration.slots
+        return {s.name for s in (*slots.coordinates, *self.configuration.expressed, *self.multipliers)}
+
+
+@dataclass(frozen=True)
+class Reference:
+    """What answers to a problem are compared with.
+
+    scope       the names that an answer may use
+    candidates  the systems, those of the file's own coordinates first
+    values      the numbers that the file gives to parameters
+    unknowns    declared unknown forces
+    """
+
+    scope: Scope
+    candidates: tuple[Candidate, ...]
+    values: Mapping[sp.Symbol, sp.Rational]
+    unknowns: tuple[sp.Symbol, ...] = ()
+
+    @cached_property
+    def moving(self) -> set[str]:
+        """The names of all coordinates and multipliers, which not every candidate knows."""
+        return {q.name for q in self.scope.slots.coordinates}.union(*(c.known for c in self.candidates))
+
+
+def reference_of_solution(solution: Solution) -> Reference:
+    """The reference that a solved problem is."""
+    problem = solution.problem
+    signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
+    scope = problem.scope
+    new = [q for c in problem.choices for q in c.coordinates]
+    coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
+    wider = replace(
+        scope,
+        scalars={**scope.scalars, **signs},
+        slots=replace(scope.slots, coordinates=coordinates),
+        vectors={**_applied_forces(solution), **scope.vectors},
+    )
+    return Reference(wider, tuple(_candidates(solution)), _values(problem), problem.unknowns)
+
+
+def _applied_forces(solution: Solution) -> dict[str, Vector]:
+    """F_P of each particle P on which forces act, as a derivation writes it. Names of the file keep their meaning."""
+    forces: dict[str, Vector] = {}
+    for load in solution.configuration.loads:
+        name = f"F_{load.on}"
+        if name not in solution.problem.scope.names():
+            forces[name] = forces.get(name, Vector.zero()) + load.vector
+    return forces
+
+
+def reference_of_equations(problem: Problem) -> Reference:
+    """The reference system that a file gives outright under `equations`."""
+    rows = tuple(pfaffian_form(c, problem.slots) for c in problem.constraints)
+    configuration = file_configuration(problem, rows)
+    expressions: list[sp.Expr] = []
+    errors: list[Diagnostic] = []
+    for fragment in problem.equations:
+        reading = read_answer(fragment, problem.scope)
+        expressions += reading.components
+        errors += reading.error.diagnostics if reading.error else ()
+    if errors:
+        raise ProblemError(errors)
+    unknowns = _occurring(problem.unknowns, tuple(expressions))
+    system = System(configuration, tuple(expressions), unknowns)
+    return Reference(
+        problem.scope, (Candidate("", configuration, unknowns, lambda: system),), _values(problem), problem.unknowns
+    )
+
+
+def read_answer(fragment: Fragment, scope: Scope) -> Reading:
+    """One equation of an answer. What cannot be read is part of the result, because the others still count."""
+    notes: list[Diagnostic] = []
+    text = fragment.text.strip()
+    try:
+        equation = read_equation(fragment, scope, notes, MAX_ANSWER_CHARACTERS)
+    except ProblemError as error:
+        return Reading(text, error=error)
+    lhs, rhs = equation.lhs, equation.rhs
+    if isinstance(lhs, Vector) and isinstance(rhs, Vector):
+        parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
+        return Reading(text, parts, notes=notes)
+    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes)
+
+
+def _values(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+    return {p.symbol: p.value for p in problem.parameters if p.value is not None}
+
+
+def _candidates(solution: Solution) -> Iterator[Candidate]:
+    """The systems of the file's coordinates and of the choices."""
+    if solution.motion is None:
+        return
+    unknowns = solution.problem.unknowns
+    yield _candidate("", solution.motion, solution)
+    reactions = tuple(c.reaction for c in solution.problem.constraints)
+    for c in solution.choices:
+        if c.motion is None:
+            continue
+        yield _candidate(c.name, c.motion, solution)
+        configuration = c.motion.configuration
+
+        def rewritten(configuration: Configuration = configuration) -> System:
+            """The file's own equations, with all multipliers, in the coordinates of the choice."""
+            own = _with_multipliers(solution.motion, solution)  # type: ignore[arg-type]
+            equations = tuple(configuration.rewritten(e) for e in own.equations)
+            return System(configuration, equations, (*reactions, *_occurring(unknowns, equations)))
+
+        yield Candidate(c.name, configuration, (*reactions, *unknowns), rewritten)
+
+
+def _candidate(choice: str, motion: EquationsOfMotion, solution: Solution) -> Candidate:
+    """The equations of one configuration, with the multipliers of the constraints that remain in it."""
+    configuration = motion.configuration
+    reactions = {c.name: c.reaction for c in solution.problem.constraints}
+    multipliers = tuple(reactions[r.name] for r in configuration.rows)
+    known = (*multipliers, *solution.problem.unknowns)
+    return Candidate(choice, configuration, known, lambda: _with_multipliers(motion, solution))
+
+
+def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:
+    configuration, principle = motion.configuration, motion.principle
+    reactions = {c.name: c.reaction for c in solution.problem.constraints}
+    left = tuple(principle.textbook.form(d) for d in principle.coefficients)
+    system = multiplier_system(configuration, left, tuple(reactions[r.name] for r in configuration.rows))
+    return replace(system, multipliers=(*system.multipliers, *_occurring(solution.problem.unknowns, left)))
+
+
+def _occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
+    """Those of the symbols that occur."""
+    used = set().union(*(e.free_symbols for e in expressions))
+    return tuple(s for s in symbols if s in used)

@@ -1,0 +1,1 @@
+"""Renderers: one file a format, all of them reading the same derivation."""

@@ -1,0 +1,89 @@
+"""Text for LaTeX: what TeX would take for a command, and what pdflatex has no letter for."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from lagrange.render.names import GREEK
+
+_SPECIAL = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "%": r"\%",
+    "$": r"\$",
+    "#": r"\#",
+    "&": r"\&",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "<": r"$<$",
+    ">": r"$>$",
+    "|": r"$|$",
+    "\u00a0": "~",
+    "\u2009": r"\,",
+    "\u202f": r"\,",
+    "−": "$-$",
+    "×": r"$\times$",
+    "·": r"$\cdot$",
+    "±": r"$\pm$",
+    "°": r"$^\circ$",
+    "∂": r"$\partial$",
+    "∧": r"$\wedge$",
+    "√": r"$\surd$",
+    "∞": r"$\infty$",
+    "≠": r"$\neq$",
+    "≤": r"$\le$",
+    "≥": r"$\ge$",
+    "≈": r"$\approx$",
+    "≡": r"$\equiv$",
+    "→": r"$\to$",
+    "∝": r"$\propto$",
+    "′": r"$'$",
+    "″": r"$''$",
+    "½": r"$\tfrac{1}{2}$",
+    "✓": r"$\checkmark$",
+    "–": "--",
+    "—": "---",
+    "…": r"\dots{}",
+    "‘": "`",
+    "’": "'",
+    "“": "``",
+    "”": "''",
+    "„": '"',
+}
+_LETTERS = {letter: f"${command}$" for letter, command in GREEK.values()}
+_SCRIPTS = {c: f"$^{n}$" for n, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {c: f"$_{n}$" for n, c in enumerate("₀₁₂₃₄₅₆₇₈₉")}
+_DOTS = {"\u0307": r"\dot", "\u0308": r"\ddot"}
+_KNOWN = _SPECIAL | _LETTERS | _SCRIPTS
+_LATIN = 0x17F  # up to here inputenc knows the letters
+_DOTTED = re.compile("(.)([\u0307\u0308])")
+
+
+def escape(text: str) -> str:
+    """Text that stands for itself in LaTeX."""
+    text = re.sub(r'"([^"]*)"', "“\\1”", unicodedata.normalize("NFC", text))
+    pieces = re.split("(.[\u0307\u0308])", text)
+    return "".join(_dotted(p) if _DOTTED.fullmatch(p) else "".join(map(_character, p)) for p in pieces)
+
+
+def _dotted(pair: str) -> str:
+    letter = _character(pair[0]).strip("$")
+    return f"${_DOTS[pair[1]]}{{{letter}}}$"
+
+
+def _character(character: str) -> str:
+    if character in _KNOWN:
+        return _KNOWN[character]
+    if character.isspace():
+        return " "
+    if character.isascii() or (ord(character) <= _LATIN and character.isalpha()):
+        return character if character.isprintable() else ""
+    if unicodedata.category(character) in ("Cc", "Cf", "Mn"):
+        return ""
+    apart = unicodedata.normalize("NFD", character)
+    if _DOTTED.fullmatch(apart):
+        return _dotted(apart)
+    plain = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
+    return "".join(map(_character, plain)) or f"[U+{ord(character):04X}]"

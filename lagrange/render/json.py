@@ -1,0 +1,187 @@
+"""JSON, version 1: what a solution has found, for other programs.
+
+Expressions are text of the language of problem files, so that they can be read back. What does not apply is left out,
+what is undecided is null. Several problems make a list.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
+from lagrange.displacements import possible_displacement, virtual_displacement
+from lagrange.notation import Wedge
+from lagrange.render.mathematics import text
+from lagrange.vectors import Vector
+
+if TYPE_CHECKING:
+    from lagrange.constraints import ConstraintAnalysis
+    from lagrange.equations import EquationsOfMotion
+    from lagrange.report import Report
+    from lagrange.solution import ChoiceSolution
+    from lagrange.spot import Spot
+
+VERSION = 1
+
+Write = Callable[[Any], str]
+
+
+def render(reports: Sequence[Report | None]) -> str:
+    """The reports as JSON text: an object for one problem; a list for several, with null for one that is not solved."""
+    found = [r and as_object(r) for r in reports]
+    return json.dumps(found[0] if len(found) == 1 else found, ensure_ascii=False, indent=1) + "\n"
+
+
+def as_object(report: Report) -> dict[str, Any]:
+    """One report as the object of version 1."""
+    solution, notation = report.solution, report.notation
+    problem, classification = solution.problem, solution.classification
+
+    def write(expression: Any) -> str:
+        return text(expression, notation)
+
+    found: dict[str, Any] = {
+        "version": VERSION,
+        "problem": {"title": problem.title, "source": problem.source},
+        "coordinates": [q.name for q in problem.slots.coordinates],
+        "constraints": [_constraint(c, report, write) for c in classification.constraints],
+        "classification": {
+            "holonomic": classification.holonomic,
+            "scleronomic": classification.scleronomic,
+            "catastatic": classification.catastatic,
+            "rank": classification.rank,
+            "integrable_rank": classification.integrable_rank,
+            "hidden": [],
+            "redundant": list(classification.redundant),
+        },
+        "degrees_of_freedom": classification.degrees_of_freedom,
+        "configuration_dimension": classification.configuration_dimension,
+        "possible_displacements": [
+            f"{write(possible_displacement(r, problem.slots))} = 0" for r in classification.rows
+        ],
+        "virtual_displacements": [f"{write(virtual_displacement(r, problem.slots))} = 0" for r in classification.rows],
+        "choices": [_choice(c, write) for c in solution.choices],
+    }
+    if solution.motion is not None:
+        found["equations"] = _equations(solution.motion, write)
+    found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
+    spots = [solution.spot, *(c.spot for c in solution.choices)]
+    first = next((s for s in spots if s is not None), None)
+    if first is not None:
+        found["spot"] = _spot(first, write)
+    found["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
+    found["steps"] = [
+        {"rule": s.rule.value, "title": s.title, "body": [_block(b, write) for b in s.body]}
+        for s in report.derivation.steps
+    ]
+    return found
+
+
+def _named(name: str, choice: str) -> str:
+    return f"{choice}: {name}" if choice else name
+
+
+def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str, Any]:
+    constraint, row = c.constraint, c.row
+    coordinates = report.solution.problem.slots.coordinates
+    found: dict[str, Any] = {
+        "name": constraint.name,
+        "equation": f"{write(constraint.function)} = 0",
+        "kind": "kinematic" if constraint.kinematic else "geometric",
+        "pfaffian": {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
+        | {"t": write(row.drift)},
+        "exact": c.exactness.exact,
+        "integrable": c.integrable,
+    }
+    if c.exactness.exact:
+        found["integrating_factor"] = "1"
+    if c.integral is not None:
+        found["integral"] = write(c.integral)
+    return found | {"depends_on_time": c.depends_on_time, "catastatic": c.catastatic}
+
+
+def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
+    coordinates = c.coordinates
+    found: dict[str, Any] = {
+        "name": c.name,
+        "coordinates": [q.name for q in coordinates.choice.coordinates],
+        "independent": True,  # otherwise it would have been refused
+        "branches": coordinates.branches,
+    }
+    if c.motion is not None:
+        slots = coordinates.configuration.slots
+        forces = zip(slots.coordinates, c.motion.principle.forces, strict=True)
+        found["generalized_forces"] = {q.name: write(f) for q, f in forces}
+        found["equations"] = _equations(c.motion, write)
+    if c.spot is not None:
+        found["spot"] = _spot(c.spot, write)
+    return found
+
+
+def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
+    """The equations of motion and the constraints that complete them."""
+    slots = motion.configuration.slots
+    rows = (r.velocity_form(slots) if r.finite is None else r.finite for r in motion.configuration.rows)
+    return [f"{write(e)} = 0" for e in (*motion.expressions, *rows)]
+
+
+def _spot(spot: Spot, write: Write) -> dict[str, Any]:
+    return {
+        "values": {s.name: _figures(v, write) for s, v in spot.values.items()},
+        "accelerations": {s.name.rstrip("'"): _figures(v, write) for s, v in spot.accelerations.items()},
+    }
+
+
+def _figures(value: Any, write: Write) -> str:
+    """A number to six figures; exact ones as they are."""
+    return f"{float(value):.6g}" if value.is_Float else write(value)
+
+
+def _block(block: Block, write: Write) -> dict[str, Any]:
+    match block:
+        case Prose(parts=parts):
+            return {"prose": _sentence(parts, write)}
+        case Display(equations=equations, boxed=boxed):
+            return {"equations": [_equation(e, write) for e in equations], "result": boxed}
+        case Table(header=header, rows=rows):
+            cells = [[_sentence((cell,), write) for cell in row] for row in rows]
+            return {"table": {"header": [_sentence((h,), write) for h in header], "rows": cells}}
+        case CheckMark(name=name, passed=passed, how=how):
+            return {"check": _sentence(name, write), "passed": passed, "how": how}
+
+
+def _equation(equation: Equation, write: Write) -> dict[str, Any]:
+    """An equation; `text` can be read back. An equation between exterior forms cannot, and is called `form`."""
+    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge) for s in equation.sides)
+    written = f" {equation.relation} ".join(write(_shown(s)) for s in equation.sides)
+    found: dict[str, Any] = {"form" if of_forms else "text": written}
+    if equation.label:
+        found["label"] = equation.label
+    if equation.condition:
+        found["condition"] = _sentence(equation.condition, write)
+    return found
+
+
+def _shown(side: Any) -> Any:
+    return side.as_sum() if isinstance(side, Vector) else side
+
+
+def _sentence(parts: Sequence[Part], write: Write) -> str:
+    return "".join(_words(parts, write))
+
+
+def _words(parts: Sequence[Part], write: Write) -> Iterator[str]:
+    for part in parts:
+        match part:
+            case str():
+                yield part
+            case Math(sides=sides, relation=relation):
+                yield f" {relation} ".join(write(_shown(s)) for s in sides)
+            case Ref(label=label):
+                yield f"[{label}]"
+            case Term(word=word):
+                yield word

@@ -1,0 +1,269 @@
+r"""A derivation in LaTeX, as typed by hand: `equation`, `align`, `\eqref`, tables and boxed results.
+
+`render` makes a document that compiles with pdflatex, or a fragment to be put into one; `body` is the part
+that one derivation contributes. Labels are stable: the slug of the title and the id of the equation.
+Whether a line is too long is judged by an estimate of its width in ems (`ems`); a broken equation is set in
+rows, its terms below each other.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import groupby
+
+from lagrange.derivation import (
+    Block,
+    CheckMark,
+    Derivation,
+    Detail,
+    Display,
+    Equation,
+    Math,
+    Mathematics,
+    Part,
+    Prose,
+    Ref,
+    Table,
+    Term,
+)
+from lagrange.render.breaking import Breaker, Line
+from lagrange.render.ems import ems
+from lagrange.render.escape import escape
+from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
+from lagrange.render.shown import Shown, shown
+
+LINE = 36.0  # ems of an equation beside its number: a4, margins of 25 mm, 11 pt
+PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
+\usepackage[utf8]{inputenc}
+\usepackage[T1]{fontenc}
+\usepackage{lmodern}
+\usepackage{amsmath,amssymb}
+\usepackage[margin=25mm]{geometry}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{0.5\baselineskip}
+\setlength{\emergencystretch}{3em}
+\allowdisplaybreaks
+"""
+FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}, a text width of about 160 mm at 11 pt,
+% and for long formulas in the text \setlength{\emergencystretch}{3em}
+"""
+SHORT = 8.0  # ems of a left side behind which relations are aligned
+TALL = 15  # rows of a box that takes half a page; it cannot be broken
+ALIGN = "\ue003"
+MARKS = {True: r"$\checkmark$", False: r"$\times$", None: "?"}
+
+
+def render(
+    derivations: Sequence[tuple[Derivation, Notation]],
+    fragment: bool = False,
+    detail: Detail = Detail.STEPS,
+) -> str:
+    """A document with these derivations, or the fragment that goes into one."""
+    bodies = "\n".join(body(derivation, notation, detail) for derivation, notation in derivations)
+    if fragment:
+        return FRAGMENT + bodies
+    return f"{PREAMBLE}\n\\begin{{document}}\n\n{bodies}\n\\end{{document}}\n"
+
+
+def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS) -> str:
+    """What one derivation contributes."""
+    return "\n".join(_Article(derivation, notation, detail).all()) + "\n"
+
+
+def slug(title: str) -> str:
+    """The title in the form of a label: `ideal-pendulum`."""
+    plain = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode().lower()
+    return re.sub(r"[^a-z0-9]+", "-", plain).strip("-") or "derivation"
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A row of `align`."""
+
+    code: str
+    anchor: str = ""
+
+
+class _Article:
+    """One derivation."""
+
+    def __init__(self, derivation: Derivation, notation: Notation, detail: Detail) -> None:
+        self.derivation = derivation
+        self.writer = Writer(LATEX, notation)
+        self.wide = Writer(WIDE_LATEX, notation)
+        self.content: Shown = shown(derivation, detail)
+        self.prefix = slug(derivation.title)
+
+    def all(self) -> Iterator[str]:
+        source = escape(self.derivation.source)
+        behind = rf" \hfill \textnormal{{\normalsize {source}}}" if source else ""
+        yield rf"\section*{{{escape(self.derivation.title)}{behind}}}"
+        for number, step in enumerate(self.content.steps, 1):
+            yield ""
+            yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
+            for kind, blocks in groupby(step.body, key=type):
+                if kind is CheckMark:
+                    yield from self.checks([b for b in blocks if isinstance(b, CheckMark)])
+                elif kind is Prose:
+                    yield "\n\n".join(self.prose(b.parts) for b in blocks if isinstance(b, Prose))
+                else:
+                    for block in blocks:
+                        yield from self.block(block)
+
+    def block(self, block: Block) -> Iterator[str]:
+        match block:
+            case Display():
+                yield from self.display(block)
+            case Table():
+                yield from self.table(block)
+
+    def prose(self, parts: Iterable[Part]) -> str:
+        return "".join(self.part(part) for part in parts)
+
+    def part(self, part: Part) -> str:
+        match part:
+            case Math():
+                return self.inline(part.sides, part.relation)
+            case Ref() if part.label in self.content.numbers:
+                return rf"\eqref{{{self.label(part.label)}}}"
+            case Ref() if part.label in self.content.hidden:
+                hidden = self.content.hidden[part.label]
+                return self.inline(hidden.sides, hidden.relation)
+            case Ref():
+                return "(?)"
+            case Term():
+                return rf"\emph{{{escape(part.word)}}}"
+        return escape(part)
+
+    def inline(self, sides: Sequence[Mathematics], relation: str) -> str:
+        code = self.writer.relation(sides, relation)
+        return f"${code if ems(code) <= LINE else self.wide.relation(sides, relation)}$"
+
+    def label(self, label: str) -> str:
+        return f"{self.prefix}:{slug(label) if not re.fullmatch(r'[A-Za-z0-9.:-]+', label) else label}"
+
+    # Equations
+
+    def display(self, block: Display) -> Iterator[str]:
+        systems = [self.rows(e, LINE - 2 if block.boxed else LINE) for e in block.equations]
+        if len(systems) == 1 and len(systems[0]) == 1:
+            code = systems[0][0].code.replace(ALIGN, "")
+            yield from self.equation(rf"\boxed{{{code}}}" if block.boxed else code, block.equations[0])
+        elif block.boxed and sum(map(len, systems)) > TALL:
+            for system in systems:
+                yield from self.boxed([system]) if len(system) <= 2 * TALL else self.align([system])
+        elif systems:
+            yield from self.boxed(systems) if block.boxed else self.align(systems)
+
+    def boxed(self, systems: Sequence[Sequence[_Row]]) -> Iterator[str]:
+        yield r"\begin{center}\fbox{\begin{minipage}{0.97\linewidth}\vspace{-\abovedisplayskip}"
+        yield from self.align(systems)
+        yield r"\end{minipage}}\end{center}"
+
+    def equation(self, code: str, equation: Equation) -> Iterator[str]:
+        star = "" if equation.label else "*"
+        yield rf"\begin{{equation{star}}}" + self.anchor(equation)
+        yield "  " + code
+        yield rf"\end{{equation{star}}}"
+
+    def anchor(self, equation: Equation) -> str:
+        return rf"\label{{{self.label(equation.label)}}}" if equation.label else ""
+
+    def align(self, systems: Sequence[Sequence[_Row]]) -> Iterator[str]:
+        """The rows of several equations, at their relations where all of them have short left sides."""
+        rows = [row for system in systems for row in system]
+        star = "" if any(row.anchor for row in rows) else "*"
+        at_relation = all(system[0].code.find(ALIGN) > 0 for system in systems)
+        lines = []
+        for row in rows:
+            code = row.code.replace(ALIGN, "&") if at_relation else "&" + row.code.replace(ALIGN, "")
+            note = row.anchor or (r"\notag" if not star else "")
+            lines.append(f"  {code} {note}".rstrip())
+        spread = any(len(system) > 1 for system in systems)
+        ends = [r" \\[1ex]" if spread and row is system[-1] else r" \\" for system in systems for row in system]
+        yield rf"\begin{{align{star}}}"
+        yield from (line + end for line, end in zip(lines[:-1], ends[:-1], strict=True))
+        yield lines[-1]
+        yield rf"\end{{align{star}}}"
+
+    def rows(self, equation: Equation, width: float) -> list[_Row]:
+        """The rows of an equation: the last one has the number, a condition may stand below it."""
+        relation = self.writer.style.relation(equation.relation)
+        for writer in (self.writer, self.wide):
+            breaker = Breaker(ems, width, 1)
+            lines = breaker.equation([writer.marked(side) for side in equation.sides], relation)
+            if all(line.indent + ems(line.code) <= width for line in lines):
+                break
+        codes = _aligned(lines, relation)
+        below = []
+        if equation.condition:
+            condition = rf"\text{{{self.prose(equation.condition)}}}"
+            if lines[-1].indent + ems(lines[-1].code) + 2 + ems(condition) <= width:
+                codes[-1] += rf" \qquad {condition}"
+            else:
+                below = [_Row(rf"{ALIGN}\qquad {condition}")]
+        return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *below]
+
+    # Tables and checks
+
+    def table(self, block: Table) -> Iterator[str]:
+        grid = [list(block.header), *(list(row) for row in block.rows)]
+        turned = [list(column) for column in zip(*grid, strict=True)]
+        for candidate in (grid, turned):
+            cells = [[self.part(part) for part in row] for row in candidate]
+            if sum(max(ems(row[k]) for row in cells) + 1.2 for k in range(len(cells[0]))) < LINE + 4:
+                yield from _tabular(cells)
+                return
+        yield r"\begin{itemize}"
+        for row in block.rows:
+            entries = (f"{self.part(h)}: {self.part(c)}" for h, c in zip(block.header[1:], row[1:], strict=True))
+            yield rf"\item {self.part(row[0])}: " + "; ".join(entries)
+        yield r"\end{itemize}"
+
+    def checks(self, checks: Sequence[CheckMark]) -> Iterator[str]:
+        yield r"\begin{itemize}"
+        for check in checks:
+            how = f" --- {escape(check.how)}" if check.how else ""
+            yield rf"\item[{MARKS[check.passed]}] {self.prose(check.name)}{how}"
+        yield r"\end{itemize}"
+
+
+def _aligned(lines: Sequence[Line], relation: str) -> list[str]:
+    """The lines as rows of `align`, with the place to align before the relation behind a short left side."""
+    head, sign, tail = lines[0].code.partition(f" {relation} ")
+    if not sign or ems(head) > SHORT:
+        return [ALIGN + _growing(_space(line.indent) + line.code, len(lines)) for line in lines]
+    rows = [_growing(f"{head} {ALIGN}{relation} {tail}", len(lines))]
+    for line in lines[1:]:
+        continues = not line.code.startswith(f"{relation} ")
+        indent = _space(max(line.indent - ems(head), 1)) if continues else ""
+        rows.append(ALIGN + _growing(indent + line.code, len(lines)))
+    return rows
+
+
+def _space(indent: float) -> str:
+    if indent < 0.5:
+        return ""
+    if indent < 1.5:
+        return r"\quad "
+    return r"\qquad " if indent < 2.5 else rf"\hspace{{{indent:.0f}em}} "
+
+
+def _growing(code: str, rows: int) -> str:
+    r"""Brackets of a fixed size in an equation of several rows: `\left` and `\right` have to be in one."""
+    if rows == 1:
+        return code
+    return re.sub(r"\\left(\\.|.)", r"\\biggl\1", re.sub(r"\\right(\\.|.)", r"\\biggr\1", code))
+
+
+def _tabular(cells: Sequence[Sequence[str]]) -> Iterator[str]:
+    yield r"\begin{center}"
+    yield rf"\begin{{tabular}}{{l|{'l' * (len(cells[0]) - 1)}}}"
+    header, *rows = (" & ".join(row) for row in cells)
+    yield rf"  {header} \\ \hline"
+    yield " \\\\\n".join("  " + row for row in rows)
+    yield r"\end{tabular}"
+    yield r"\end{center}"

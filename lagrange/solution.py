@@ -1,0 +1,160 @@
+"""solve(): the stages in order.
+
+statement -> constraints -> classification -> displacements -> d'Alembert's principle -> generalized coordinates ->
+equations of motion -> checks. Each stage is a function of its own in a module of its own; what each of them finds is a
+field of the result.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+from lagrange.classification import Classification, classify
+from lagrange.comparison import System
+from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
+from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
+from lagrange.displacements import Elimination, eliminate
+from lagrange.equations import EquationsOfMotion, check_inertia, equations_of_motion
+from lagrange.kinematics import Configuration, file_configuration
+from lagrange.principle import dalembert
+from lagrange.problem import AppliedForce, AppliedMoment, Choice, Damper, Find, Friction, Potential, Problem, Spring
+from lagrange.spot import Spot, spot_value
+from lagrange.verification import (
+    EXACT,
+    Check,
+    check_choice,
+    check_displacements,
+    check_integrability,
+    check_motion,
+    check_reality,
+)
+
+
+@dataclass(frozen=True)
+class ChoiceSolution:
+    """The problem in one choice of generalized coordinates; `motion` is None where no motion is asked."""
+
+    coordinates: GeneralizedCoordinates
+    motion: EquationsOfMotion | None = None
+    spot: Spot | None = None
+
+    @property
+    def name(self) -> str:
+        """The choice's name."""
+        return self.coordinates.choice.name
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Everything that is found.
+
+    configuration  the system in the file's own coordinates
+    elimination    of the dependent virtual displacements there
+    motion         its equations of motion, where motion is asked
+    """
+
+    problem: Problem
+    classification: Classification
+    configuration: Configuration
+    elimination: Elimination
+    motion: EquationsOfMotion | None = None
+    spot: Spot | None = None
+    choices: tuple[ChoiceSolution, ...] = ()
+    checks: tuple[Check, ...] = field(default=())
+
+    @property
+    def holds(self) -> bool:
+        """Whether every check held and nothing is undecided."""
+        c = self.classification
+        decided = None not in (c.holonomic, c.scleronomic, c.catastatic)
+        return decided and all(check.passed for check in self.checks)
+
+
+def solve(problem: Problem, choice: str | None = None) -> Solution:
+    """Solves a problem; with `choice`, in that choice of generalized coordinates only.
+
+    Raises ProblemError where the problem contradicts itself, UndecidedError and NotCoveredError where it cannot be
+    solved.
+    """
+    _refuse_what_is_not_covered(problem)
+    classification = classify(problem)
+    configuration = file_configuration(problem, classification.rows)
+    elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.surface)
+    chosen = [generalized_coordinates(c, configuration) for c in _choices(problem, choice)]
+    checks = [
+        *check_reality(configuration),
+        *check_integrability(classification),
+        *check_displacements(configuration, elimination),
+    ]
+    solution = Solution(
+        problem,
+        classification,
+        configuration,
+        elimination,
+        choices=tuple(ChoiceSolution(c) for c in chosen),
+        checks=(*checks, *_substitutions(chosen)),
+    )
+    return _with_motion(solution) if Find.MOTION in problem.find else solution
+
+
+def _with_motion(solution: Solution) -> Solution:
+    """The solution with the equations of motion, in the file's coordinates and in every choice."""
+    problem = solution.problem
+    reactions = {c.name: c.reaction for c in problem.constraints}
+    given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    motion = equations_of_motion(dalembert(solution.configuration), solution.elimination)
+    check_inertia(motion)
+    checks = [*solution.checks, *check_motion(motion, reactions)]
+    choices = []
+    for c in solution.choices:
+        configuration = c.coordinates.configuration
+        coordinates = configuration.slots.coordinates
+        first = [coordinates.index(q) for q in c.coordinates.through_rates]
+        elimination = eliminate(configuration.rows, len(coordinates), configuration.surface, first)
+        there = equations_of_motion(dalembert(configuration), elimination)
+        checks += check_displacements(configuration, elimination)
+        checks += check_motion(there, reactions)
+        checks.append(check_choice(motion, there))
+        spot = spot_value(System(configuration, there.expressions), given)
+        choices.append(replace(c, motion=there, spot=spot))
+    spot = spot_value(System(solution.configuration, motion.expressions), given)
+    return replace(solution, motion=motion, spot=spot, choices=tuple(choices), checks=tuple(checks))
+
+
+def _substitutions(chosen: list[GeneralizedCoordinates]) -> list[Check]:
+    """What `generalized_coordinates` has verified, as checks."""
+    found = []
+    for c in chosen:
+        if c.satisfied:
+            listed = ", ".join(c.satisfied)
+            found.append(Check(f"satisfied identically: {listed}", True, EXACT, c.choice.name))
+    return found
+
+
+def _choices(problem: Problem, name: str | None) -> list[Choice]:
+    if name is None:
+        return list(problem.choices)
+    found = [c for c in problem.choices if c.name == name]
+    if not found:
+        names = [c.name for c in problem.choices]
+        help_ = suggestion(name, names, "choices")
+        raise ProblemError(Diagnostic("no-such-choice", f"the problem has no choice `{name}`", help=help_))
+    return found
+
+
+_KINDS = {Friction: "friction", Spring: "the spring", Damper: "the damper", AppliedMoment: "the moment"}
+
+
+def _refuse_what_is_not_covered(problem: Problem) -> None:
+    for body in problem.bodies:
+        raise NotCoveredError(f"the rigid body `{body.name}`", body.span)
+    for force in problem.forces:
+        if not isinstance(force, AppliedForce | Potential):
+            raise NotCoveredError(f"{_KINDS[type(force)]} `{force.name}`", force.span)
+    if problem.speeds:
+        raise NotCoveredError("a choice of quasi-velocities (`speeds`)")
+    if problem.equations:
+        raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
+    for question in (Find.EQUILIBRIUM, Find.LINEARIZATION):
+        if question in problem.find:
+            raise NotCoveredError(f"`find: {question}`")

@@ -1,0 +1,124 @@
+"""Products of powers of SymPy expressions, as dictionaries: the last step before an expression is made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+import sympy as sp
+
+from lagrange.packing import pack, unpack
+from lagrange.polynomials import Polynomial, common_number, factorization, negated
+
+LONGEST = 24  # a longer sum is not factored
+
+Factors = dict[sp.Expr, sp.Rational]  # what is multiplied -> exponent
+
+
+@dataclass(frozen=True)
+class Term:
+    """number · Π factor ** exponent."""
+
+    number: Fraction
+    factors: Factors
+
+    def to_sympy(self) -> sp.Expr:
+        """The product; sin w/cos w is written tan w."""
+        factors = with_tangents(self.factors)
+        powers = [f if e is sp.S.One else f**e for f, e in factors.items()]
+        if self.number == 1:
+            return powers[0] if len(powers) == 1 else sp.Mul(*powers)
+        return sp.Mul(sp.Rational(self.number.numerator, self.number.denominator), *powers)
+
+    def scaled(self, number: Fraction) -> Term:
+        """The product times a number."""
+        return Term(self.number * number, self.factors)
+
+    def __mul__(self, other: Term) -> Term:
+        return Term(self.number * other.number, multiplied(self.factors, other.factors))
+
+
+def multiply(factors: Factors, factor: sp.Expr, exponent: sp.Rational) -> None:
+    """One more power, into a dictionary of powers."""
+    total = factors.get(factor, sp.S.Zero) + exponent
+    if total:
+        factors[factor] = total
+    else:
+        factors.pop(factor, None)
+
+
+def multiplied(a: Factors, b: Factors) -> Factors:
+    """The powers of a product."""
+    product = dict(a)
+    for factor, exponent in b.items():
+        multiply(product, factor, exponent)
+    return product
+
+
+def divided(a: Factors, b: Factors) -> Factors:
+    """The powers of a quotient."""
+    return multiplied(a, {factor: -exponent for factor, exponent in b.items()})
+
+
+def common_powers(dictionaries: list[Factors]) -> Factors:
+    """The powers that all have in common; of negative ones the least negative, if all are negative."""
+    common: Factors = {}
+    for factor in dictionaries[0]:
+        exponents = [d.get(factor, sp.S.Zero) for d in dictionaries]
+        if min(exponents) > 0:
+            common[factor] = min(exponents)
+        elif max(exponents) < 0:
+            common[factor] = max(exponents)
+    return common
+
+
+def with_tangents(factors: Factors) -> Factors:
+    """sin w/cos w written as tan w."""
+    found = dict(factors)
+    for cosine, below in factors.items():
+        if isinstance(cosine, sp.cos) and below.is_Integer and below < 0:
+            sine = sp.sin(cosine.args[0])
+            above = factors.get(sine, sp.S.Zero)
+            if above.is_Integer and above > 0:
+                power = min(above, -below)
+                for factor, e in ((sine, -power), (cosine, power), (sp.tan(cosine.args[0]), power)):
+                    multiply(found, factor, e)
+    return found
+
+
+def number_apart(expression: sp.Expr) -> tuple[sp.Rational, sp.Expr]:
+    """2 M + 2 m as 2 and M + m."""
+    summands = [summand.as_coeff_Mul() for summand in sp.Add.make_args(expression)]
+    number = sp.Rational(common_number(Fraction(int(c.p), int(c.q)) for c, _ in summands))
+    return number, sp.Add(*(c / number * e for c, e in summands))
+
+
+def sum_of(terms: Iterable[Term]) -> sp.Expr:
+    """The sum."""
+    return sp.Add(*(term.to_sympy() for term in terms))
+
+
+def factored_sum(terms: list[Term]) -> Term | None:
+    """A sum without common factors as a product, if that takes fewer operations."""
+    exponents = [e for term in terms for e in term.factors.values()]
+    if not 2 < len(terms) <= LONGEST or not all(e.is_Integer and e > 0 for e in exponents):
+        return None
+    factors = list(dict.fromkeys(f for term in terms for f in term.factors))
+    places = {f: i for i, f in enumerate(factors)}
+    polynomial = {pack((places[f], int(e)) for f, e in term.factors.items()): term.number for term in terms}
+    sign, found = factorization(polynomial)
+    if len(polynomial) < len(terms) or (len(found) == 1 and found[0][1] == 1):
+        return None
+    product = Term(Fraction(sign), {})
+    for p, exponent in found:
+        turned, p = _turned(p)
+        members = [Term(c, {factors[i]: sp.Integer(e) for i, e in unpack(m)}) for m, c in p.items()]
+        product = product * Term(Fraction(turned**exponent), {sum_of(members): sp.Integer(exponent)})
+    return product
+
+
+def _turned(polynomial: Polynomial) -> tuple[int, Polynomial]:
+    """Minus one if most signs are minus, and the polynomial without that sign."""
+    minus = sum(c < 0 for c in polynomial.values()) * 2 > len(polynomial)
+    return (-1, negated(polynomial)) if minus else (1, polynomial)

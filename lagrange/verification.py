@@ -1,0 +1,189 @@
+"""The checks of a solution, each by a second route.
+
+    Lagrange's equations        from T, V and Q: no step in common with d'Alembert's principle but the positions
+    virtual displacements       the solved δq put back into A δq = 0
+    energy                      dT/dt with the accelerations that the equations give, against the power of the forces
+    coordinates                 the equations of the file's coordinates, rewritten in those of a choice
+
+All are exact: expressions are evaluated at random states of a random prime field, and solution sets are compared, never
+printed forms. A check that cannot be decided says so and does not count as held.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from lagrange.classification import Classification, has_real_point
+from lagrange.comparison import System, affine_rows, compare, state, symbols_of
+from lagrange.displacements import Elimination
+from lagrange.equations import EquationsOfMotion
+from lagrange.exact import Point
+from lagrange.kinematics import Configuration
+from lagrange.lagrangian import kinetic_energy, lagrange_equations
+from lagrange.notation import Slots, t
+from lagrange.sampling import agreed
+
+
+@dataclass(frozen=True)
+class Check:
+    """A check: what holds, whether it did (None: undecided), and how that was found.
+
+    `choice` is the choice of coordinates that it is about; empty for the file's own.
+    """
+
+    name: str
+    passed: bool | None
+    how: str
+    choice: str = ""
+
+
+def multiplier_system(
+    configuration: Configuration, left: tuple[sp.Expr, ...], multipliers: tuple[sp.Symbol, ...]
+) -> System:
+    """The equations left_k = Σ λ_j a_jk of a configuration, shape (n,), with the multipliers as unknowns."""
+    equations = []
+    for k, expression in enumerate(left):
+        reactions = (m * row.coefficients[k] for m, row in zip(multipliers, configuration.rows, strict=True))
+        equations.append(expression - sp.Add(*reactions))
+    return System(configuration, tuple(equations), multipliers)
+
+
+def check_integrability(classification: Classification) -> list[Check]:
+    """Frobenius' form, worked out in symbols, against the verdict on the constraint, which is found with jets."""
+    found = []
+    for c in classification.constraints:
+        if c.row.finite is None and not c.exactness.exact and c.integrable is not None:
+            verdicts = [k.nonzero for k in c.frobenius]
+            vanishes = False if True in verdicts else None if None in verdicts else True
+            passed = None if vanishes is None else vanishes == c.integrable
+            name = f"Frobenius' condition {'holds' if c.integrable else 'fails'} for {c.row.name.replace('_', ' ')}"
+            found.append(Check(name, passed, "exact: by its components and by the derived system"))
+    return found
+
+
+def check_reality(configuration: Configuration) -> list[Check]:
+    """Whether some real configuration satisfies the geometric constraints: x² + y² = −1 has none."""
+    if not configuration.finite_constraints:
+        return []
+    name = "a real configuration satisfies the constraints"
+    if has_real_point(configuration.surface):
+        return [Check(name, True, "one was found, to sixty digits")]
+    return [Check(name, None, "none was found")]
+
+
+def check_displacements(configuration: Configuration, elimination: Elimination) -> list[Check]:
+    """The solved virtual displacements, put into the constraints."""
+    if not configuration.rows:
+        return []
+    how = "exact: the solved displacements put into the constraints"
+    passed = _displacements_hold(configuration, elimination)
+    return [Check("the virtual displacements satisfy the constraints", passed, how, configuration.name)]
+
+
+def check_motion(motion: EquationsOfMotion, reactions: Mapping[str, sp.Symbol]) -> list[Check]:
+    """The checks of one set of equations of motion; `reactions` are the multipliers of the constraints, by name."""
+    configuration = motion.configuration
+    multipliers = tuple(reactions[row.name] for row in configuration.rows)
+    name = configuration.name
+    found = [
+        Check(
+            "Lagrange's equations give the same motion",
+            _agrees_with_lagrange(motion, multipliers),
+            EXACT,
+            name,
+        )
+    ]
+    if _conserves_reactions(configuration):
+        how = "exact: dT/dt along the motion against the power of the forces"
+        found.append(Check("the rate of the energy is the power of the forces", _energy_rate_holds(motion), how, name))
+    return found
+
+
+EXACT = "exact, at random states"
+
+
+def _agrees_with_lagrange(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...]) -> bool | None:
+    configuration = motion.configuration
+    system = multiplier_system(configuration, lagrange_equations(configuration).left, multipliers)
+    result = compare(motion.expressions, system)
+    return None if result is None else result.agree
+
+
+def _displacements_hold(configuration: Configuration, elimination: Elimination) -> bool | None:
+    """A N = 0, where the columns of N are the solved displacements."""
+    columns = displacement_basis(elimination, len(configuration.slots.coordinates))
+    verdicts = [
+        configuration.surface.is_zero(sp.Add(*(a * x for a, x in zip(row.coefficients, column, strict=True))))
+        for row in configuration.rows
+        for column in columns
+    ]
+    return False if False in verdicts else None if None in verdicts else True
+
+
+def displacement_basis(elimination: Elimination, size: int) -> list[list[sp.Expr]]:
+    """One virtual displacement for each independent δq, shape (n,) each."""
+    basis = []
+    for column, k in enumerate(elimination.independent):
+        displacement = [sp.S.Zero] * size
+        displacement[k] = sp.S.One
+        for d, row in zip(elimination.dependent, elimination.solution, strict=True):
+            displacement[d] = row[column]
+        basis.append(displacement)
+    return basis
+
+
+def _conserves_reactions(configuration: Configuration) -> bool:
+    """Whether reactions have no power: no constraint has a_t, and no position contains t."""
+    slots = configuration.slots
+    still = all(row.drift == 0 for row in configuration.rows)
+    return still and all(not _contains_time(p.position.components, slots) for p in configuration.points)
+
+
+def _contains_time(parts: tuple[sp.Expr, ...], slots: Slots) -> bool:
+    return any(s == t or s in slots.prescribed for c in parts for s in c.free_symbols)
+
+
+def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
+    """dT/dt = Σ F·v − Σ (∂V/∂q) q', with the accelerations that the equations of motion give."""
+    configuration = motion.configuration
+    slots = configuration.slots
+    rate = slots.time_derivative(kinetic_energy(configuration))
+    power = sp.Add(*(f.vector.fixed().dot(f.point.fixed().time_derivative(slots)) for f in configuration.loads))
+    power -= sp.Add(
+        *(configuration.potential.diff(q) * v for q, v in zip(slots.coordinates, slots.velocities, strict=True))
+    )
+    system = System(configuration, motion.expressions)
+    expressions = (rate, power, *system.equations, *system.accelerated_constraints)
+
+    symbols = symbols_of(expressions)
+
+    def holds(point: Point) -> bool:
+        moving = state(point, configuration, symbols)
+        accelerated = with_accelerations(moving, system)
+        return accelerated is not None and accelerated.is_zero(rate - power)
+
+    return agreed(configuration.surface, holds, expressions)
+
+
+def with_accelerations(point: Point, system: System) -> Point | None:
+    """The state with the accelerations that a system gives it; None where it gives none."""
+    unknowns = system.configuration.slots.accelerations
+    rows = affine_rows(point, (*system.equations, *system.accelerated_constraints), unknowns)
+    found = point.solution([r[:-1] for r in rows], [point.arithmetic.reduce(-r[-1]) for r in rows])
+    return None if found is None else point.with_values(dict(zip(unknowns, found, strict=True)))
+
+
+def check_choice(original: EquationsOfMotion, motion: EquationsOfMotion) -> Check:
+    """Whether the equations in a choice of coordinates describe the same motion as those of the file."""
+    rewritten = [motion.configuration.rewritten(e) for e in original.expressions]
+    result = compare(rewritten, System(motion.configuration, motion.expressions))
+    passed = None if result is None else result.agree
+    return Check(
+        "the equations in the file's coordinates describe the same motion",
+        passed,
+        EXACT,
+        motion.configuration.name,
+    )
