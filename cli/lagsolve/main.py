@@ -1,0 +1,148 @@
+"""The command `lagsolve`: solve (the default), check, list, show.
+
+The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
+1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.
+
+Nothing is imported before it is needed: `--help` loads click and no more, `list` and `show` know nothing of SymPy.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING
+
+import click
+
+from lagsolve.group import CommandLine
+from lagsolve.status import OK, UNDECIDED, complain, say
+
+if TYPE_CHECKING:
+    from lagrange.report import Report
+
+FORMATS = ("pretty", "latex", "markdown", "html", "json")
+METHODS = ("dalembert", "lagrange")
+
+
+@click.group(
+    "lagsolve",
+    cls=CommandLine,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    no_args_is_help=True,
+    epilog="A file that is called like a command is `./check`.",
+)
+@click.version_option(package_name="lagsolve", prog_name="lagsolve")
+def main() -> None:
+    """Derive the equations of motion of a mechanical system, step by step, and check them.
+
+    PROBLEM is a file, `-` for standard input, or the name of a problem of the shipped library (`ex11-ideal-pendulum`,
+    or `ex11` where that is clear).
+    """
+
+
+@main.command(short_help="The default: derive and check the equations of each PROBLEM.")
+@click.argument("problems", nargs=-1, required=True, metavar="PROBLEM...")
+@click.option("--format", "format_", type=click.Choice(FORMATS), help="Default: pretty, or what the ending of -o says.")
+@click.option("-o", "--output", metavar="FILE", help="Write to a file: .tex .md .html .json .txt")
+@click.option("--fragment", is_flag=True, help="LaTeX without preamble, to be \\input in your own notes.")
+@click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
+@click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
+@click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
+@click.option("--watch", is_flag=True, hidden=True)
+def solve(
+    problems: tuple[str, ...],
+    format_: str | None,
+    output: str | None,
+    fragment: bool,
+    detail: str,
+    method: str,
+    choice: str | None,
+    watch: bool,
+) -> None:
+    """Derive and check the equations of each PROBLEM."""
+    from lagsolve.output import Destination
+
+    if method != "dalembert":
+        raise click.UsageError(f"--method {method} is not there yet; there is only dalembert")
+    if watch:
+        raise click.UsageError("--watch is not there yet")
+    if problems.count("-") > 1:
+        raise click.UsageError("standard input cannot be two problems")
+    destination = Destination.of(format_, output, fragment, detail)
+    destination.spare(problems)
+    reports, status = [], OK
+    for name in problems:
+        report, outcome = _solved(name, choice, several=len(problems) > 1)
+        reports.append(report)
+        status = max(status, outcome)
+    if any(reports):
+        destination.write(reports)
+    sys.exit(status)
+
+
+def _solved(name: str, choice: str | None, several: bool) -> tuple[Report | None, int]:
+    """What is found, and its exit status. Messages go to standard error, under the name where there are several."""
+    heading = f"{name}:\n" if several else ""
+    try:
+        from lagrange.loader import read_problem
+        from lagrange.report import report
+        from lagsolve.reading import problem_source
+
+        found = report(read_problem(problem_source(name)), choice)
+    except Exception as error:
+        return None, complain(error, heading)
+    messages = (*found.notes, *found.shortcomings)
+    if messages:
+        say(heading + "\n".join(map(str, messages)))
+    return found, OK if found.holds else UNDECIDED
+
+
+@main.command()
+@click.argument("problem", metavar="PROBLEM")
+@click.argument("answer_file", required=False, metavar="[ANSWER_FILE]")
+@click.option("-e", "--equation", "equations", multiple=True, help="An equation of the answer; may be repeated.")
+@click.option("--format", "format_", type=click.Choice(("pretty", "json")), default="pretty", show_default=True)
+def check(problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str) -> None:
+    """Compare somebody's equations of motion with the derived ones.
+
+    Give the equations with -e, one each, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input).
+    Without either, the answers in the problem file are compared. Exit status: 0 equivalent; 1 wrong, incomplete or
+    trivial; 2 unreadable; 3 undecided.
+    """
+    if problem == answer_file == "-":
+        raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
+    from lagrange.checking import check_answer, check_own_answers
+    from lagrange.loader import read_problem
+    from lagsolve.output import write_verdict
+    from lagsolve.reading import answer_fragments, problem_source
+
+    asked = read_problem(problem_source(problem))
+    given = answer_file is not None or equations
+    result = check_answer(asked, answer_fragments(answer_file, equations)) if given else check_own_answers(asked)
+    for message in (*asked.notes, *result.messages):
+        say(str(message))
+    write_verdict(result, format_)
+    sys.exit(result.exit_status)
+
+
+@main.command("list")
+@click.argument("words", nargs=-1, metavar="[WORD]...")
+def list_(words: tuple[str, ...]) -> None:
+    """List the shipped problems, or those in which every WORD occurs."""
+    from lagsolve import library
+    from lagsolve.output import put, table
+
+    found = library.containing(words)
+    if found:
+        put(table([(name, *library.title_and_source(path)) for name, path in found.items()]))
+    else:
+        say(f"no shipped problem has {' and '.join(f'`{w}`' for w in words)}")
+
+
+@main.command()
+@click.argument("name")
+def show(name: str) -> None:
+    """Print the problem file NAME of the library, to start your own from."""
+    from lagsolve import library
+    from lagsolve.output import put
+
+    put(library.path_of(name).read_text(encoding="utf-8"))

@@ -1,0 +1,157 @@
+"""Where a result goes and in what form: format, destination, width, colour."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+if TYPE_CHECKING:
+    from lagrange.checking import CheckedAnswer
+    from lagrange.diagnostics import ProblemError
+    from lagrange.report import Report
+
+ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
+AVAILABLE = ("pretty", "latex", "json")
+NARROWEST = 20
+PIPED = 80
+
+
+@dataclass(frozen=True)
+class Destination:
+    """What was asked on the command line; `path` is None for standard output."""
+
+    format: str
+    path: Path | None
+    fragment: bool
+    detail: str
+
+    @classmethod
+    def of(cls, format_: str | None, output: str | None, fragment: bool, detail: str) -> Destination:
+        """Settles the format from the options. Raises a usage error where they do not fit together."""
+        path = Path(output) if output not in (None, "-") else None
+        if path and path.is_dir():
+            raise click.UsageError(f"{path} is a folder; -o names a file")
+        by_ending = ENDINGS.get(path.suffix.lower()) if path else None
+        if path and not format_ and not by_ending:
+            endings = " ".join(ENDINGS)
+            raise click.UsageError(f"{path} does not tell the format; use --format, or one of the endings {endings}")
+        chosen = format_ or by_ending or ("latex" if fragment else "pretty")
+        if chosen not in AVAILABLE:
+            raise click.UsageError(f"the format {chosen} is not there yet; there are {', '.join(AVAILABLE)}")
+        if fragment and chosen != "latex":
+            raise click.UsageError("--fragment goes with --format latex")
+        return cls(chosen, path, fragment, detail)
+
+    def spare(self, problems: Sequence[str]) -> None:
+        """Refuses to write over a file that is about to be read."""
+        if self.path is None or not self.path.exists():
+            return
+        if any(os.path.exists(p) and os.path.samefile(p, self.path) for p in problems):
+            raise click.UsageError(f"-o {self.path} would write over the problem file")
+
+    def write(self, reports: Sequence[Report | None]) -> None:
+        """Prints the reports, or writes them to the file. None stands for a problem that could not be solved."""
+        text = self._text(reports)
+        if self.path is None:
+            put(text)
+            return
+        try:
+            self.path.write_text(text, encoding="utf-8", newline="\n")
+        except OSError as error:
+            raise _unwritable(str(self.path), error.strerror) from None
+
+    def _text(self, reports: Sequence[Report | None]) -> str:
+        from lagrange.derivation import Detail
+
+        detail = Detail[self.detail.upper()]
+        solved = [(r.derivation, r.notation) for r in reports if r is not None]
+        if self.format == "json":
+            from lagrange.render import json
+
+            return json.render(reports)
+        if self.format == "latex":
+            from lagrange.render import latex
+
+            return latex.render(solved, self.fragment, detail)
+        from lagrange.render import pretty
+
+        if self.path is None:
+            return "\n".join(pretty.coloured(d, n, terminal_width(), detail) for d, n in solved)
+        return "\n".join(pretty.text(d, n, PIPED, detail) for d, n in solved)
+
+
+def write_verdict(answer: CheckedAnswer, format_: str) -> None:
+    """Prints what is to be said of an answer."""
+    if format_ == "json":
+        import json
+
+        put(json.dumps(answer.as_json(), ensure_ascii=False, indent=1) + "\n")
+        return
+    width = terminal_width()
+    lines = (wrapped(line, width, "      ") for line in answer.as_text().split("\n"))
+    put("".join(f"{line}\n" for line in lines))
+
+
+def table(rows: Sequence[tuple[str, str, str]]) -> str:
+    """Name, title and source of problems: one line each, two where a terminal is too narrow."""
+    width = max(len(name) for name, _, _ in rows)
+    limit = terminal_width() if _has_width() else None
+    found = []
+    for name, title, source in rows:
+        what = f"{title} ({source})" if source else title
+        line = f"{name:{width}}  {what}"
+        too_wide = limit is not None and len(line) > limit
+        found.append(f"{name}\n{wrapped('    ' + what, limit, '    ')}" if limit and too_wide else line)
+    return "".join(f"{line}\n" for line in found)
+
+
+def wrapped(line: str, width: int, indent: str) -> str:
+    """A line, broken at blanks where it is too wide."""
+    if len(line) <= width:
+        return line
+    return textwrap.fill(line, width, subsequent_indent=indent, break_on_hyphens=False)
+
+
+def terminal_width() -> int:
+    """The width to print at: the terminal's, or what COLUMNS says; 80 where there is neither."""
+    return max(NARROWEST, shutil.get_terminal_size().columns) if _has_width() else PIPED
+
+
+def _has_width() -> bool:
+    return os.environ.get("COLUMNS", "").isdigit() or (sys.stdout is not None and sys.stdout.isatty())
+
+
+def put(text: str) -> None:
+    """Writes to standard output, at once.
+
+    Raises BrokenPipeError where nobody reads on, and an error with a message where it cannot be written.
+    """
+    if sys.stdout is None:
+        raise _unwritable("standard output", "it is closed")
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        _abandon()
+        if isinstance(error, BrokenPipeError):
+            raise
+        raise _unwritable("standard output", error.strerror) from None
+
+
+def _unwritable(what: str, reason: str | None) -> ProblemError:
+    from lagrange.diagnostics import Diagnostic, ProblemError
+
+    return ProblemError(Diagnostic("cannot-write", f"{what} cannot be written: {reason}"))
+
+
+def _abandon() -> None:
+    """Sends what is left in the buffer nowhere, so that Python does not complain about it at its end."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
