@@ -1,0 +1,183 @@
+"""Every shipped problem in every format (`make sweep`).
+
+The command is run for the JSON: exit status 0, nothing said, every equation in it read back, those of motion found
+equivalent. Then the terminal at three widths, where no line may be wider, and LaTeX, which is compiled where there is a
+pdflatex: errors, overfull boxes and undefined references are failures. Seconds are those of the run of the command,
+with SymPy and the program imported before.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+from click.testing import CliRunner
+from rich.cells import cell_len
+
+from lagrange.answers import Verdict, check_equations
+from lagrange.derivation import Detail
+from lagrange.diagnostics import Fragment, ProblemError
+from lagrange.expressions import read_equation
+from lagrange.loader import load
+from lagrange.references import Reference, reference_of_solution
+from lagrange.render import json as json_format
+from lagrange.render import latex, pretty
+from lagrange.report import Report, report
+from lagsolve import library
+from lagsolve.main import main as command
+
+WIDTHS = (60, 80, 120)
+BAD_TEX = re.compile(r"^(Overfull \\hbox.*|LaTeX Warning: .*(?:undefined|multiply).*|! .*)$", re.MULTILINE)
+EQUATIONS = ("equation", "equations", "possible_displacements", "virtual_displacements", "newton", "equilibrium")
+
+
+@dataclass
+class Tally:
+    """What passed and what did not, in the order in which it was tried."""
+
+    failures: list[str] = field(default_factory=list)
+    passed: int = 0
+
+    def add(self, what: str, faults: list[str]) -> None:
+        """One thing tried, with what is wrong with it."""
+        if faults:
+            self.failures.append(what)
+            print(f"FAILED {what}", *(f"    {f}" for f in faults), sep="\n", flush=True)
+        else:
+            self.passed += 1
+
+    def attempt(self, what: str, check: Callable[[], list[str]]) -> None:
+        """The same, where trying may itself fail."""
+        try:
+            self.add(what, check())
+        except Exception as error:
+            self.add(what, [f"{type(error).__name__}: {error}"])
+
+
+def main() -> int:
+    """Runs the sweep; the exit status."""
+    tally = Tally()
+    documents: dict[str, str] = {}
+    print(f"{'problem':44}{'seconds':>8}")
+    for name, path in library.entries().items():
+        started = time.perf_counter()
+        result = CliRunner().invoke(command, [str(path), "--format", "json"])
+        print(f"{name:44}{time.perf_counter() - started:8.2f}", flush=True)
+        tally.add(f"{name}: exit status", faults_of_run(result.exit_code, result.stderr))
+        tally.attempt(f"{name}: solve", lambda p=path, n=name: rendered(n, p, documents, tally))
+        tally.attempt(f"{name}: json", lambda r=result, p=path: faults_of_json(json.loads(r.stdout), report(load(p))))
+    compile_all(documents, tally)
+    for failure in tally.failures:
+        print(f"FAILED {failure}")
+    print(f"{tally.passed} passed, {len(tally.failures)} failed")
+    return bool(tally.failures)
+
+
+def faults_of_run(status: int, said: str) -> list[str]:
+    """What is wrong with how the command ended."""
+    return [f"exit status {status}"] * bool(status) + [said.strip()] * bool(said.strip())
+
+
+def rendered(name: str, path: Path, documents: dict[str, str], tally: Tally) -> list[str]:
+    """Renders a problem in every format."""
+    found = report(load(path))
+    for detail in Detail:
+        for width in WIDTHS:
+            text = pretty.text(found.derivation, found.notation, width, detail)
+            wide = [line for line in text.splitlines() if cell_len(line) > width]
+            tally.add(f"{name}: terminal, {width} columns, {detail.name.lower()}", wide)
+        documents[f"{name}, {detail.name.lower()}"] = latex.render([(found.derivation, found.notation)], detail=detail)
+    return []
+
+
+# JSON
+
+
+def faults_of_json(found: dict[str, Any], result: Report) -> list[str]:
+    """Equations that cannot be read back, and equations of motion that say something else than those they stand for."""
+    reference = reference_of_solution(result.solution)
+    faults = [fault for text in equations_in(found) for fault in unreadable(text, reference)]
+    systems = [found.get("equations"), *(c.get("equations") for c in found["choices"])]
+    for system in filter(None, systems):
+        verdict = check_equations([Fragment.of(e) for e in system], reference).verdict
+        if verdict is not Verdict.EQUIVALENT:
+            faults.append(f"read back, they are {verdict}: {'; '.join(system)}")
+    if found != json.loads(json_format.render([result])):
+        faults.append("another run gives another result")
+    return faults
+
+
+def equations_in(found: Any) -> Iterator[str]:
+    """The equations of a JSON object, wherever in it they are."""
+    if isinstance(found, dict):
+        for key, value in found.items():
+            if key == "steps":
+                yield from (e["text"] for s in value for b in s["body"] for e in b.get("equations", ()) if "text" in e)
+            elif key in EQUATIONS:
+                yield from texts(value)
+            else:
+                yield from equations_in(value)
+    elif isinstance(found, list):
+        for item in found:
+            yield from equations_in(item)
+
+
+def texts(value: Any) -> Iterator[str]:
+    """A text, or those in lists of lists of them."""
+    if isinstance(value, str):
+        yield value
+    else:
+        for item in value:
+            yield from texts(item)
+
+
+def unreadable(text: str, reference: Reference) -> list[str]:
+    """Why an equation cannot be read back, if so. One with several signs = is read as one for each."""
+    sides = text.split(" = ")
+    faults = []
+    for left, right in pairwise(sides):
+        try:
+            read_equation(Fragment.of(f"{left} = {right}"), reference.scope)
+        except ProblemError as error:
+            faults.append(f"cannot be read back: {text}: {error}")
+    return faults
+
+
+# LaTeX
+
+
+def compile_all(documents: dict[str, str], tally: Tally) -> None:
+    """Compiles the documents, several at a time."""
+    if shutil.which("pdflatex") is None:
+        print(f"SKIPPED: there is no pdflatex, so {len(documents)} LaTeX documents are not compiled")
+        return
+    with ThreadPoolExecutor() as pool:
+        for name, faults in zip(documents, pool.map(faults_of_tex, documents.values()), strict=True):
+            tally.add(f"{name}: pdflatex", faults)
+
+
+def faults_of_tex(document: str) -> list[str]:
+    """What TeX complains about in the second run."""
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "a.tex").write_text(document, encoding="utf-8")
+        for _ in range(2):
+            call = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
+            done = subprocess.run(call, cwd=folder, capture_output=True, stdin=subprocess.DEVNULL, check=False)
+        log = Path(folder, "a.log").read_text(encoding="latin-1")
+        faults = BAD_TEX.findall(log)
+        return faults or [f"exit status {done.returncode}"] * bool(done.returncode)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

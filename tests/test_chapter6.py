@@ -1,0 +1,202 @@
+"""The examples of chapter 6: what MECHANICS' table and the chapter say must come out.
+
+Equations are compared as solution sets, with SymPy's own LagrangesMethod (which shares nothing with this program) or
+with equations typed from the chapter; never as printed text.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+import sympy as sp
+from conftest import PROBLEMS
+from sympy.physics.mechanics import LagrangesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
+
+from lagrange.answers import Verdict, check_equations
+from lagrange.diagnostics import Fragment
+from lagrange.loader import load
+from lagrange.references import reference_of_solution
+from lagrange.report import Report, report
+
+
+@cache
+def solved(name: str) -> Report:
+    [path] = PROBLEMS.glob(f"chapter6/{name}-*.yaml")
+    return report(load(path))
+
+
+def verdict(name: str, *equations: str) -> Verdict:
+    reference = reference_of_solution(solved(name).solution)
+    return check_equations([Fragment.of(e) for e in equations], reference).verdict
+
+
+@pytest.mark.parametrize(
+    ("name", "holonomic", "scleronomic", "rank", "integrable_rank", "freedom", "dimension"),
+    [
+        ("ex03", True, True, 2, 2, 2, 2),
+        ("ex05", False, True, 1, 0, 2, 3),
+        ("ex06", False, True, 4, 3, 2, 3),
+        ("ex11", True, True, 1, 1, 1, 1),
+        ("ex17", True, False, 1, 1, 2, 2),
+        ("ex18", True, True, 2, 2, 2, 2),
+    ],
+)
+def test_classification(
+    name: str, holonomic: bool, scleronomic: bool, rank: int, integrable_rank: int, freedom: int, dimension: int
+) -> None:
+    found = solved(name).solution.classification
+    assert (found.holonomic, found.scleronomic) == (holonomic, scleronomic)
+    assert (found.rank, found.integrable_rank) == (rank, integrable_rank)
+    assert (found.degrees_of_freedom, found.configuration_dimension) == (freedom, dimension)
+
+
+@pytest.mark.parametrize("name", ["ex03", "ex05", "ex06", "ex11", "ex17", "ex18"])
+def test_every_check_holds_and_the_answers_agree(name: str) -> None:
+    result = solved(name)
+    assert result.solution.checks or name == "ex05"
+    assert all(c.passed is True for c in result.solution.checks)
+    assert result.answers
+    assert all(a.verdict is Verdict.EQUIVALENT for a in result.answers)
+
+
+def test_ex03_angles_satisfy_both_rods_identically() -> None:
+    [choice] = solved("ex03").solution.choices
+    assert set(choice.coordinates.satisfied) == {"upper_rod", "lower_rod"}
+    assert choice.coordinates.configuration.rows == ()
+
+
+def test_ex05_frobenius_form_of_the_skate() -> None:
+    """ω ∧ dω = −dx ∧ dy ∧ dθ, worked out by hand: dω = cos θ dθ ∧ dx + sin θ dθ ∧ dy."""
+    [blade] = solved("ex05").solution.classification.constraints
+    x, y, theta = sp.symbols("x y theta", real=True)
+    assert blade.exactness.exact is False
+    assert blade.integrable is False
+    [component] = blade.frobenius
+    assert component.variables == (x, y, theta)
+    assert component.coefficient == -1
+
+
+def test_ex06_table_of_coefficients() -> None:
+    """The 4 x 6 table of the chapter, its constraint #3 doubled (the gradient of the squared length)."""
+    x1, y1, z1, x2, y2, z2 = sp.symbols("x1 y1 z1 x2 y2 z2", real=True)
+    rows = solved("ex06").solution.classification.rows
+    table = sp.Matrix([r.coefficients for r in rows])
+    expected = sp.Matrix(
+        [
+            [0, 0, 1, 0, 0, 0],
+            [0, 0, 0, 0, 0, 1],
+            [2 * (x1 - x2), 2 * (y1 - y2), 2 * (z1 - z2), 2 * (x2 - x1), 2 * (y2 - y1), 2 * (z2 - z1)],
+            [y2 - y1, -(x2 - x1), 0, y2 - y1, -(x2 - x1), 0],
+        ]
+    )
+    assert sp.expand(table - expected) == sp.zeros(4, 6)
+    assert all(r.drift == 0 for r in rows)
+
+
+def test_ex06_the_pair_that_the_chapter_compares() -> None:
+    """∂a_41/∂q_2 = −1 ≠ 1 = ∂a_42/∂q_1."""
+    x1, y1 = sp.symbols("x1 y1", real=True)
+    blade = solved("ex06").solution.classification.constraints[3]
+    pair = next(c for c in blade.exactness.comparisons if c.variables == (x1, y1))
+    assert pair.derivatives == (-1, 1)
+    assert pair.equal is False
+    exact = [c.exactness.exact for c in solved("ex06").solution.classification.constraints]
+    assert exact == [True, True, True, False]
+
+
+def test_ex06_heading_keeps_the_blade() -> None:
+    [choice] = solved("ex06").solution.choices
+    assert [r.name for r in choice.coordinates.configuration.rows] == ["blade"]
+    assert set(choice.coordinates.satisfied) == {"plane1", "plane2", "rod"}
+
+
+@pytest.mark.parametrize(
+    "equations",
+    [
+        ("x*(y'' - g) - y*x'' = 0",),
+        ("theta'' + g/l*sin(theta) = 0",),
+        ("m*l^2*theta'' = -m*g*l*sin(theta)",),
+        ("m*x'' = 2*x*lambda_rod", "m*y'' = m*g + 2*y*lambda_rod"),
+        ("l*theta'' + g*sin(theta) = 0", "2*l*lambda_rod = -m*g*cos(theta) - m*l*theta'^2"),
+    ],
+    ids=["chapter, in x and y", "chapter, in the angle", "moments", "with the multiplier", "angle and multiplier"],
+)
+def test_ex11_equations_of_the_chapter(equations: tuple[str, ...]) -> None:
+    assert verdict("ex11", *equations) is Verdict.EQUIVALENT
+
+
+@pytest.mark.parametrize(
+    "equation",
+    [
+        "theta'' - g/l*sin(theta) = 0",
+        "theta'' + g/l*cos(theta) = 0",
+        "x*(y'' + g) - y*x'' = 0",
+        "theta'' + g/l*theta = 0",
+    ],
+)
+def test_ex11_wrong_equations(equation: str) -> None:
+    assert verdict("ex11", equation) is Verdict.WRONG
+
+
+def test_ex11_second_branch_of_the_depth() -> None:
+    choice = solved("ex11").solution.choices[1]
+    assert choice.coordinates.branches == 2
+    length, y = sp.Symbol("l", positive=True), sp.Symbol("y", real=True)
+    [sign] = choice.coordinates.signs
+    [value] = choice.coordinates.configuration.expressed.values()
+    assert value == sign * sp.sqrt(length**2 - y**2)
+
+
+def test_ex17_virtual_displacement_and_drift() -> None:
+    """δr = r δθ e_θ + r sin θ δφ e_φ; dr = −b ω sin ωt dt belongs to possible displacements only."""
+    solution = solved("ex17").solution
+    [row] = solution.classification.rows
+    b, omega, t = sp.Symbol("b", positive=True), sp.Symbol("omega", positive=True), sp.Symbol("t", real=True)
+    assert row.coefficients == (1, 0, 0)
+    assert row.drift == b * omega * sp.sin(omega * t)
+    assert solution.elimination.dependent == (0,)
+    assert solution.elimination.solution == ((0, 0),)
+
+
+def test_ex18_against_sympy_lagranges_method() -> None:
+    """The accelerations that SymPy's LagrangesMethod gives at a rational state, to 40 digits."""
+    m1, m2, l1, l2, g = sp.symbols("m1 m2 l1 l2 g", positive=True)
+    phi1, phi2 = dynamicsymbols("phi1 phi2")
+    frame = ReferenceFrame("N")
+    origin = Point("O")
+    origin.set_vel(frame, 0)
+    first = origin.locatenew("A", l1 * (sp.sin(phi1) * frame.x + sp.cos(phi1) * frame.y))
+    second = first.locatenew("B", l2 * (sp.sin(phi2) * frame.x + sp.cos(phi2) * frame.y))
+    particles = []
+    for point, mass in ((first, m1), (second, m2)):
+        point.set_vel(frame, point.pos_from(origin).dt(frame))
+        particles.append(Particle(point.name, point, mass))
+    kinetic = sum(p.kinetic_energy(frame) for p in particles)
+    potential = -g * sum(p.mass * p.point.pos_from(origin).dot(frame.y) for p in particles)
+    method = LagrangesMethod(kinetic - potential, [phi1, phi2])
+    method.form_lagranges_equations()
+    t = dynamicsymbols._t
+    numbers = {m1: 2, m2: 3, l1: sp.Rational(7, 5), l2: sp.Rational(3, 4), g: sp.Rational(49, 5)}
+    state = {
+        "phi1": sp.Rational(2, 3),
+        "phi2": sp.Rational(-5, 4),
+        "phi1'": sp.Rational(3, 7),
+        "phi2'": sp.Rational(8, 5),
+    }
+    rates = {phi1.diff(t): state["phi1'"], phi2.diff(t): state["phi2'"]}
+    place = {phi1: state["phi1"], phi2: state["phi2"]}
+    matrix, forcing = (e.subs(rates).subs(place).subs(numbers).evalf(50) for e in (method.mass_matrix, method.forcing))
+    theirs = matrix.LUsolve(forcing)
+
+    motion = solved("ex18").solution.choices[0].motion
+    assert motion is not None
+    given = {sp.Symbol(n, real=True): v for n, v in state.items()} | numbers
+    unknown = sp.symbols("phi1'' phi2''", real=True)
+    rows = [e.xreplace(given) for e in motion.expressions]
+    ours = (
+        sp.Matrix([[r.coeff(u) for u in unknown] for r in rows])
+        .evalf(50)
+        .LUsolve(sp.Matrix([-r.xreplace(dict.fromkeys(unknown, sp.S.Zero)) for r in rows]).evalf(50))
+    )
+    assert all(abs(a - b) < sp.Float(10) ** -40 for a, b in zip(ours, theirs, strict=True))

@@ -1,0 +1,420 @@
+"""The command line: what it takes, what it prints where, its exit status.
+
+`check` has a test file of its own, and so have runs that need a process of their own.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner, Result
+from conftest import PROBLEMS
+from rich.cells import cell_len
+
+from lagrange.diagnostics import UndecidedError
+from lagrange.solution import Solution, solve
+from lagrange.verification import Check
+from lagsolve import library
+from lagsolve.main import main
+
+SKATE = "ex05-ice-skate"
+PENDULUM = "ex11-ideal-pendulum"
+RIGHT = "theta'' + g/l*sin(theta) = 0"
+
+OSCILLATOR = """\
+title: Oscillator
+parameters: [m, k]
+coordinates: [x]
+particles: {P: {mass: m, position: x*e_x}}
+forces: {spring: {on: P, vector: -k*x*e_x}}
+"""
+REFERENCE = "title: r\nparameters: [m, k]\ncoordinates: [x]\nequations: [\"m*x'' + k*x = 0\"]\n"
+CONTRADICTION = "title: c\ncoordinates: [x, y]\nconstraints: {a: x = 0, b: x = 1}\n"
+
+
+def run(*arguments: str, text: str | None = None, env: dict[str, str] | None = None) -> Result:
+    """Runs the command. No run may end in an exception, whatever it is asked."""
+    surroundings = {"COLUMNS": None, "NO_COLOR": None, "FORCE_COLOR": None, "LAGSOLVE_DEBUG": None} | (env or {})
+    result = CliRunner().invoke(main, arguments, input=text, env=surroundings)
+    assert result.exception is None or isinstance(result.exception, SystemExit)
+    return result
+
+
+def widest(text: str) -> int:
+    return max(cell_len(line) for line in text.splitlines())
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder, which is the current one."""
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture
+def file(here: Path) -> Callable[[str], str]:
+    """Writes a problem file; its name."""
+
+    def written(text: str, name: str = "problem.yaml") -> str:
+        (here / name).write_text(text, encoding="utf-8")
+        return name
+
+    return written
+
+
+@pytest.fixture(scope="module")
+def skate() -> str:
+    return run(SKATE).stdout
+
+
+# Which problem
+
+
+@pytest.mark.usefixtures("here")
+@pytest.mark.parametrize("name", ["chapter6/ex05-ice-skate", "ex05-ice-skate", "chapter6/ex05", "ex05"])
+def test_names_of_the_library(name: str, skate: str) -> None:
+    result = run(name)
+    assert (result.exit_code, result.stdout, result.stderr) == (0, skate, "")
+    assert "Ice skate" in skate
+
+
+def test_a_path_and_standard_input(skate: str) -> None:
+    path = PROBLEMS / "chapter6" / f"{SKATE}.yaml"
+    assert run(str(path)).stdout == skate
+    assert run("-", text=path.read_text(encoding="utf-8")).stdout == skate
+    assert run("solve", str(path)).stdout == skate
+
+
+def test_a_file_comes_before_the_library_but_a_folder_does_not(
+    file: Callable[..., str], here: Path, skate: str
+) -> None:
+    (here / "chapter6").mkdir()
+    (here / "ex05").mkdir()
+    assert run("ex05").stdout == skate
+    file(OSCILLATOR, SKATE)
+    assert "Oscillator" in run(SKATE).stdout
+
+
+@pytest.mark.parametrize("name", ["check", "list", "solve", "grade"])
+def test_a_file_with_the_name_of_a_command(name: str, file: Callable[..., str]) -> None:
+    file(OSCILLATOR, name)
+    assert "Oscillator" in run(f"./{name}").stdout
+    assert "Oscillator" in run("--", name).stdout
+    assert "`./check`" in run("--help").stdout
+
+
+def test_a_name_that_means_several(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    for name in ("a/ex1-b.yaml", "b/ex1-b.yaml", "b/ex1-c.yaml"):
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(OSCILLATOR, encoding="utf-8")
+    monkeypatch.setattr(library, "root", lambda: tmp_path)
+    assert set(library.named("ex1")) == {"a/ex1-b", "b/ex1-b", "b/ex1-c"}
+    assert set(library.named("ex1-b")) == {"a/ex1-b", "b/ex1-b"}
+    assert set(library.named("b/ex1-b")) == {"b/ex1-b"}
+    assert set(library.named("ex")) == set(library.named("x1-b")) == set()
+    result = run("ex1-b")
+    assert result.exit_code == 2
+    assert "`ex1-b` may be any of `a/ex1-b`, `b/ex1-b`" in result.stderr
+
+
+@pytest.mark.usefixtures("here")
+def test_a_misspelt_name_is_answered_by_the_nearest() -> None:
+    result = run("ex11-ideal-pendulm")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "did you mean `ex11-ideal-pendulum`?" in result.stderr
+
+
+# Formats and destinations
+
+
+def test_formats() -> None:
+    assert json.loads(run(SKATE, "--format", "json").stdout)["degrees_of_freedom"] == 2
+    document = run("--format", "latex", SKATE).stdout
+    assert document.startswith("\\documentclass")
+    fragment = run(SKATE, "--format", "latex", "--fragment").stdout
+    assert fragment == run("--fragment", SKATE).stdout
+    assert "\\begin{document}" not in fragment
+    assert "\\section*{Ice skate" in fragment
+
+
+def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None:
+    for name, form in [("a.tex", "latex"), ("A.TEX", "latex"), ("a.json", "json"), ("a.txt", "pretty")]:
+        result = run(SKATE, "-o", name)
+        assert (result.exit_code, result.stdout, result.stderr) == (0, "", "")
+        assert (here / name).read_text(encoding="utf-8") == run(SKATE, "--format", form).stdout
+    run(SKATE, "-o", "b.tex", "--format", "json")
+    assert (here / "b.tex").read_text() == (here / "a.json").read_text()
+    run(SKATE, "-o", "c", "--format", "pretty", env={"COLUMNS": "40"})
+    assert (here / "c").read_text(encoding="utf-8") == skate
+    assert run(SKATE, "-o", "-").stdout == skate
+    assert not (here / "-").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["-o", "a.doc"], "does not tell the format"),
+        (["-o", "."], "is a folder"),
+        (["-o", "no/such/folder/a.tex"], "cannot be written: No such file or directory"),
+        (["-o", "problem.yaml", "--format", "latex"], "would write over the problem file"),
+        (["--fragment", "--format", "json"], "--fragment goes with --format latex"),
+        (["--format", "markdown"], "markdown is not there yet"),
+        (["--format", "html"], "html is not there yet"),
+        (["-o", "a.md"], "markdown is not there yet"),
+        (["-o", "a.html"], "html is not there yet"),
+        (["--format", "docx"], "'docx' is not one of"),
+        (["--method", "lagrange"], "--method lagrange is not there yet"),
+        (["--method", "magic"], "'magic' is not one of"),
+        (["--watch"], "--watch is not there yet"),
+        (["--detail", "all"], "'all' is not one of"),
+        (["--nonsense"], "No such option"),
+        (["-", "-"], "standard input cannot be two problems"),
+        (["--choice", "angel"], "the problem has no choice `angel`"),
+    ],
+)
+def test_what_the_command_line_cannot_mean(arguments: list[str], said: str, file: Callable[..., str]) -> None:
+    text = file(OSCILLATOR)
+    result = run(text, *arguments)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert said in result.stderr
+    assert Path(text).read_text() == OSCILLATOR
+
+
+@pytest.mark.parametrize(
+    "command", ["grade a b --csv c --dask tcp://x:1", "new file --from ex11", "schema", "grade --help"]
+)
+def test_commands_that_are_not_there_yet(command: str) -> None:
+    result = run(*command.split())
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert f"`lagsolve {command.split()[0]}`" in result.stderr
+    assert "is not there yet" in result.stderr
+
+
+def test_no_arguments_are_answered_by_the_help() -> None:
+    assert "Usage: lagsolve PROBLEM..." in run().output
+
+
+def test_method_detail_and_choice() -> None:
+    full, steps, brief = (
+        run(PENDULUM, "--method", "dalembert", "--detail", d).stdout for d in ("full", "steps", "brief")
+    )
+    assert len(full) >= len(steps) > len(brief)
+    both = json.loads(run(PENDULUM, "--format", "json").stdout)["choices"]
+    assert [c["name"] for c in both] == ["angle", "depth"]
+    for name in ("angle", "depth"):
+        result = run(PENDULUM, "--choice", name, "--format", "json")
+        assert result.exit_code == 0, result.stderr
+        assert [c["name"] for c in json.loads(result.stdout)["choices"]] == [name]
+
+
+# Several problems
+
+
+def test_several_problems(skate: str) -> None:
+    assert run(SKATE, PENDULUM).stdout == f"{skate}\n{run(PENDULUM).stdout}"
+    found = json.loads(run(SKATE, PENDULUM, "--format", "json").stdout)
+    assert [f["problem"]["title"] for f in found] == ["Ice skate", "Ideal pendulum"]
+    assert run(SKATE, PENDULUM, "--format", "latex").stdout.count("\\section*{") == 2
+
+
+def test_one_of_several_fails(skate: str) -> None:
+    result = run("nonsense", SKATE)
+    assert (result.exit_code, result.stdout) == (2, skate)
+    assert result.stderr.startswith("nonsense:\nerror[no-such-problem]")
+    result = run("nonsense", SKATE, "--format", "json")
+    assert result.exit_code == 2
+    nothing, found = json.loads(result.stdout)
+    assert nothing is None
+    assert found["problem"]["title"] == "Ice skate"
+
+
+def test_nothing_is_written_where_nothing_was_solved(here: Path) -> None:
+    assert run("nonsense", "rubbish", "--format", "json").stdout == ""
+    assert run("nonsense", "-o", "a.json").exit_code == 2
+    assert not (here / "a.json").exists()
+
+
+# Widths
+
+
+@pytest.mark.parametrize("columns", [20, 60, 80, 120, 100_000])
+def test_nothing_is_wider_than_the_terminal(columns: int) -> None:
+    env = {"COLUMNS": str(columns)}
+    for arguments in ([PENDULUM], ["check", PENDULUM, "-e", "theta'' + g/l*sin(theta) + " * 9 + "theta'' = 0"]):
+        assert 0 < widest(run(*arguments, env=env).stdout) <= columns
+    if columns >= 40:  # a name is not broken
+        assert widest(run("list", env=env).stdout) <= columns
+
+
+def test_without_a_terminal_lines_have_80_columns_and_the_list_is_not_broken() -> None:
+    assert 70 < widest(run(PENDULUM).stdout) <= 80
+    assert len(run("list").stdout.splitlines()) == len(library.entries())
+    assert len(run("list", env={"COLUMNS": "40"}).stdout.splitlines()) >= 2 * len(library.entries())
+
+
+# What goes where, and exit statuses
+
+
+def test_notes_go_to_standard_error(file: Callable[..., str]) -> None:
+    result = run(file(OSCILLATOR.replace("-k*x*e_x", "-k/m x e_x")), "--format", "json")
+    assert result.exit_code == 0
+    assert "note[read-as]" in result.stderr
+    assert json.loads(result.stdout)["choices"] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ("", "empty-file"),
+        ("title: [", "not-yaml"),
+        ("- a\n- b\n", "not-a-mapping"),
+        ("title: only\n", "missing-key"),
+        (OSCILLATOR.replace("-k*x", "-k*y"), "unknown-symbol"),
+        (CONTRADICTION, "contradictory-constraints"),
+        (OSCILLATOR + "answers: {equations: [\"m*x'' = q\"]}\n", "unknown-symbol"),
+    ],
+)
+def test_status_2_what_cannot_be_read_or_contradicts_itself(text: str, code: str, file: Callable[..., str]) -> None:
+    for result in (run(file(text)), run("-", text=text)):
+        assert (result.exit_code, result.stdout) == (2, "")
+        assert result.stderr.startswith(f"error[{code}]")
+
+
+def test_status_2_files(here: Path) -> None:
+    (here / "binary.yaml").write_bytes(b"\xff\xfe\x00")
+    (here / "huge.yaml").write_bytes(b"#" * (1 << 21))
+    (here / "folder.yaml").mkdir()
+    for name, said in [
+        ("binary.yaml", "is not UTF-8 text"),
+        ("huge.yaml", "is larger than"),
+        ("folder.yaml", "is a folder"),
+        ("absent.yaml", "there is no file absent.yaml"),
+        ("n" * 5000, "there is no file"),
+    ]:
+        result = run(name)
+        assert (result.exit_code, result.stdout) == (2, "")
+        assert said in result.stderr
+
+
+@pytest.mark.parametrize("text", [OSCILLATOR + "find: equilibrium\n", REFERENCE])
+def test_status_3_what_is_not_covered(text: str, file: Callable[..., str]) -> None:
+    result = run(file(text))
+    assert (result.exit_code, result.stdout) == (3, "")
+    assert result.stderr.startswith("error[not-covered]")
+
+
+def test_status_3_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
+    def undecided(*_: object) -> None:
+        raise UndecidedError("whether the constraints are independent")
+
+    monkeypatch.setattr("lagrange.report.solve", undecided)
+    result = run(SKATE)
+    assert (result.exit_code, result.stdout) == (3, "")
+    assert "could not be decided whether the constraints are independent" in result.stderr
+
+
+@pytest.mark.parametrize(("passed", "said"), [(False, "did not hold"), (None, "could not be decided")])
+def test_status_3_a_check_that_failed(passed: bool | None, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def solved(*arguments: object) -> Solution:
+        return replace(solve(*arguments), checks=(Check("the sun rises", passed, "by looking", "angle"),))
+
+    monkeypatch.setattr("lagrange.report.solve", solved)
+    result = run(SKATE)
+    assert result.exit_code == 3
+    assert "the sun rises" in result.stdout
+    assert f"error[check-failed]: a check {said}: the sun rises (angle)" in result.stderr
+
+
+def test_status_3_an_answer_in_the_file_that_is_wrong(file: Callable[..., str]) -> None:
+    answers = "answers: {degrees_of_freedom: 2, equations: [\"m*x'' = k*x\"]}\n"
+    result = run(file(OSCILLATOR + answers))
+    assert result.exit_code == 3
+    assert "k x = 0" in result.stdout
+    assert "`degrees_of_freedom` is wrong" in result.stderr
+    assert "`equations` is wrong" in result.stderr
+
+
+MISTAKES = [RuntimeError("boom\nbang"), RecursionError(), MemoryError(), ZeroDivisionError("x" * 10_000)]
+
+
+@pytest.mark.parametrize("mistake", MISTAKES, ids=lambda e: type(e).__name__)
+@pytest.mark.parametrize(
+    ("command", "where"),
+    [
+        ([SKATE], "lagrange.report.report"),
+        ([SKATE], "lagrange.render.pretty.coloured"),
+        (["check", SKATE], "lagrange.checking.check_own_answers"),
+        (["list"], "lagsolve.library.containing"),
+        (["show", SKATE], "lagsolve.library.path_of"),
+    ],
+)
+def test_a_mistake_of_the_program_is_a_message(
+    command: list[str], where: str, mistake: Exception, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_: object) -> None:
+        raise mistake
+
+    monkeypatch.setattr(where, fails)
+    result = run(*command)
+    assert (result.exit_code, result.stdout) == (3, "")
+    assert result.stderr.startswith(f"error[internal]: a mistake of lagsolve, not of yours: {type(mistake).__name__}")
+    assert "please report it" in result.stderr
+    assert len(result.stderr.splitlines()) == 2
+    assert len(result.stderr) < 700
+    result = run(*command, env={"LAGSOLVE_DEBUG": "1"})
+    assert result.exit_code == 3
+    assert "Traceback" in result.stderr
+
+
+def test_an_interruption_is_no_traceback(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("lagrange.report.report", interrupted)
+    result = run(SKATE)
+    assert (result.exit_code, result.stdout, result.stderr) == (130, "", "interrupted\n")
+
+
+# list, show, help, version
+
+
+def test_list() -> None:
+    everything = run("list")
+    assert everything.exit_code == 0
+    assert [line.split()[0] for line in everything.stdout.splitlines()] == list(library.entries())
+    assert "Ideal pendulum (Chapter 6, Ex. 11)" in everything.stdout
+    one = run("list", "ICE", "skate")
+    assert [line.split()[0] for line in one.stdout.splitlines()] == [f"chapter6/{SKATE}"]
+    none = run("list", "xyzzy")
+    assert (none.exit_code, none.stdout) == (0, "")
+    assert "`xyzzy`" in none.stderr
+
+
+def test_show() -> None:
+    path = PROBLEMS / "chapter6" / f"{SKATE}.yaml"
+    assert run("show", "ex05").stdout == path.read_text(encoding="utf-8")
+    assert run("-", text=run("show", "ex05").stdout).exit_code == 0
+    result = run("show", "ex5")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "no-such-problem" in result.stderr
+
+
+@pytest.mark.parametrize("flag", ["-h", "--help"])
+def test_help(flag: str) -> None:
+    result = run(flag)
+    assert (result.exit_code, result.stderr) == (0, "")
+    for word in ("lagsolve PROBLEM...", "--format", "--detail", "--choice", "check", "list", "show", "--version"):
+        assert word in result.stdout
+    assert "--watch" not in result.stdout
+    for command in ("solve", "check", "list", "show"):
+        assert run(command, flag).stdout.startswith(f"Usage: lagsolve {command}")
+
+
+def test_version() -> None:
+    from importlib.metadata import version
+
+    assert run("--version").stdout == f"lagsolve, version {version('lagsolve')}\n"

@@ -1,0 +1,180 @@
+"""`lagsolve check`: how answers are given, what is printed, and the exit status."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from test_cli import OSCILLATOR, PENDULUM, REFERENCE, RIGHT, SKATE, run
+
+from lagrange.answers import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.checking import CheckedAnswer, ComparedAnswer
+
+
+@pytest.fixture
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "oscillator.yaml").write_text(OSCILLATOR, encoding="utf-8")
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    ("equations", "verdict", "status"),
+    [
+        ([RIGHT], "equivalent", 0),
+        (["l θ̈ = −g sin θ"], "equivalent", 0),
+        (["theta'' = 0"], "wrong", 1),
+        (["sin(theta)^2 + cos(theta)^2 = 1"], "trivial", 1),
+        (["x^2 + y^2 = l^2"], "incomplete", 1),
+        (["theta'' + q = 0"], "unreadable", 2),
+        ([RIGHT, "theta'' ="], "unreadable", 2),
+        ([""], "unreadable", 2),
+    ],
+)
+def test_verdicts_and_exit_statuses(equations: list[str], verdict: str, status: int) -> None:
+    arguments = [a for e in equations for a in ("-e", e)]
+    result = run("check", PENDULUM, *arguments)
+    assert result.exit_code == status
+    assert result.stdout.startswith(f"{verdict}: ")
+    assert all(e in result.stdout for e in equations)
+    found = json.loads(run("check", PENDULUM, *arguments, "--format", "json").stdout)
+    assert found.keys() == {"verdict", "equations", "missing"}
+    assert found["verdict"] == verdict
+    assert [e["text"] for e in found["equations"]] == equations
+    for equation in found["equations"]:
+        assert equation.keys() == {"text", "verdict", "diagnosis", "remarks"}
+        assert isinstance(equation["diagnosis"], str)
+        assert isinstance(equation["remarks"], list)
+
+
+def test_undecided_is_status_3(monkeypatch: pytest.MonkeyPatch) -> None:
+    verdict = AnswerVerdict(Verdict.UNDECIDED, (EquationVerdict(RIGHT, Verdict.UNDECIDED, "who knows"),))
+    monkeypatch.setattr("lagrange.checking.check_answer", lambda *_: CheckedAnswer(verdict))
+    result = run("check", PENDULUM, "-e", RIGHT)
+    assert result.exit_code == 3
+    assert result.stdout.startswith("undecided: ")
+    assert "who knows" in result.stdout
+
+
+def test_what_cannot_be_read_is_located_on_standard_error() -> None:
+    result = run("check", PENDULUM, "-e", RIGHT, "-e", "theta'' + q = 0")
+    assert " --> equation 2:1:11" in result.stderr
+    assert " --> " not in result.stdout
+
+
+@pytest.mark.usefixtures("here")
+def test_how_an_equation_was_read_is_said_on_standard_error() -> None:
+    result = run("check", "oscillator.yaml", "-e", "x'' = -k/m x")
+    assert result.exit_code == 0
+    assert "note[read-as]" in result.stderr
+    assert "note[" not in result.stdout
+
+
+def test_an_answer_file_has_an_equation_a_line(here: Path) -> None:
+    (here / "answer.txt").write_text("\ufeff# mine\r\n\r\n  m*x'' = -k*x\r\n", encoding="utf-8")
+    result = run("check", "oscillator.yaml", "answer.txt")
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert "m*x'' = -k*x" in result.stdout
+    both = run("check", "oscillator.yaml", "answer.txt", "-e", "x'' = x", "--format", "json")
+    assert [e["verdict"] for e in json.loads(both.stdout)["equations"]] == ["wrong", "equivalent"]
+
+
+def test_mistakes_in_an_answer_file_have_their_line(here: Path) -> None:
+    (here / "answer.txt").write_text("# mine\n\nm*x'' = -k*z\n", encoding="utf-8")
+    result = run("check", "oscillator.yaml", "answer.txt")
+    assert result.exit_code == 2
+    assert " --> answer.txt:3:12" in result.stderr
+
+
+@pytest.mark.usefixtures("here")
+def test_standard_input_is_an_answer_or_a_problem_and_not_both() -> None:
+    assert run("check", "oscillator.yaml", "-", text="m x'' + k x = 0\n").exit_code == 0
+    assert run("check", "-", "-e", "m x'' + k x = 0", text=OSCILLATOR).exit_code == 0
+    result = run("check", "-", "-", text=OSCILLATOR)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "cannot be both" in result.stderr
+
+
+@pytest.mark.parametrize("text", ["", "\n\n", "# nothing\n"])
+def test_an_empty_answer_is_not_the_answer_of_the_file(text: str, here: Path) -> None:
+    (here / "answer.txt").write_text(text, encoding="utf-8")
+    result = run("check", PENDULUM, "answer.txt")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "there is no equation to check" in result.stderr
+
+
+def test_without_an_answer_those_of_the_file_are_compared() -> None:
+    result = run("check", PENDULUM)
+    assert result.exit_code == 0
+    for line in ("✓ degrees of freedom", "✓ classification", "✓ integrable", f"✓ {RIGHT}"):
+        assert line in result.stdout
+    found = json.loads(run("check", SKATE, "--format", "json").stdout)
+    names = ["degrees_of_freedom", "classification", "integrable"]
+    assert found == {
+        "verdict": "equivalent",
+        "equations": [],
+        "missing": 0,
+        "answers": [{"name": n, "verdict": "equivalent"} for n in names],
+    }
+
+
+@pytest.mark.parametrize(
+    ("answers", "status", "verdict"),
+    [
+        ("{degrees_of_freedom: 2}", 1, "wrong"),
+        ("{degrees_of_freedom: 1, equations: [\"x'' = x\"]}", 1, "wrong"),
+        ("{degrees_of_freedom: 2, equations: [\"m*x'' = -k*x\"]}", 1, "wrong"),
+        ("{degrees_of_freedom: 1, equations: [0 = 0]}", 1, "trivial"),
+        ("{degrees_of_freedom: 1, equations: [m*x''/(sin(x)^2 + cos(x)^2 - 1) = 0]}", 2, "unreadable"),
+        ("{degrees_of_freedom: 2, equations: [m*x''/(sin(x)^2 + cos(x)^2 - 1) = 0]}", 2, "unreadable"),
+    ],
+)
+def test_the_verdict_on_the_answers_of_a_file(answers: str, status: int, verdict: str, here: Path) -> None:
+    (here / "a.yaml").write_text(f"{OSCILLATOR}answers: {answers}\n", encoding="utf-8")
+    result = run("check", "a.yaml")
+    assert result.exit_code == status
+    assert result.stdout.startswith(f"{verdict}: ")
+
+
+@pytest.mark.parametrize(
+    ("equations", "other", "status"),
+    [
+        (Verdict.EQUIVALENT, Verdict.EQUIVALENT, 0),
+        (Verdict.EQUIVALENT, Verdict.UNDECIDED, 3),
+        (Verdict.INCOMPLETE, Verdict.EQUIVALENT, 1),
+        (Verdict.INCOMPLETE, Verdict.UNDECIDED, 3),
+        (Verdict.UNDECIDED, Verdict.WRONG, 1),
+        (Verdict.UNREADABLE, Verdict.WRONG, 2),
+    ],
+)
+def test_the_first_verdict_that_applies_counts(equations: Verdict, other: Verdict, status: int) -> None:
+    result = CheckedAnswer(AnswerVerdict(equations, ()), (ComparedAnswer("integrable", other),))
+    assert result.exit_status == status
+    assert result.as_text().startswith(f"{result.verdict}: ")
+
+
+@pytest.mark.usefixtures("here")
+def test_nothing_to_compare() -> None:
+    result = run("check", "oscillator.yaml")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "there is no equation to check" in result.stderr
+    result = run("check", SKATE, "-e", "x = 0")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert "asks for no motion" in result.stderr
+
+
+def test_a_reference_given_outright(here: Path) -> None:
+    (here / "r.yaml").write_text(REFERENCE, encoding="utf-8")
+    assert run("check", "r.yaml", "-e", "x'' = -k/m*x").exit_code == 0
+    assert run("check", "r.yaml", "-e", "x'' = k/m*x").exit_code == 1
+    (here / "r.yaml").write_text(REFERENCE + "answers: {equations: [\"m*x'' = -k*x\"]}\n", encoding="utf-8")
+    assert run("check", "r.yaml").exit_code == 0
+
+
+@pytest.mark.usefixtures("here")
+@pytest.mark.parametrize("arguments", [[], ["nonsense"], [PENDULUM, "absent.txt"], [PENDULUM, "--format", "latex"]])
+def test_usage(arguments: list[str]) -> None:
+    result = run("check", *arguments)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert result.stderr

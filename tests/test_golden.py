@@ -1,0 +1,53 @@
+"""What the chapter's problems look like, letter by letter, in every format.
+
+For presentation only: truth is tested elsewhere. `make golden` writes the files anew; read the difference before it is
+committed. What a failing test got is left in `tests/actual/`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from conftest import PROBLEMS, ROOT
+
+from lagrange.loader import load
+from lagrange.render import json, latex, pretty
+from lagrange.report import Report, report
+
+GOLDEN = ROOT / "tests" / "golden"
+ACTUAL = ROOT / "tests" / "actual"
+SHIPPED = sorted(PROBLEMS.glob("chapter6/*.yaml"))
+
+
+@pytest.fixture(scope="module", params=SHIPPED, ids=lambda p: p.stem)
+def solved(request: pytest.FixtureRequest) -> tuple[str, Report]:
+    return request.param.stem, report(load(request.param))
+
+
+FORMATS = {
+    "60.txt": lambda r: pretty.text(r.derivation, r.notation, 60),
+    "80.txt": lambda r: pretty.text(r.derivation, r.notation, 80),
+    "tex": lambda r: latex.render([(r.derivation, r.notation)]),
+    "json": lambda r: json.render([r]),
+}
+
+
+@pytest.mark.parametrize("ending", FORMATS)
+def test_output_is_as_it_was(solved: tuple[str, Report], ending: str, request: pytest.FixtureRequest) -> None:
+    name, result = solved
+    actual = FORMATS[ending](result)
+    golden = GOLDEN / f"{name}.{ending}"
+    if request.config.getoption("--renew"):
+        golden.write_text(actual, encoding="utf-8")
+        return
+    expected = golden.read_text(encoding="utf-8") if golden.exists() else "(no golden file)"
+    if actual != expected:
+        ACTUAL.mkdir(exist_ok=True)
+        Path(ACTUAL / golden.name).write_text(actual, encoding="utf-8")
+    assert actual == expected
+
+
+def test_no_golden_file_is_left_over() -> None:
+    expected = {f"{p.stem}.{ending}" for p in SHIPPED for ending in FORMATS}
+    assert {p.name for p in GOLDEN.iterdir() if p.name != "README.md"} == expected

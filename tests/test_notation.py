@@ -1,0 +1,95 @@
+"""State slots: the explicit time derivative against SymPy's derivative of functions of time."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.notation import (
+    Sign,
+    Slots,
+    Unspecified,
+    base,
+    derivative,
+    differential,
+    multiplier,
+    prime,
+    t,
+    variation,
+)
+
+x, y, u = sp.symbols("x y u", real=True)
+a, b = sp.symbols("a b", positive=True)
+SLOTS = Slots((x, y), (u,))
+
+EXPRESSIONS = [
+    x**2 * y,
+    sp.sin(x * y) * sp.exp(-a * t),
+    sp.sqrt(a**2 - x**2) / (1 + y**2),
+    sp.atan2(y, x) + sp.log(1 + x**2),
+    (x + u) ** 3 * sp.cos(b * t + x),
+    prime(x) * sp.tan(y) + prime(u) * x,
+    x**y * a**t + sp.Abs(b + x**2),
+]
+
+
+def as_functions(expression: sp.Expr) -> sp.Expr:
+    """The expression with every slot replaced by a function of time and its derivatives."""
+    rule = {}
+    for q in (x, y, u):
+        f = sp.Function(q.name)(t)
+        rule |= {q: f, prime(q): f.diff(t), prime(q, 2): f.diff(t, 2)}
+    return expression.xreplace(rule)
+
+
+@pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
+def test_total_derivative_is_that_of_functions_of_time(expression: sp.Expr) -> None:
+    ours = as_functions(SLOTS.time_derivative(expression))
+    theirs = as_functions(expression).diff(t)
+    numbers = {t: sp.Rational(2, 7), a: sp.Rational(9, 4), b: sp.Rational(5, 3)}
+    for q, value in ((x, sp.Rational(1, 3)), (y, sp.Rational(4, 5)), (u, sp.Rational(3, 8))):
+        f = sp.Function(q.name)(t)
+        numbers |= {f.diff(t, 2): value + 2, f.diff(t): value + 1, f: value}
+    difference = (ours - theirs).subs(sorted(numbers.items(), key=lambda kv: -sp.count_ops(kv[0])))
+    assert abs(difference.evalf(30)) < sp.Float(10) ** -25
+
+
+def test_frozen_derivative_takes_prescribed_motions_along() -> None:
+    assert SLOTS.frozen_derivative(x * u + t * y + prime(u)) == x * prime(u) + y + prime(u, 2)
+
+
+def test_partial_derivative_by_one_symbol() -> None:
+    found = derivative(sp.sin(x * y) + x**3, lambda s: sp.S.One if s == x else sp.S.Zero)
+    assert found == y * sp.cos(x * y) + 3 * x**2
+
+
+def test_unspecified_functions_follow_the_chain_rule() -> None:
+    f = Unspecified.of("f", ("X", "Y"), x - a * t, y)
+    expected = f.partial(0) * (prime(x) - a) + f.partial(1) * prime(y)
+    assert sp.expand(SLOTS.time_derivative(f) - expected) == 0
+    assert f.diff(x) == f.partial(0)
+    assert f.partial(0).orders == (1, 0)
+    assert f.partial(0).partial(1) == f.partial(1).partial(0)
+    assert f.diff(t) == -a * f.partial(0)
+
+
+def test_a_sign_has_square_one() -> None:
+    s = Sign("sigma")
+    assert s**2 == 1
+    assert s**3 == s
+    assert 1 / s == s
+    assert sp.Abs(s) == 1
+    assert (s * x) ** 2 == x**2
+    assert s != 1
+
+
+def test_names_are_the_text_form() -> None:
+    assert [s.name for s in (prime(x), prime(x, 2), differential(x), variation(x), multiplier("rod"))] == [
+        "x'",
+        "x''",
+        "d(x)",
+        "delta(x)",
+        "lambda_rod",
+    ]
+    assert base(prime(x, 2)) == x
+    assert base(x) == x

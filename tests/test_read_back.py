@@ -1,0 +1,95 @@
+"""Every equation that is printed as plain text can be read again, and those that name vectors say what is true."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+import sympy as sp
+from conftest import PROBLEMS
+from sweep import equations_in, unreadable
+
+from lagrange.diagnostics import Fragment, ProblemError
+from lagrange.exact import is_zero
+from lagrange.expressions import EquationRead, read_equation
+from lagrange.loader import load
+from lagrange.notation import differential, t
+from lagrange.references import reference_of_solution
+from lagrange.render.json import as_object
+from lagrange.report import Report, report
+from lagrange.vectors import Vector
+
+
+@pytest.fixture(scope="module", params=sorted(PROBLEMS.rglob("*.yaml")), ids=lambda p: p.stem)
+def solved(request: pytest.FixtureRequest) -> Report:
+    return report(load(request.param))
+
+
+def read(text: str, result: Report) -> EquationRead:
+    return read_equation(Fragment.of(text), reference_of_solution(result.solution).scope)
+
+
+def holds(text: str, result: Report) -> bool:
+    """Whether an equation between vectors is an identity."""
+    equation = read(text, result)
+    assert isinstance(equation.lhs, Vector)
+    assert isinstance(equation.rhs, Vector)
+    return all(is_zero(c) is True for c in (equation.lhs - equation.rhs).components)
+
+
+def test_equations_can_be_read_again(solved: Report) -> None:
+    texts = list(equations_in(as_object(solved)))
+    assert len(texts) > 3
+    reference = reference_of_solution(solved.solution)
+    assert [fault for text in texts for fault in unreadable(text, reference)] == []
+
+
+def test_what_cannot_be_read_is_found(solved: Report) -> None:
+    reference = reference_of_solution(solved.solution)
+    assert unreadable("x = nonsense", reference)
+    assert len(unreadable("nonsense = 0 = rubbish", reference)) == 2
+    found = {"a": [{"equations": ["1 = 1"]}], "steps": [{"body": [{"equations": [{"text": "2 = 2"}, {"form": "3"}]}]}]}
+    assert list(equations_in(found)) == ["1 = 1", "2 = 2"]
+
+
+def test_positions_forces_and_differentials_are_what_they_are_called(solved: Report) -> None:
+    """r_P, F_P and d(r_P) have meanings of their own, so these equations are identities."""
+    said = [e for s in as_object(solved)["steps"] for b in s["body"] for e in b.get("equations", ())]
+    own = {f"{kind}-{p.name}" for p in solved.solution.configuration.points for kind in ("position", "force")}
+    equations = [e["text"] for e in said if e.get("label") in own or e.get("text", "").startswith("d(r_")]
+    assert bool(equations) == bool(solved.solution.configuration.points)
+    for text in equations:
+        first, *others = text.split(" = ")
+        assert all(holds(f"{first} = {other}", solved) for other in others), text
+
+
+DRIVEN = """\
+title: A driven ring
+parameters: [R, m]
+functions: {u: [t]}
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r + (u + R*t)*k}}
+"""
+
+
+def test_differentials_of_vectors(tmp_path: Path) -> None:
+    (tmp_path / "ring.yaml").write_text(DRIVEN, encoding="utf-8")
+    result = report(load(tmp_path / "ring.yaml"))
+    assert holds("delta(r_P) = delta(r)*e_r + r*delta(phi)*e_phi", result)
+    assert holds("d(r_P) = d(r)*e_r + r*d(phi)*e_phi + (u' + R)*d(t)*k", result)
+    assert holds("delta(r_P - 2*r_P) = -delta(r_P)", result)
+    assert not holds("d(r_P) = delta(r_P)", result)
+    product = read("dot(m*r_P'', d(r_P)) = 0", result).lhs
+    assert isinstance(product, sp.Expr)
+    assert product.has(differential(t))
+    with pytest.raises(ProblemError, match="is not declared"):
+        read("delta(r_Q) = 0", result)
+
+
+def test_a_name_of_the_file_keeps_its_meaning(tmp_path: Path) -> None:
+    text = DRIVEN.replace("[R, m]", "[R, m, F_P]") + "gravity: R*k\n"
+    (tmp_path / "ring.yaml").write_text(text, encoding="utf-8")
+    result = report(load(tmp_path / "ring.yaml"))
+    [declared] = (p.symbol for p in result.solution.problem.parameters if p.symbol.name == "F_P")
+    assert read("F_P = 0", result).lhs == declared
