@@ -1,8 +1,10 @@
 """Points with real values of eighty digits: the second opinion.
 
 A value above 10^-42 is not zero, and that is certain; one below 10^-60 counts as zero; what is between
-cannot be told, and the point is not used. Square roots and logarithms of negative numbers, |angle| > 10^6
-and |exponent| > 10^4 make a point inadmissible, so that no expression takes long.
+cannot be told, and the point is not used. So zero must come from terms that cancel, never from a small factor:
+where a product, a power or an exponential of what is not zero comes out below 10^-42, the point is not used
+either, and e^x only for |x| < 60, so that rounding stays below 10^-42 too. Square roots and logarithms of negative
+numbers, |angle| > 10^6 and powers above 10^4 make a point inadmissible, so that no expression takes long.
 """
 
 from __future__ import annotations
@@ -23,8 +25,8 @@ DIGITS = 80
 _ZERO = 60
 _NOT_ZERO = 42
 _LARGEST_ANGLE = 10**6
-_LARGEST_EXPONENT = 10**4
-
+_LARGEST_EXPONENT = 60
+_LARGEST_POWER = 10**4
 _LARGEST_ROUNDED = 10**100
 
 _mp = MPContext()
@@ -140,7 +142,7 @@ class RealPoint(Point):
 
 
 def exponential(value: Any) -> Any:
-    """e^value. Raises InadmissibleError for large ones."""
+    """e^value. Raises InadmissibleError where it is very large or very small."""
     if abs(value) > _LARGEST_EXPONENT:
         raise InadmissibleError
     return _mp.exp(value)
@@ -168,7 +170,11 @@ def _sum(_: RealPoint, v: list[Any], data: Any) -> Any:
 
 
 def _product(_: RealPoint, v: list[Any], data: Any) -> Any:
-    return _mp.fprod([v[n] for n in data])
+    factors = [v[n] for n in data]
+    product = _mp.fprod(factors)
+    if abs(product) < _SMALL and all(abs(f) > _SMALL for f in factors):
+        raise InadmissibleError
+    return product
 
 
 def _power(point: RealPoint, v: list[Any], data: Any) -> Any:
@@ -185,9 +191,12 @@ def _root(point: RealPoint, v: list[Any], data: Any) -> Any:
 
 
 def _bounded(base: Any, exponent: int) -> Any:
-    if exponent > _LARGEST_EXPONENT:
+    if exponent > _LARGEST_POWER:
         raise InadmissibleError
-    return base**exponent
+    power = base**exponent
+    if abs(power) < _SMALL < abs(base):
+        raise InadmissibleError
+    return power
 
 
 def _angle(point: RealPoint, _: list[Any], data: Any) -> Any:

@@ -39,7 +39,9 @@ _KEPT = 40
 _REAL_DRAWS = 30
 _NEWTON_STARTS = 8
 _REDRAWS = 60
-_SPREADS = (2, 2, 12)
+_SPREAD = 2
+_WIDE_SPREAD = 12
+_FIRST_WIDE_POINT = 6
 _SPREAD_ON_A_SURFACE = 1
 _MOST_NUMBERS_WITHOUT_POINT = 3
 _ZERO_DIVISIONS = 4
@@ -196,7 +198,7 @@ class Sampler:
         return FieldPoint(graph, self.fields.field(0, graph.squares))
 
     def _drawn_real(self, number: int) -> RealPoint | None:
-        spread = _SPREAD_ON_A_SURFACE if self.constraints else _SPREADS[number % len(_SPREADS)]
+        spread = self._spread(number)
 
         def fresh() -> RealPoint:
             return RealPoint(self.graph, self._reals, number, spread)
@@ -208,6 +210,12 @@ class Sampler:
             return point
         starts = (fresh() for _ in range(_NEWTON_STARTS))
         return next((p for p in starts if newton_point(p, self.constraints, self.coordinates)), None)
+
+    def _spread(self, number: int) -> int:
+        """How far real values reach. Only later points are wide: they are for signs that change far away."""
+        if self.constraints:
+            return _SPREAD_ON_A_SURFACE
+        return _WIDE_SPREAD if number >= _FIRST_WIDE_POINT and number % 2 else _SPREAD
 
     @cached_property
     def _order_by_parameters(self) -> Order | None:
