@@ -94,13 +94,13 @@ def classify(problem: Problem) -> Classification:
     _check_consistent(problem.constraints, rows, surface)
     redundant = _redundant(rows, surface)
     independent = [r for r in geometric if r.name not in redundant]
-    forms = [(*r.coefficients, r.drift) for r in rows]
+    forms = [(*r.coefficients, r.drift) for r in rows if r.finite is None]
     return Classification(
         constraints=tuple(
             analysis(c, row, independent, surface, slots) for c, row in zip(problem.constraints, rows, strict=True)
         ),
         rank=_rank(rows, surface),
-        flag=derived_flag(forms, slots, surface.constraints) if forms else Flag((0,), 0),
+        flag=derived_flag(forms, slots, surface.constraints),
         redundant=redundant,
         moving=_moving_positions(problem),
         coordinates=len(slots.coordinates),

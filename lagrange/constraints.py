@@ -65,7 +65,8 @@ def pfaffian_form(constraint: Constraint, slots: Slots) -> Row:
     """The differential form of a constraint. Raises NotCoveredError where it is not linear in the velocities."""
     f = constraint.function
     if not constraint.kinematic:
-        return Row(constraint.name, tuple(f.diff(q) for q in slots.coordinates), slots.frozen_derivative(f), f)
+        gradient = tuple(textbook_form(f.diff(q)) for q in slots.coordinates)
+        return Row(constraint.name, gradient, textbook_form(slots.frozen_derivative(f)), f)
     at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
     coefficients = tuple(_coefficient(f, v, slots) for v in slots.velocities)
     if any(c is None for c in coefficients):

@@ -72,7 +72,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
         yield explain_integrability(classification)
     yield explain_classification(classification)
     yield explain_freedom(classification)
-    yield explain_displacements(solution.configuration, solution.elimination)
+    yield explain_displacements(solution.configuration, solution.elimination, solution.carried)
     if solution.motion is not None:
         yield explain_principle(solution.motion, problem)
         yield explain_equations(solution.motion, problem)

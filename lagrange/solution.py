@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+import sympy as sp
+
 from lagrange.classification import Classification, classify
 from lagrange.comparison import System
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
-from lagrange.displacements import Elimination, eliminate
+from lagrange.displacements import Elimination, carrying_rates, eliminate
 from lagrange.equations import EquationsOfMotion, check_inertia, equations_of_motion
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.principle import dalembert
@@ -50,6 +52,7 @@ class Solution:
 
     configuration  the system in the file's own coordinates
     elimination    of the dependent virtual displacements there
+    carried        shape (n,): rates w with which moving constraints carry the coordinates along, dq = δq + w dt
     motion         its equations of motion, where motion is asked
     """
 
@@ -57,6 +60,7 @@ class Solution:
     classification: Classification
     configuration: Configuration
     elimination: Elimination
+    carried: tuple[sp.Expr, ...]
     motion: EquationsOfMotion | None = None
     spot: Spot | None = None
     choices: tuple[ChoiceSolution, ...] = ()
@@ -80,17 +84,19 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
     classification = classify(problem)
     configuration = file_configuration(problem, classification.rows)
     elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.surface)
+    carried = carrying_rates(configuration.rows, elimination, len(problem.coordinates), configuration.surface)
     chosen = [generalized_coordinates(c, configuration) for c in _choices(problem, choice)]
     checks = [
         *check_reality(configuration),
         *check_integrability(classification),
-        *check_displacements(configuration, elimination),
+        *check_displacements(configuration, elimination, carried),
     ]
     solution = Solution(
         problem,
         classification,
         configuration,
         elimination,
+        carried,
         choices=tuple(ChoiceSolution(c) for c in chosen),
         checks=(*checks, *_substitutions(chosen)),
     )

@@ -11,7 +11,7 @@ printed forms. A check that cannot be decided says so and does not count as held
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -74,13 +74,27 @@ def check_reality(configuration: Configuration) -> list[Check]:
     return [Check(name, None, "none was found")]
 
 
-def check_displacements(configuration: Configuration, elimination: Elimination) -> list[Check]:
-    """The solved virtual displacements, put into the constraints."""
+def check_displacements(
+    configuration: Configuration, elimination: Elimination, carried: Sequence[sp.Expr] = ()
+) -> list[Check]:
+    """The solved virtual displacements, and the rates at which moving constraints carry (n,), put into A and a_t."""
     if not configuration.rows:
         return []
     how = "exact: the solved displacements put into the constraints"
     passed = _displacements_hold(configuration, elimination)
-    return [Check("the virtual displacements satisfy the constraints", passed, how, configuration.name)]
+    found = [Check("the virtual displacements satisfy the constraints", passed, how, configuration.name)]
+    if any(carried):
+        rule = dict(zip(configuration.slots.velocities, carried, strict=True))
+        verdicts = [
+            configuration.surface.is_zero(row.velocity_form(configuration.slots).xreplace(rule))
+            for row in configuration.rows
+        ]
+        passed = False if False in verdicts else None if None in verdicts else True
+        how = "exact: put into the constraints"
+        found.append(
+            Check("the displacement that the moving constraints force satisfies them", passed, how, configuration.name)
+        )
+    return found
 
 
 def check_motion(motion: EquationsOfMotion, reactions: Mapping[str, sp.Symbol]) -> list[Check]:
