@@ -9,19 +9,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import combinations, count
+from random import Random
+from typing import Any
 
 import sympy as sp
 
-from lagrange.comparison import System
+from lagrange.comparison import System, affine_rows
 from lagrange.coordinates import solved_constraints
+from lagrange.elimination import row_reduced
+from lagrange.evaluation import Graph
+from lagrange.exact import InadmissibleError, ZeroDivisorError
 from lagrange.kinematics import Configuration
 from lagrange.notation import Sign, Unspecified, t
+from lagrange.reals import RealPoint, Reals
 
 DIGITS = 30
 TRIALS = 8
 ITERATIONS = 30
 TOLERANCE = sp.Float(10) ** -20
+RECOGNISED = 60
+LARGEST_DENOMINATOR = 1000
 
 
 @dataclass(frozen=True)
@@ -39,7 +48,7 @@ def spot_value(system: System, given: Mapping[sp.Symbol, sp.Rational]) -> Spot |
     for trial in range(TRIALS):
         try:
             found = _at(system, given, trial)
-        except (ValueError, ZeroDivisionError, TypeError):
+        except (ValueError, ZeroDivisionError, TypeError, InadmissibleError, ZeroDivisorError):
             found = None
         if found is not None:
             return found
@@ -128,35 +137,48 @@ def _velocities(
     configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
 ) -> dict[sp.Basic, sp.Expr]:
     """Velocities 1, 2, ... for as many as are free, and those that the constraints give."""
-    slots = configuration.slots
-    if not configuration.rows:
-        return {v: sp.Integer(n + trial) for n, v in enumerate(slots.velocities, start=1)}
-    rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
-    solution = sp.solve(rows, list(slots.velocities), dict=True)
-    if not solution:
+    velocities = configuration.slots.velocities
+    point = _point(values)
+    rows = [point.values((*row.coefficients, row.drift)) for row in configuration.rows]
+    reduced, pivots = row_reduced(point.arithmetic, rows)
+    if len(velocities) in pivots:
         raise ValueError("no velocities")
-    free = [v for v in slots.velocities if v not in solution[0]]
-    chosen = {v: sp.Integer(n + trial) for n, v in enumerate(free, start=1)}
-    return chosen | {v: e.xreplace(chosen) for v, e in solution[0].items()}
+    free = [k for k in range(len(velocities)) if k not in pivots]
+    chosen = {k: n + trial for n, k in enumerate(free, start=1)}
+    found: dict[sp.Basic, sp.Expr] = {velocities[k]: sp.Integer(n) for k, n in chosen.items()}
+    for k, row in zip(pivots, reduced, strict=True):
+        found[velocities[k]] = _recognised(-row[-1] - sum(row[i] * n for i, n in chosen.items()))
+    return found
 
 
 def _solved(system: System, values: Mapping[sp.Basic, sp.Expr]) -> Mapping[sp.Symbol, sp.Expr] | None:
-    slots = system.configuration.slots
-    rows = [*system.equations, *system.accelerated_constraints]
-    at_rest = dict.fromkeys(slots.accelerations, sp.S.Zero)
-    matrix = sp.Matrix([[_number(e.diff(a), values) for a in slots.accelerations] for e in rows])
-    right = sp.Matrix([-_number(e.xreplace(at_rest), values) for e in rows])
-    if matrix.rows != matrix.cols or abs(matrix.det()) < sp.Float(10) ** -12:
+    accelerations = system.configuration.slots.accelerations
+    point = _point(values)
+    rows = affine_rows(point, [*system.equations, *system.accelerated_constraints], accelerations)
+    matrix = [row[:-1] for row in rows]
+    if len(matrix) != len(accelerations) or point.rank(matrix) < len(accelerations):
         return None
-    found = matrix.LUsolve(right)
-    return dict(zip(slots.accelerations, map(_rounded, found), strict=True))
+    found = point.solution(matrix, [-row[-1] for row in rows])
+    assert found is not None
+    numbers = [_recognised(x) for x in found]
+    return {
+        a: x if x.is_Integer else _rounded(sp.Float(x, DIGITS)) for a, x in zip(accelerations, numbers, strict=True)
+    }
 
 
-def _number(expression: sp.Expr, values: Mapping[sp.Basic, sp.Expr]) -> sp.Float:
-    number = expression.xreplace(values).evalf(DIGITS)
-    if not number.is_Float and not number.is_Integer and not number.is_Rational:
-        raise ValueError("not a number")
-    return sp.Float(number, DIGITS)
+def _point(values: Mapping[sp.Basic, sp.Expr]) -> RealPoint:
+    """The point with these values."""
+    point = RealPoint(Graph(), Reals(Random(0)))
+    point.move({s: point.reals.float(v) if v.is_Float else point.value(v) for s, v in values.items()})
+    return point
+
+
+def _recognised(number: Any) -> sp.Expr:
+    """A number of eighty digits; as a fraction, where it is one of a small denominator to sixty digits."""
+    value = sp.Float(number, DIGITS)
+    fraction = Fraction(int(number * 10**RECOGNISED), 10**RECOGNISED).limit_denominator(LARGEST_DENOMINATOR)
+    difference = abs(number * fraction.denominator - fraction.numerator)
+    return sp.Rational(fraction) if difference * 10**RECOGNISED < 1 else value
 
 
 def _rounded(value: sp.Expr) -> sp.Expr:
