@@ -60,12 +60,11 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     slots = configuration.slots
     used = set().union(*(e.free_symbols for e in _all_expressions(system)))
     values: dict[sp.Basic, sp.Expr] = {}
-    numbers = _numbers(trial)
-    for s in sorted(used, key=lambda s: s.name):
-        if isinstance(s, Sign):
-            values[s] = sp.S.One
-        elif s not in slots.coordinates and s not in slots.velocities and s not in slots.accelerations:
-            values[s] = given.get(s) or _parameter_value(s, numbers)
+    moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
+    others = [s for s in sorted(used - moving, key=lambda s: s.name, reverse=True) if not isinstance(s, Sign)]
+    numbers = count(1 + trial)
+    values |= {s: sp.S.One for s in used if isinstance(s, Sign)}
+    values |= {s: given.get(s) or _parameter_value(s, numbers) for s in others}
     positions = _positions(configuration, values, trial)
     if positions is None:
         return None
@@ -120,17 +119,13 @@ def _all_expressions(system: System) -> Iterator[sp.Expr]:
         yield from (*row.coefficients, row.drift, row.finite or sp.S.Zero)
 
 
-def _numbers(trial: int) -> Iterator[sp.Rational]:
-    """1, 2, 3, ..., begun elsewhere at every trial."""
-    return (sp.Integer(n) for n in count(1 + trial))
-
-
-def _parameter_value(symbol: sp.Symbol, numbers: Iterator[sp.Rational]) -> sp.Expr:
+def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int]) -> sp.Expr:
+    """The next number; the last name has the smallest, because a + b cos ωt is a length where a > b."""
     if symbol.name == "g":
         return sp.Integer(10)
     if symbol == t:
         return sp.S.One
-    return next(numbers)
+    return sp.Integer(next(numbers))
 
 
 def _velocities(
