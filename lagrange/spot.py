@@ -64,7 +64,8 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     others = [s for s in sorted(used - moving, key=lambda s: s.name, reverse=True) if not isinstance(s, Sign)]
     numbers = count(1 + trial)
     values |= {s: sp.S.One for s in used if isinstance(s, Sign)}
-    values |= {s: given.get(s) or _parameter_value(s, numbers) for s in others}
+    parameters = {s: given.get(s) or _parameter_value(s, numbers) for s in others}
+    values |= reversed(parameters.items())
     positions = _positions(configuration, values, trial)
     if positions is None:
         return None
