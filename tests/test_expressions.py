@@ -531,6 +531,7 @@ REFUSED: dict[str, tuple[str, int, str]] = {
     "x/0": ("division-by-zero", 3, "0"),
     "x/(1-1)": ("division-by-zero", 4, "0"),
     "x/(y - y)": ("division-by-zero", 4, "0"),
+    "0^-1": ("division-by-zero", 1, "positive"),
     "0^0": ("not-finite", 1, "positive"),
     "log(0)": ("not-finite", 1, "argument"),
     "tan(pi/2)": ("not-finite", 1, "argument"),
@@ -538,6 +539,7 @@ REFUSED: dict[str, tuple[str, int, str]] = {
     "sqrt(-m)": ("not-real", 1, "negative"),
     "log(-2)": ("not-real", 1, "positive"),
     "asin(2)": ("not-real", 1, "-1 and 1"),
+    "(-1)^x": ("not-real", 1, "whole"),
     "x # pull": ("unexpected-character", 3, "comments"),
     "theta''\x00": ("invisible-character", 8, "delete"),
     "theta''+\u200bg": ("invisible-character", 9, "delete"),
@@ -545,6 +547,7 @@ REFUSED: dict[str, tuple[str, int, str]] = {
     "x\u00ady": ("invisible-character", 2, "delete"),
     "х": ("unexpected-character", 1, "Latin letter `x`"),
     "x₊": ("unexpected-character", 2, "write"),
+    "x ± y": ("unexpected-character", 3, "sign"),
     'x"': ("unexpected-character", 2, "apostrophes"),
     "30°": ("unexpected-character", 3, "pi/180"),
     "∂x": ("unexpected-character", 1, "diff"),
@@ -715,6 +718,7 @@ def test_just_within_the_limits(text: str) -> None:
 
 def test_messages_of_limits_name_the_limit() -> None:
     assert "20" in refused("x^21")[0].message
+    assert "20" in refused("2^100")[0].message
     assert "40" in refused("(x^20)^3")[0].message
     assert "60" in refused("(" * 61 + "x" + ")" * 61)[0].message
     assert "30" in refused("1" * 31)[0].message
