@@ -89,6 +89,7 @@ class Names:
         else:
             return found[0].text
         self.fail_all(scalar)
+        self.fail(scalar.text)
         self.findings.report(Diagnostic("bad-name", message, scalar.span, help=help_))
         return None
 
@@ -102,7 +103,7 @@ class Names:
             self._failed.update(names_in(scalar.text))
 
     def has_failed(self, name: str) -> bool:
-        """Whether the declaration of a name has failed."""
+        """Whether the declaration of a name, or of a text that is no name, has failed."""
         return name in self._failed
 
     def uses_failed(self, text: str) -> bool:
@@ -186,6 +187,8 @@ def _misspelling(text: str, found: list[Token], what: str) -> tuple[str, str]:
     if not text.strip():
         return f"the name of {what} is missing", _SPELLING
     kinds = [token.kind for token in found]
+    if "=" in text:
+        return f"`{text}` has no name", "every entry is `name: ...`, and a comma begins the next one"
     if len(found) > 1 and set(kinds) == {Kind.NAME}:
         listed = ", ".join(token.text for token in found)
         return f"`{text}` is not one name", f"several names are separated by commas: `[{listed}]`"

@@ -89,7 +89,8 @@ class Reading:
     def _components(self, node: ListNode, what: str, allowed: Allowed) -> Vector:
         items = items_of(node, what, "[x, y]")
         if len(items) not in (2, 3):
-            raise ProblemError(wrong_kind(node, f"{what} has {len(items)} components", "give two or three"))
+            message = f"{what} has {len(items)} component{'s' if len(items) != 1 else ''}"
+            raise ProblemError(wrong_kind(node, message, "give two or three"))
         parts = [self.findings.attempt(lambda i=i: self.scalar(i, what, allowed)) for i in items]  # type: ignore[misc]
         if None in parts:
             raise ProblemError(())
@@ -143,6 +144,8 @@ class Reading:
         """Counts what abbreviations amount to wherever they are used: a derivative is four times as large, or so."""
         if not self._sizes:
             return
+        if self._written_out > MAX_WRITTEN_OUT:
+            raise ProblemError(())  # it has been said
         self._written_out += sum(self._sizes.get(name, 0) * 4**order for name, order in derivatives_in(fragment.text))
         if self._written_out > MAX_WRITTEN_OUT:
             message = "the abbreviations and positions of this file, written out where they are used, are too large"
