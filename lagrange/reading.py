@@ -14,7 +14,7 @@ from typing import TypeVar
 
 import sympy as sp
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Span
+from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError, Span
 from lagrange.exact import is_zero
 from lagrange.expressions import EquationRead, Scope, Value, read_equation, read_scalar, read_value, read_vector
 from lagrange.findings import Findings
@@ -28,6 +28,7 @@ from lagrange.sections import items_of, scalar_of, wrong_kind
 from lagrange.symbols import ANYTHING, POSITION, Allowed, Quantity, first_refused
 from lagrange.tokens import Kind, tokens
 from lagrange.vectors import Vector
+from lagrange.yaml_text import ScalarText
 
 MAX_WRITTEN_OUT = 1_000_000
 MOST_TESTED = 400
@@ -137,6 +138,7 @@ class Reading:
         """
         if self.names.uses_failed(fragment.text):
             raise ProblemError(())
+        self.findings.report_all(_halved_primes(fragment))
         self._charge(fragment)
         return reader(fragment, scope, notes)
 
@@ -182,6 +184,22 @@ def _refusal(symbol: sp.Symbol, found: Quantity, what: str, fragment: Fragment, 
     if allowed.code == "not-constant":
         return Diagnostic(allowed.code, f"{what} must be constant, and {named} varies", place, help=allowed.help)
     return Diagnostic(allowed.code, f"{what} contains {named}", place, help=allowed.help)
+
+
+def _halved_primes(fragment: Fragment) -> list[Diagnostic]:
+    """`'x'' = 0'`: in single quotes YAML takes two apostrophes for one. Nothing is said where four stand for two."""
+    if not isinstance(fragment, ScalarText) or fragment.style != "'":
+        return []
+    try:
+        primes = [token for token in tokens(fragment)[0] if token.kind is Kind.PRIMES]
+    except ProblemError:
+        return []
+    if not primes or any(token.count > 1 for token in primes):
+        return []
+    message = "YAML takes two apostrophes for one in single quotes: this is a first derivative"
+    span = fragment.span(primes[0].start, primes[0].end)
+    help_ = "put the value in double quotes, where primes are read as they are written"
+    return [Diagnostic("read-as", message, span, help=help_, level=Level.NOTE)]
 
 
 def place_of(symbol: sp.Symbol, fragment: Fragment) -> Span:

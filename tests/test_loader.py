@@ -433,6 +433,15 @@ def test_a_declared_k_stays_a_stiffness_where_a_scalar_is_meant() -> None:
 # -- the traps of YAML -----------------------------------------------------------------------------------------------------
 
 
+def test_prime_quotes() -> None:
+    """In single quotes YAML halves the primes, which is said; in double quotes and without any it does not."""
+    halved = read(ALL + "answers: {equations: ['x'' = 0']}\n")
+    assert [n.code for n in halved.notes] == ["read-as"]
+    assert "double quotes" in halved.notes[0].help
+    for written in ("\"x'' = 0\"", "'x'''' = 0'", "x'' = 0", "'x'''' + y'' = 0'"):
+        assert read(ALL + f"answers: {{equations: [{written}]}}\n").notes == ()
+
+
 def test_line_ends_and_byte_order_marks() -> None:
     for text in (ALL, ALL.replace("\n", "\r\n"), ALL.replace("\n", "\r"), "\ufeff" + ALL):
         problem = read_problem(decode(text.encode(), "problem.yaml"))
