@@ -258,6 +258,13 @@ def test_a_vector_constraint_counts_as_its_components() -> None:
     ]
 
 
+def test_identical_components_of_a_vector_constraint_do_not_count() -> None:
+    problem = read(f"{HEAD}constraints:\n  a: '[x, sin(x)^2 + cos(x)^2, y] = [0, 1, l]'\n")
+    assert [c.name for c in problem.constraints] == ["a.1", "a.3"]
+    assert places(f"{HEAD}constraints:\n  a: '[1, sin(x)^2] = [1, 1 - cos(x)^2]'\n") == [("restricts-nothing", 5, 6)]
+    assert places(f"{HEAD}constraints:\n  a: '[x, m] = [0, l]'\n") == [("restricts-nothing", 5, 6)]
+
+
 @pytest.mark.parametrize(
     ("text", "expected"),
     [
