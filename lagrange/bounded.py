@@ -110,6 +110,12 @@ class Arithmetic:
         self._before_rate(vector.components)
         return self.checked_vector(vector.time_derivative(self._slots).map(_between_jumps))
 
+    def change_of_vector(self, vector: Vector, rates: Mapping[sp.Symbol, sp.Expr]) -> Vector:
+        """Σ (∂a/∂s) rate(s), over the symbols that change."""
+        self._spend_on_derivative(vector.components, set(rates))
+        changed = vector.change(lambda symbol: rates.get(symbol, sp.S.Zero))
+        return self.checked_vector(changed.map(_between_jumps))
+
     def sum_of_vectors(self, vectors: Sequence[Vector]) -> Vector:
         """a + b + ..., those of one triad added first."""
         by_triad: dict[Any, list[Components]] = {}

@@ -160,11 +160,12 @@ def _spellings(token: Token) -> tuple[str, ...]:
 
 
 def derivatives_in(text: str) -> tuple[tuple[str, int], ...]:
-    """The names in a text, each with the number of primes behind it."""
+    """The names in a text, each with how often it may be differentiated there."""
     found = _tokens(text)
     following = [*found[1:], None]
+    everywhere = min(2, sum(token.text in ("d", "delta", "diff") for token in found))
     return tuple(
-        (token.text, after.count if after is not None and after.kind is Kind.PRIMES else 0)
+        (token.text, everywhere + (after.count if after is not None and after.kind is Kind.PRIMES else 0))
         for token, after in zip(found, following, strict=False)
         if token.kind is Kind.NAME
     )

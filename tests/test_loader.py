@@ -808,6 +808,15 @@ def test_abbreviations_do_not_grow_without_bound(lines: list[str], code: str) ->
     assert [d.code for d in found] == [code]
 
 
+def test_differentials_of_large_vectors_are_paid_for() -> None:
+    """190 coordinates and 200 differentials of a vector with 190 sines took minutes."""
+    names = [f"x{n}" for n in range(190)]
+    terms = " + ".join(f"sin({p}*{q})" for p, q in zip(names, [*names[1:], names[0]], strict=True))
+    text = f"title: T\ncoordinates: [{', '.join(names)}]\nlet: {{v: ({terms})*i}}\nconstraints:\n"
+    text += "".join(f'  a{n}: "dot(d(v), i) = {n}*d(t)"\n' for n in range(200))
+    assert {d.code for d in mistakes(text)} <= {"expression-too-large", "more-mistakes"}
+
+
 def test_differentials_of_vectors() -> None:
     """In a turning frame, with a prescribed motion: d(a) = a' dt, and delta(a) leaves time out."""
     text = """title: T
