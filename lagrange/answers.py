@@ -78,7 +78,8 @@ def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerV
         )
     if len(answer) > MAX_EQUATIONS:
         message = f"an answer may have {MAX_EQUATIONS} equations, and this one has {len(answer)}"
-        raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole))
+        help_ = "leave out those that follow from the others"
+        raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole, help=help_))
     readings = [read_answer(f, reference.scope) for f in answer]
     tried = [_tried(readings, candidate, reference) for candidate in reference.candidates]
     applicable = [v for v in tried if v is not None]

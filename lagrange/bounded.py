@@ -68,7 +68,9 @@ class Arithmetic:
             divisor_or_zero = sp.expand(divisor)
         else:
             divisor_or_zero = divisor
-        return self.power(divisor if divisor_or_zero != 0 else sp.S.Zero, sp.S.NegativeOne)
+        if divisor_or_zero == 0:
+            raise RefusedError("division-by-zero", "this divides by zero", "`{}` is exactly 0")
+        return self.power(divisor, sp.S.NegativeOne)
 
     def power(self, base: sp.Expr, exponent: sp.Expr) -> sp.Expr:
         """a^b."""
@@ -107,6 +109,12 @@ class Arithmetic:
         """The total time derivative."""
         self._before_rate(vector.components)
         return self.checked_vector(vector.time_derivative(self._slots).map(_between_jumps))
+
+    def change_of_vector(self, vector: Vector, rates: Mapping[sp.Symbol, sp.Expr]) -> Vector:
+        """Σ (∂a/∂s) rate(s), over the symbols that change."""
+        self._spend_on_derivative(vector.components, set(rates))
+        changed = vector.change(lambda symbol: rates.get(symbol, sp.S.Zero))
+        return self.checked_vector(changed.map(_between_jumps))
 
     def sum_of_vectors(self, vectors: Sequence[Vector]) -> Vector:
         """a + b + ..., those of one triad added first."""
@@ -147,7 +155,7 @@ class Arithmetic:
         if not measure.is_finite:
             raise not_finite()
         if not measure.is_real:
-            raise not_real("what stands under the root is negative")
+            raise not_real("a negative number has no roots, and whole numbers as exponents only")
         if measure.bits > MAX_BITS:
             raise RefusedError("number-too-large", "`{}` is too large a number", "declare a parameter in its place")
         if measure.power > MAX_NESTED_EXPONENT or measure.denominator > MAX_DENOMINATOR:
@@ -252,7 +260,7 @@ def _power_of_zero(exponent: sp.Expr) -> sp.Expr:
     if exponent.is_positive:
         return sp.S.Zero
     if exponent.is_negative:
-        raise RefusedError("division-by-zero", "this divides by zero", "`{}` is exactly 0")
+        raise RefusedError("division-by-zero", "`{}` divides by zero", "0 has positive numbers as exponents only")
     raise RefusedError("not-finite", "`{}` has no value", "0 has positive numbers as exponents only")
 
 

@@ -62,7 +62,7 @@ def _equations(
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         triad = (lhs - rhs).triad
         pairs = zip(lhs.along(triad).components, rhs.along(triad).components, strict=True)
-        sides = [(f".{n}", a, b) for n, (a, b) in enumerate(pairs, start=1) if a - b != 0]
+        sides = [(f".{n}", a, b) for n, (a, b) in enumerate(pairs, start=1) if not _is_identity(a, b, reading)]
     else:
         sides = [("", lhs, rhs)]
     if not sides:
@@ -73,6 +73,14 @@ def _equations(
         symbol = _reaction(name, ending, reaction, place, reading)
         found.append(Constraint(name + ending, left, right, kinematic, symbol, scalar.span, note))
     return tuple(found)
+
+
+def _is_identity(lhs: sp.Expr, rhs: sp.Expr, reading: Reading) -> bool:
+    """Whether a component holds of itself, as 0 = 0 across the plane."""
+    try:
+        return lhs - rhs == 0 or reading.is_zero(lhs - rhs) is True
+    except DivisionByZeroError:
+        return False  # which is said of it where it is read
 
 
 def _reaction(name: str, ending: str, reaction: str | None, place: Span, reading: Reading) -> sp.Symbol:

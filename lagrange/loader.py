@@ -93,7 +93,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
     frame = read_frame(root.section("frame"), reading)
     things = read_things(root, reading)
     constraints = read_constraints(root.section("constraints"), reading)
-    gravity = read_gravity(root.section("gravity"), reading)
+    gravity = read_gravity(root.get("gravity"), reading)
     forces = read_forces(root.section("forces"), reading)
     speeds = read_speeds(root.section("speeds"), reading)
     choices = read_choices(root.section("generalized_coordinates"), reading)
@@ -122,7 +122,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
         answers=answers.answers(root.section("answers")),
     )
     _check_whole(problem, root, findings)
-    return replace(problem, find=_find(root.section("find"), problem, findings))
+    return replace(problem, find=_find(root.get("find"), problem, findings))
 
 
 def _required(root: Section, key: str, example: str) -> Node:
@@ -166,6 +166,9 @@ def _question(node: Node) -> Find:
     scalar = scalar_of(node, "`find`")
     if scalar.text not in set(Find):
         help_ = suggestion(scalar.text, [*Find], "questions")
+        several = [q for q in Find if q.value in scalar.text.lower()]
+        if len(several) > 1:
+            help_ = f"several questions are a list: `find: [{', '.join(several)}]`"
         message = f"`{scalar.text}` is not something to find"
         raise ProblemError(Diagnostic("unknown-question", message, scalar.span, help=help_))
     return Find(scalar.text)

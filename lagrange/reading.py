@@ -14,7 +14,7 @@ from typing import TypeVar
 
 import sympy as sp
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Span
+from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError, Span
 from lagrange.exact import is_zero
 from lagrange.expressions import EquationRead, Scope, Value, read_equation, read_scalar, read_value, read_vector
 from lagrange.findings import Findings
@@ -28,6 +28,7 @@ from lagrange.sections import items_of, scalar_of, wrong_kind
 from lagrange.symbols import ANYTHING, POSITION, Allowed, Quantity, first_refused
 from lagrange.tokens import Kind, tokens
 from lagrange.vectors import Vector
+from lagrange.yaml_text import ScalarText
 
 MAX_WRITTEN_OUT = 1_000_000
 MOST_TESTED = 400
@@ -89,7 +90,8 @@ class Reading:
     def _components(self, node: ListNode, what: str, allowed: Allowed) -> Vector:
         items = items_of(node, what, "[x, y]")
         if len(items) not in (2, 3):
-            raise ProblemError(wrong_kind(node, f"{what} has {len(items)} components", "give two or three"))
+            message = f"{what} has {len(items)} component{'s' if len(items) != 1 else ''}"
+            raise ProblemError(wrong_kind(node, message, "give two or three"))
         parts = [self.findings.attempt(lambda i=i: self.scalar(i, what, allowed)) for i in items]  # type: ignore[misc]
         if None in parts:
             raise ProblemError(())
@@ -136,6 +138,7 @@ class Reading:
         """
         if self.names.uses_failed(fragment.text):
             raise ProblemError(())
+        self.findings.report_all(_halved_primes(fragment))
         self._charge(fragment)
         return reader(fragment, scope, notes)
 
@@ -143,6 +146,8 @@ class Reading:
         """Counts what abbreviations amount to wherever they are used: a derivative is four times as large, or so."""
         if not self._sizes:
             return
+        if self._written_out > MAX_WRITTEN_OUT:
+            raise ProblemError(())  # it has been said
         self._written_out += sum(self._sizes.get(name, 0) * 4**order for name, order in derivatives_in(fragment.text))
         if self._written_out > MAX_WRITTEN_OUT:
             message = "the abbreviations and positions of this file, written out where they are used, are too large"
@@ -179,6 +184,22 @@ def _refusal(symbol: sp.Symbol, found: Quantity, what: str, fragment: Fragment, 
     if allowed.code == "not-constant":
         return Diagnostic(allowed.code, f"{what} must be constant, and {named} varies", place, help=allowed.help)
     return Diagnostic(allowed.code, f"{what} contains {named}", place, help=allowed.help)
+
+
+def _halved_primes(fragment: Fragment) -> list[Diagnostic]:
+    """`'x'' = 0'`: in single quotes YAML takes two apostrophes for one. Nothing is said where four stand for two."""
+    if not isinstance(fragment, ScalarText) or fragment.style != "'":
+        return []
+    try:
+        primes = [token for token in tokens(fragment)[0] if token.kind is Kind.PRIMES]
+    except ProblemError:
+        return []
+    if not primes or any(token.count > 1 for token in primes):
+        return []
+    message = "YAML takes two apostrophes for one in single quotes: this is a first derivative"
+    span = fragment.span(primes[0].start, primes[0].end)
+    help_ = "put the value in double quotes, where primes are read as they are written"
+    return [Diagnostic("read-as", message, span, help=help_, level=Level.NOTE)]
 
 
 def place_of(symbol: sp.Symbol, fragment: Fragment) -> Span:
