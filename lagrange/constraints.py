@@ -24,6 +24,7 @@ from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
 from lagrange.textbook import textbook_form
+from lagrange.tidying import tidied
 
 
 @dataclass(frozen=True)
@@ -71,7 +72,7 @@ def pfaffian_form(constraint: Constraint, slots: Slots) -> Row:
     if any(c is None for c in coefficients):
         what = f"the constraint `{constraint.name}`, which is not linear in the velocities,"
         raise NotCoveredError(what, constraint.span)
-    return Row(constraint.name, tuple(c for c in coefficients if c is not None), f.xreplace(at_rest))
+    return Row(constraint.name, tuple(tidied(c) for c in coefficients if c is not None), tidied(f.xreplace(at_rest)))
 
 
 def _coefficient(f: sp.Expr, velocity: sp.Symbol, slots: Slots) -> sp.Expr | None:
