@@ -110,6 +110,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
         frame=frame,
         parameters=parameters,
         functions=functions.undefined,
+        abbreviations=things.abbreviations,
         particles=things.particles,
         bodies=things.bodies,
         constraints=constraints,
