@@ -405,6 +405,14 @@ def test_an_undefined_function_with_several_lists_of_arguments_shows_them():
     assert writer.plain(f.partial(0)) == "diff(f, X)"
 
 
+def test_latex_does_not_stack_fractions_of_slopes():
+    slope = f.partial(1) / f.partial(0)
+    assert latex(-slope * delta(y)) == r"-\frac{\partial f / \partial Y}{\partial f / \partial X} \, \delta y"
+    assert latex(u * slope) == r"\frac{u \frac{\partial f}{\partial Y}}{\partial f / \partial X}"
+    assert latex(Partial(f.partial(0), y)) == r"\frac{\partial}{\partial y} \frac{\partial f}{\partial X}"
+    assert latex(Partial(x / l - y, y)) == r"\frac{\partial}{\partial y} \left( \frac{x}{l} - y \right)"
+
+
 def test_a_long_list_of_arguments_that_the_declaration_has_is_not_repeated():
     names = ("x", "y", "x'", "t")
     force = Unspecified.of("F_x", names, x, y, D(x), t)
