@@ -23,6 +23,9 @@ from lagrange.vectors import Vector
 MOST_FACTORED = 8
 """Symbols of a minor that is still factored."""
 
+LONGEST_FACTORED = 20
+"""Operations of a quotient that is still factored."""
+
 
 @dataclass(frozen=True)
 class Elimination:
@@ -100,7 +103,7 @@ def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collectio
         pivot_of[r] = column
     dependent = tuple(pivot_of.values())
     independent = tuple(k for k in range(size) if k not in dependent)
-    solution = tuple(tuple(-matrix[r][k] for k in independent) for r in pivot_of)
+    solution = tuple(tuple(_factored(-matrix[r][k]) for k in independent) for r in pivot_of)
     return Elimination(independent, dependent, solution, _varying_factors(_tidy(minor)), tuple(unused))
 
 
@@ -119,6 +122,16 @@ def _varying_factors(minor: sp.Expr) -> tuple[sp.Expr, ...]:
     bases = (f.as_base_exp()[0] for f in sp.Mul.make_args(numerator))
     varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
     return tuple(dict.fromkeys(varying))
+
+
+def _factored(quotient: sp.Expr) -> sp.Expr:
+    """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
+    if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
+        return quotient
+    if quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
+        return quotient
+    factors = sp.factor(quotient)
+    return factors if factors.count_ops() < quotient.count_ops() else quotient
 
 
 def _tidy(entry: sp.Expr) -> sp.Expr:
