@@ -405,6 +405,12 @@ def test_an_undefined_function_with_several_lists_of_arguments_shows_them():
     assert writer.plain(f.partial(0)) == "diff(f, X)"
 
 
+def test_an_index_of_a_number_and_a_letter_is_written_as_one():
+    assert unicode(sp.Symbol("a_1t")) == "a₁ₜ"
+    assert latex(sp.Symbol("a_1t")) == "a_{1t}"
+    assert unicode(sp.Symbol("a_1q")) == "a_1q"  # there is no small q below the line
+
+
 def test_latex_does_not_stack_fractions_of_slopes():
     slope = f.partial(1) / f.partial(0)
     assert latex(-slope * delta(y)) == r"-\frac{\partial f / \partial Y}{\partial f / \partial X} \, \delta y"

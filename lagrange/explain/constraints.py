@@ -28,11 +28,10 @@ from lagrange.derivation import (
 from lagrange.displacements import possible_displacement
 from lagrange.explain.words import brief, counted, in_words, plural, spoken
 from lagrange.integrability import Comparison
-from lagrange.notation import Partial, Slots, Wedge, differential, t
+from lagrange.notation import CONSTANT, Partial, Slots, Wedge, differential, t
 
 LETTERS = ("omega", "eta", "chi", "zeta", "xi")
 """What a form may be called; the first that the problem does not use."""
-CONSTANT = sp.Symbol("const", real=True)
 SHOWN_PAIRS = 3
 
 
@@ -251,7 +250,7 @@ def _component(c: FrobeniusComponent) -> sp.Expr:
 
 def _unequal(p: Comparison) -> tuple[Part, ...]:
     (q, r), (a, b), (left, right) = p.variables, p.coefficients, p.derivatives
-    return math(Partial(a, r), left), " ≠ ", math(right, Partial(b, q))
+    return math(Partial(a, r), left), " ≠\u00a0", math(right, Partial(b, q))
 
 
 def _equal(p: Comparison) -> Part:
@@ -339,6 +338,20 @@ def _time(classification: Classification) -> Prose:
     return prose("Time occurs in the position of ", *listed(classification.moving), ": it is ", Term("rheonomic"), ".")
 
 
+def _difference(finite: int) -> str:
+    """What makes the two counts differ; `finite` is the number of finite relations in the constraints."""
+    if not finite:
+        return (
+            "The difference is what the kinematic constraints do: they restrict the velocities at each position, and "
+            "not the positions."
+        )
+    which, beyond = plural(finite, "which restricts", "which restrict"), plural(finite, "it", "them")
+    return (
+        f"The constraints come to {in_words(finite, 'finite relation')}, {which} the positions; what they demand "
+        f"beyond {beyond} restricts only the velocities at each position."
+    )
+
+
 def explain_freedom(classification: Classification) -> Step:
     """Both counts, and what their difference means."""
     n, rank, freedom = classification.coordinates, classification.rank, classification.degrees_of_freedom
@@ -359,8 +372,6 @@ def explain_freedom(classification: Classification) -> Step:
         sentences.append(prose(f"The configurations that can be reached have dimension {dimension} as well: "
                           "nothing is restricted in the velocities alone."))  # fmt: skip
     else:
-        sentences.append(
-            prose(f"The configurations that can be reached have dimension {dimension}. The difference is what the "
-                  "kinematic constraints do: they restrict the velocities at each position, and not the positions.")
-        )  # fmt: skip
+        sentences.append(prose(f"The configurations that can be reached have dimension {dimension}. "
+                               + _difference(n - dimension)))  # fmt: skip
     return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences)),))
