@@ -24,7 +24,7 @@ from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
 from lagrange.textbook import textbook_form
-from lagrange.tidying import tidied
+from lagrange.tidying import in_differences, tidied
 
 
 @dataclass(frozen=True)
@@ -120,12 +120,12 @@ def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slot
         form = wedge(form, one_form((*other.coefficients, other.drift)))
     found = []
     for indices, coefficient in sorted(form.items()):
-        tidied = textbook_form(coefficient)
-        if tidied == 0:
+        short = in_differences(textbook_form(coefficient), slots.coordinates)
+        if short == 0:
             continue
-        zero = surface.is_zero(tidied)
+        zero = surface.is_zero(short)
         nonzero = None if zero is None else not zero
-        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), tidied, nonzero))
+        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), short, nonzero))
     return tuple(found)
 
 

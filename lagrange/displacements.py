@@ -18,6 +18,7 @@ from lagrange.exact import Surface
 from lagrange.kinematics import MassPoint, Row
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
+from lagrange.tidying import in_differences
 from lagrange.vectors import Vector
 
 MOST_FACTORED = 8
@@ -131,7 +132,8 @@ def _factored(quotient: sp.Expr) -> sp.Expr:
     if quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
         return quotient
     factors = sp.factor(quotient)
-    return factors if factors.count_ops() < quotient.count_ops() else quotient
+    shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
+    return in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name)))
 
 
 def _tidy(entry: sp.Expr) -> sp.Expr:

@@ -6,7 +6,7 @@ import pytest
 import sympy as sp
 from sympy import cos, sin
 
-from lagrange.tidying import LONGEST, tidied
+from lagrange.tidying import LONGEST, in_differences, tidied
 
 a, b, x, y = sp.symbols("a b x y", real=True)
 v, w = sp.symbols("x' y'", real=True)
@@ -45,3 +45,19 @@ def test_what_is_long_is_left_alone() -> None:
     written = sp.Add(*(sp.Symbol(f"c{n}") * (sin(a) ** 2 + cos(a) ** 2) for n in range(LONGEST)))
     assert tidied(written) == written
     assert tidied(sp.Add(*written.args[:5])).count_ops() == 4
+
+
+@pytest.mark.parametrize(
+    ("written", "short"),
+    [
+        (8 * x * (x - 2 * y) + 8 * y**2, 8 * (y - x) ** 2),
+        (x**2 - 2 * x * y + y**2 + a**2 - 2 * a * b + b**2, (b - a) ** 2 + (y - x) ** 2),
+        ((x**2 - 2 * x * y + y**2 + a**2) / (x - y) ** 2, (a**2 + (y - x) ** 2) / (y - x) ** 2),
+        (R * (x**2 + y**2), R * (x**2 + y**2)),
+        (x - y, x - y),
+        (2 * x - 2 * y, 2 * x - 2 * y),
+        (cos(x) * y**2, cos(x) * y**2),
+    ],
+)
+def test_in_differences(written: sp.Expr, short: sp.Expr) -> None:
+    assert in_differences(written, (a, b, x, y)) == short

@@ -200,6 +200,8 @@ class Writer:
         if len(pieces) > 1:
             pieces = [Piece(self.style.between_numbers.join(p.code for p in pieces), Level.PRODUCT)]
         pieces += self._unmistakable(factors) if whole and len(pieces) + len(factors) > 1 else self._factors(factors)
+        if whole and len(pieces) > 1 and isinstance(factors[-1][0], Wedge) and BREAK in pieces[-2].code:
+            return self._broken_before(pieces)
         if not pieces:
             return self.style.number(sp.S.One)
         return pieces[0] if len(pieces) == 1 else self._joined(pieces)
@@ -216,6 +218,12 @@ class Writer:
             if all(self.order.kinds(base) == {Kind.DIFFERENTIAL} for base, _ in factors[n + 1 :]):
                 pieces[n] = replace(pieces[n], level=Level.PRODUCT)
         return pieces
+
+    def _broken_before(self, pieces: list[Piece]) -> Piece:
+        """A product that may be broken before its last factor: (a long sum) dx ∧ dy ∧ dz."""
+        *front, last = pieces
+        ahead = self._joined(front).code if len(front) > 1 else self._inside(front[0], Level.DIVISION)
+        return Piece(f"{START}{ahead}{BREAK}{self.style.between(front[-1], last)}{last.code}{END}", Level.PRODUCT)
 
     def _joined(self, pieces: list[Piece]) -> Piece:
         codes = [pieces[0].code if pieces[0].level is Level.PRODUCT else self._inside(pieces[0], Level.DIVISION)]
