@@ -19,6 +19,7 @@ from lagrange.problem import Constraint
 from lagrange.reading import Reading
 from lagrange.sections import Section, entries_of, scalar_of
 from lagrange.symbols import CONSTRAINT
+from lagrange.tidying import tidied
 from lagrange.vectors import Vector
 
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
@@ -70,6 +71,7 @@ def _equations(
     found = []
     for ending, a, b in sides:
         left, right, kinematic = _restricting(name + ending, *_divided_by_dt(a, b, scalar, reading), scalar, reading)
+        left, right = tidied(left), tidied(right)
         symbol = _reaction(name, ending, reaction, place, reading)
         found.append(Constraint(name + ending, left, right, kinematic, symbol, scalar.span, note))
     return tuple(found)

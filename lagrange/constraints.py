@@ -24,6 +24,7 @@ from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
 from lagrange.textbook import textbook_form
+from lagrange.tidying import in_differences, tidied
 
 
 @dataclass(frozen=True)
@@ -72,7 +73,7 @@ def pfaffian_form(constraint: Constraint, slots: Slots) -> Row:
     if any(c is None for c in coefficients):
         what = f"the constraint `{constraint.name}`, which is not linear in the velocities,"
         raise NotCoveredError(what, constraint.span)
-    return Row(constraint.name, tuple(c for c in coefficients if c is not None), f.xreplace(at_rest))
+    return Row(constraint.name, tuple(tidied(c) for c in coefficients if c is not None), tidied(f.xreplace(at_rest)))
 
 
 def _coefficient(f: sp.Expr, velocity: sp.Symbol, slots: Slots) -> sp.Expr | None:
@@ -120,12 +121,12 @@ def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slot
         form = wedge(form, one_form((*other.coefficients, other.drift)))
     found = []
     for indices, coefficient in sorted(form.items()):
-        tidied = textbook_form(coefficient)
-        if tidied == 0:
+        short = in_differences(textbook_form(coefficient), slots.coordinates)
+        if short == 0:
             continue
-        zero = surface.is_zero(tidied)
+        zero = surface.is_zero(short)
         nonzero = None if zero is None else not zero
-        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), tidied, nonzero))
+        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), short, nonzero))
     return tuple(found)
 
 

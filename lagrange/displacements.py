@@ -23,12 +23,15 @@ from lagrange.exact import Surface
 from lagrange.kinematics import MassPoint, Row
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
+from lagrange.tidying import in_differences
 from lagrange.vectors import Vector
 
 MOST_FACTORED = 8
 """Symbols of a minor that is still factored."""
 MOST_DRIFTS = 8
 """Eliminations that are tried for a simple drift."""
+LONGEST_FACTORED = 20
+"""Operations of a quotient that is still factored."""
 
 
 @dataclass(frozen=True)
@@ -138,8 +141,8 @@ def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collectio
         pivot_of[r] = column
     dependent = tuple(pivot_of.values())
     independent = tuple(k for k in range(size) if k not in dependent)
-    solution = tuple(tuple(-matrix[r][k] for k in independent) for r in pivot_of)
-    drift = tuple(-matrix[r][size] for r in pivot_of)
+    solution = tuple(tuple(_factored(-matrix[r][k]) for k in independent) for r in pivot_of)
+    drift = tuple(_factored(-matrix[r][size]) for r in pivot_of)
     return Elimination(independent, dependent, solution, drift, _varying_factors(_tidy(minor)), tuple(unused))
 
 
@@ -158,6 +161,17 @@ def _varying_factors(minor: sp.Expr) -> tuple[sp.Expr, ...]:
     bases = (f.as_base_exp()[0] for f in sp.Mul.make_args(numerator))
     varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
     return tuple(dict.fromkeys(varying))
+
+
+def _factored(quotient: sp.Expr) -> sp.Expr:
+    """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
+    if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
+        return quotient
+    if quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
+        return quotient
+    factors = sp.factor(quotient)
+    shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
+    return in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name)))
 
 
 def _tidy(entry: sp.Expr) -> sp.Expr:

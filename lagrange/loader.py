@@ -24,6 +24,7 @@ from lagrange.expressions import Scope
 from lagrange.findings import EnoughError, Findings
 from lagrange.forces import read_forces, read_gravity
 from lagrange.nodes import Node, Scalar
+from lagrange.notation import CONSTANT
 from lagrange.particles import read_things
 from lagrange.problem import Choice, Constraint, Find, Problem
 from lagrange.reading import Reading
@@ -110,6 +111,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
         frame=frame,
         parameters=parameters,
         functions=functions.undefined,
+        abbreviations=things.abbreviations,
         particles=things.particles,
         bodies=things.bodies,
         constraints=constraints,
@@ -183,10 +185,11 @@ def _suggested(problem: Problem) -> Find:
 
 
 def _scope_of_answers(scope: Scope, constraints: tuple[Constraint, ...], choices: tuple[Choice, ...]) -> Scope:
-    """The scope of the finished problem: reactions, and the coordinates of the choices, are known there."""
+    """The scope of the finished problem: reactions, the coordinates of the choices and `const` are known there."""
     old = scope.slots.coordinates
     new: dict[str, sp.Expr] = {q.name: q for c in choices for q in c.coordinates if q not in old}
-    return replace(scope, scalars={**scope.scalars, **{c.reaction.name: c.reaction for c in constraints}, **new})
+    reactions = {c.reaction.name: c.reaction for c in constraints}
+    return replace(scope, scalars={CONSTANT.name: CONSTANT, **scope.scalars, **reactions, **new})
 
 
 def _check_whole(problem: Problem, root: Section, findings: Findings) -> None:

@@ -20,6 +20,9 @@ from sympy.core.symbol import Str
 
 t = sp.Symbol("t", real=True)
 
+CONSTANT = sp.Symbol("const", real=True)
+"""The value that a finite relation keeps: x − R φ = const."""
+
 
 class Sign(sp.Symbol):
     """A symbol that is +1 or -1; its even powers are 1."""

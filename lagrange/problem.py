@@ -215,6 +215,7 @@ class Problem:
     frame: Triad | None = None
     parameters: tuple[Parameter, ...] = ()
     functions: tuple[FunctionDeclaration, ...] = ()
+    abbreviations: Mapping[str, sp.Expr | Vector] = field(default_factory=dict)
     particles: tuple[Particle, ...] = ()
     bodies: tuple[Body, ...] = ()
     constraints: tuple[Constraint, ...] = ()
