@@ -1,7 +1,9 @@
 """Possible and virtual displacements.
 
 The constraints in differential form, A dq + a_t dt = 0, are what a possible displacement satisfies. Two of them in the
-same dt differ by a virtual displacement, A δq = 0: time is frozen and a_t has dropped out. Solving A δq = 0 for m of
+same dt differ by a virtual displacement, A δq = 0: time is frozen and a_t has dropped out. Where a constraint φ = 0 is
+not linear in the velocities, the difference of two possible displacements satisfies nothing linear, and Σ ∂φ/∂q' δq = 0
+is Chetaev's rule, a postulate (N. G. Chetaev, On Gauss's principle, 1932). Solving A δq = 0 for m of
 the δq leaves n − m independent ones; each pivot that is divided by must not vanish, and is stated.
 
 Shapes: A (m, n), a_t (m,).
@@ -16,12 +18,16 @@ import sympy as sp
 
 from lagrange.exact import Surface
 from lagrange.kinematics import MassPoint, Row
+from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
 MOST_FACTORED = 8
 """Symbols of a minor that is still factored."""
+
+MOST_TERMS = 200
+"""Terms, all multiplied out, of an expression that is still reduced or factored."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +57,9 @@ class Elimination:
 
 
 def possible_displacement(row: Row, slots: Slots) -> sp.Expr:
-    """Σ a_i dq_i + a_t dt."""
+    """Σ a_i dq_i + a_t dt; of a constraint that is not linear in the velocities φ, with dq_i = q_i' dt."""
+    if row.nonlinear is not None:
+        return row.nonlinear
     terms = (a * differential(q) for a, q in zip(row.coefficients, slots.coordinates, strict=True))
     return sp.Add(*terms, row.drift * differential(t))
 
@@ -89,7 +97,7 @@ def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collectio
             unused.append(r)
             continue
         pivot = row[column]
-        minor = sp.cancel(minor * pivot)
+        minor = _cancelled(minor * pivot)
         matrix[r] = [_tidy(entry / pivot) for entry in row]
         for other in range(len(matrix)):
             factor = matrix[other][column]
@@ -115,18 +123,28 @@ def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[in
 
 def _varying_factors(minor: sp.Expr) -> tuple[sp.Expr, ...]:
     """The factors of the minor that can vanish, each once, constant ones dropped: of 2 l x² it is x."""
-    numerator, _ = sp.fraction(sp.factor(minor) if len(minor.free_symbols) <= MOST_FACTORED else minor)
+    small = len(minor.free_symbols) <= MOST_FACTORED and _is_short(minor)
+    numerator, _ = sp.fraction(sp.factor(minor) if small else minor)
     bases = (f.as_base_exp()[0] for f in sp.Mul.make_args(numerator))
     varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
     return tuple(dict.fromkeys(varying))
+
+
+def _is_short(expression: sp.Expr) -> bool:
+    """Whether multiplying out takes little time: (x + y + z + w)^20 has 1771 terms."""
+    return Measures().of(expression).widest <= MOST_TERMS
+
+
+def _cancelled(expression: sp.Expr) -> sp.Expr:
+    return sp.cancel(expression) if _is_short(expression) else expression
 
 
 def _tidy(entry: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms, and with sin² + cos² put together."""
     if entry.is_number or entry.is_Symbol:
         return entry
-    reduced = sp.cancel(entry)
-    if not reduced.has(sp.sin, sp.cos, sp.tan):
+    reduced = _cancelled(entry)
+    if not reduced.has(sp.sin, sp.cos, sp.tan) or not _is_short(reduced):
         return reduced
     tidied = textbook_form(reduced)
     return tidied if tidied.count_ops() <= reduced.count_ops() else reduced

@@ -31,6 +31,7 @@ from lagrange.vectors import Vector
 
 MAX_WRITTEN_OUT = 1_000_000
 MOST_TESTED = 400
+MOST_REDUCED = 150
 
 T = TypeVar("T", bound=sp.Expr | Vector | EquationRead)
 Reader = Callable[[Fragment, Scope, list[Diagnostic]], T]
@@ -57,6 +58,7 @@ class Reading:
         self.points: dict[str, Vector | None] = {}
         self.bodies: list[str] = []
         self._tested = 0
+        self._reduced = 0
         self._written_out = 0
         self._sizes: dict[str, int] = {}
 
@@ -108,6 +110,12 @@ class Reading:
         length = size(expression)
         self._tested += length
         return is_zero(expression) if length <= MOST_TESTED and self._tested <= 5 * MOST_TESTED else None
+
+    def may_reduce(self, expression: sp.Expr) -> bool:
+        """Whether a constraint is small enough to be taken apart, after those that were."""
+        length = size(expression)
+        self._reduced += length
+        return length <= MOST_REDUCED and self._reduced <= 10 * MOST_REDUCED
 
     # -- scope -------------------------------------------------------------------------------------------------------
 

@@ -15,7 +15,7 @@ import sympy as sp
 
 from lagrange.comparison import System
 from lagrange.coordinates import solved_constraints
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.notation import Sign, Unspecified, t
 
 DIGITS = 30
@@ -132,6 +132,12 @@ def _velocities(
     if not configuration.rows:
         return {v: sp.Integer(n + trial) for n, v in enumerate(slots.velocities, start=1)}
     rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
+    if not is_pfaffian(configuration.rows):
+        start = {v: sp.Rational(3, 5) * (n + trial) for n, v in enumerate(slots.velocities, start=1)}
+        found = _by_newton(rows, start)
+        if found is None:
+            raise ValueError("no velocities")
+        return found
     solution = sp.solve(rows, list(slots.velocities), dict=True)
     if not solution:
         raise ValueError("no velocities")

@@ -6,7 +6,8 @@ import sympy as sp
 
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
 from lagrange.displacements import Elimination, displaced, virtual_displacement
-from lagrange.kinematics import Configuration, Row
+from lagrange.explain.nonlinear import by_chetaev
+from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.notation import VectorSymbol, differential, t, variation
 
 LONGEST = 40
@@ -23,7 +24,7 @@ def explain_displacements(configuration: Configuration, elimination: Elimination
             "Virtual displacements",
             (prose(words), *of_points(configuration, elimination)),
         )
-    body = [*_subtracted(configuration), *_drift(configuration)]
+    body = [*_subtracted(configuration), *_drift(configuration), *by_chetaev(configuration)]
     body += solved_displacements(elimination, configuration)
     body += of_points(configuration, elimination)
     return Step(Rule.DISPLACEMENTS, "Possible and virtual displacements", tuple(body))
@@ -31,7 +32,10 @@ def explain_displacements(configuration: Configuration, elimination: Elimination
 
 def _subtracted(configuration: Configuration) -> list[Block]:
     """Two possible displacements subtracted."""
-    slots, rows = configuration.slots, configuration.rows
+    slots = configuration.slots
+    rows = [r for r in configuration.rows if r.nonlinear is None]
+    if not rows:
+        return []
     forms = listed(Ref(f"form-{r.name}") for r in rows)
     dt = math(differential(t))
     moving = any(r.drift != 0 for r in rows)
@@ -48,7 +52,9 @@ def _subtracted(configuration: Configuration) -> list[Block]:
 def _drift(configuration: Configuration) -> list[Block]:
     """What a possible displacement has and a virtual one has not."""
     dt = math(differential(t))
-    moving = [r for r in configuration.rows if r.drift != 0]
+    moving = [r for r in configuration.rows if r.nonlinear is None and r.drift != 0]
+    if not moving and not is_pfaffian(configuration.rows):
+        return []
     if not moving:
         return [prose("There is no term with ", dt, ": possible and virtual displacements are the same.")]
     names = listed(Ref(f"form-{r.name}") for r in moving)
