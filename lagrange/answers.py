@@ -143,6 +143,7 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
             coefficients=tuple(c.xreplace(values) for c in row.coefficients),
             drift=row.drift.xreplace(values),
             finite=None if row.finite is None else row.finite.xreplace(values),
+            nonlinear=None if row.nonlinear is None else row.nonlinear.xreplace(values),
         )
         for row in configuration.rows
     )

@@ -32,6 +32,7 @@ from lagrange.yaml_text import ScalarText
 
 MAX_WRITTEN_OUT = 1_000_000
 MOST_TESTED = 400
+MOST_REDUCED = 150
 
 T = TypeVar("T", bound=sp.Expr | Vector | EquationRead)
 Reader = Callable[[Fragment, Scope, list[Diagnostic]], T]
@@ -58,6 +59,7 @@ class Reading:
         self.points: dict[str, Vector | None] = {}
         self.bodies: list[str] = []
         self._tested = 0
+        self._reduced = 0
         self._written_out = 0
         self._sizes: dict[str, int] = {}
 
@@ -110,6 +112,12 @@ class Reading:
         length = size(expression)
         self._tested += length
         return is_zero(expression) if length <= MOST_TESTED and self._tested <= 5 * MOST_TESTED else None
+
+    def may_reduce(self, expression: sp.Expr) -> bool:
+        """Whether a constraint is small enough to be taken apart, after those that were."""
+        length = size(expression)
+        self._reduced += length
+        return length <= MOST_REDUCED and self._reduced <= 10 * MOST_REDUCED
 
     # -- scope -------------------------------------------------------------------------------------------------------
 

@@ -21,16 +21,16 @@ LAYERS = {
         differentiation trigonometry common_factor textbook tidying""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
         meaning vector_meaning expressions""",
-    "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names problem
-        reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
+    "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
+        velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability""",
-    "stages": """kinematics constraints classification displacements coordinates principle equations lagrangian
+    "stages": """kinematics bending constraints classification displacements coordinates principle equations lagrangian
         comparison spot verification""",
     "results": "solution references answers checking",
-    "derivations": """derivation explain explain.words explain.statement explain.displacements explain.constraints
-        explain.motion explain.checks""",
+    "derivations": """derivation explain explain.words explain.statement explain.nonlinear explain.displacements
+        explain.constraints explain.motion explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

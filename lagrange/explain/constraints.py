@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from itertools import groupby
 
 import sympy as sp
 
@@ -26,6 +27,7 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import possible_displacement
+from lagrange.explain.nonlinear import explain_bending, explain_reduction, together, without_form
 from lagrange.explain.words import brief, counted, in_words, plural, spoken
 from lagrange.integrability import Comparison
 from lagrange.notation import CONSTANT, Partial, Slots, Wedge, differential, t
@@ -40,12 +42,17 @@ def explain_constraints(classification: Classification) -> Step:
     constraints = classification.constraints
     if not constraints:
         return Step(Rule.CONSTRAINT, "Constraints", (prose("There are none: the coordinates are free."),))
-    lines = []
-    for c in constraints:
-        note = f": {c.constraint.note}" if c.constraint.note else ""
-        sides = (c.constraint.lhs, c.constraint.rhs)
-        lines.append(Equation(sides, label=f"constraint-{c.row.name}", condition=(f"({spoken(c.row.name)}{note})",)))
-    body: list[Block] = [display(*lines)]
+    body: list[Block] = []
+    for given, group in groupby(constraints, key=lambda c: c.constraint.given):
+        members = list(group)
+        lines = []
+        for c in members:
+            note = f": {c.constraint.note}" if c.constraint.note else ""
+            sides = (c.constraint.lhs, c.constraint.rhs)
+            label = f"constraint-{c.row.name}"
+            lines.append(Equation(sides, label=label, condition=(f"({spoken(c.row.name)}{note})",)))
+        body += explain_reduction(given, len(members)) if given is not None else []
+        body.append(display(*lines))
     sentences = []
     for kinematic, why, kind in (
         (False, "No velocity occurs in ", "geometric"),
@@ -67,7 +74,10 @@ def explain_constraints(classification: Classification) -> Step:
 
 def explain_forms(classification: Classification, slots: Slots) -> Step:
     """The differential forms, and the table of their coefficients."""
-    constraints = classification.constraints
+    constraints = [c for c in classification.constraints if c.pfaffian]
+    others = [c for c in classification.constraints if not c.pfaffian]
+    if not constraints:
+        return Step(Rule.PFAFFIAN_FORM, "Differential form", tuple(without_form(others)))
     lines = (
         Equation((possible_displacement(c.row, slots), sp.S.Zero), label=f"form-{c.row.name}") for c in constraints
     )
@@ -83,6 +93,7 @@ def explain_forms(classification: Classification, slots: Slots) -> Step:
         prose(*ways, " is" if one else ", are" if geometric and kinematic else " are"),
         display(*lines),
         _coefficients(constraints, slots),
+        *without_form(others),
     ]
     return Step(Rule.PFAFFIAN_FORM, "Differential form" if one else "Differential forms", tuple(body))
 
@@ -110,7 +121,9 @@ def explain_integrability(classification: Classification, taken: Collection[str]
     for c in classification.constraints:
         if c.row.finite is not None:
             continue
-        if c.exactness.exact:
+        if not c.pfaffian:
+            body += explain_bending(c)
+        elif c.exactness.exact:
             body += _explain_exact(c)
         elif explained and c.exactness.differing:
             body += _explain_likewise(c, independent, letter)
@@ -262,6 +275,8 @@ def _explain_together(classification: Classification) -> list[Block]:
     """The derived systems, where they add something."""
     if len(classification.constraints) < 2 or all(c.row.finite is not None for c in classification.constraints):
         return []
+    if not all(c.pfaffian for c in classification.constraints):
+        return together(classification)
     flag = classification.flag
     if flag.integrable_rank is None:
         return [prose("How many finite relations the constraints hold together could not be decided.")]
@@ -320,11 +335,11 @@ def _time(classification: Classification) -> Prose:
     if classification.scleronomic:
         words = "Time occurs neither in the constraints nor in the positions: it is "
         if classification.catastatic is False:
-            return prose(
-                words,
-                Term("scleronomic"),
-                ", though not catastatic, because a term without velocities remains.",
+            linear = all(c.pfaffian or c.catastatic for c in classification.constraints)
+            rest = (
+                "a term without velocities remains" if linear else "the motion is not among the virtual displacements"
             )
+            return prose(words, Term("scleronomic"), f", though not catastatic, because {rest}.")
         return prose(words, Term("scleronomic"), ".")
     timed = [c for c in classification.constraints if c.depends_on_time]
     seen = [c for c in timed if c.contains_time]
@@ -355,12 +370,13 @@ def _difference(finite: int) -> str:
 def explain_freedom(classification: Classification) -> Step:
     """Both counts, and what their difference means."""
     n, rank, freedom = classification.coordinates, classification.rank, classification.degrees_of_freedom
+    pfaffian = all(c.pfaffian for c in classification.constraints)
     difference = f"{counted(n, 'coordinate')} − {counted(rank, 'independent constraint')} = "
     sentences = [
         prose(
             difference,
             Term(f"{counted(freedom, 'degree')} of freedom"),
-            ", the number of independent virtual displacements.",
+            ", the number of independent virtual displacements" + ("." if pfaffian else ", by Chetaev's rule."),
         )
     ]
     dimension = classification.configuration_dimension
