@@ -4,7 +4,8 @@ The operations that a text asks for are carried out one by one. Each is charged 
 of about 0.1 ms, and a text has so many of them to spend: SymPy takes milliseconds for a new sin(...), for
 |...| a time that grows with what stands inside, and a derivative is estimated before it is taken. Each result
 is measured: its size and depth, the length of its numbers, the height of its powers. So whatever a text says,
-reading it takes a bounded time, and what has been read is small enough for the rest of the program.
+reading it takes a bounded time, and what has been read is small enough for the rest of the program. The texts
+of one file share a purse besides.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from lagrange.notation import Slots, prime, t
 from lagrange.vectors import Components, Vector
 
 MAX_WORK = 6_000
+MAX_WORK_OF_FILE = 60_000
 MAX_SIZE = 12_000
 MAX_LAYERS = 70
 MAX_TERMS = 20_000
@@ -39,11 +41,22 @@ _FUNCTIONS: dict[str, Any] = {
 }  # fmt: skip
 
 
-class Arithmetic:
-    """The operations of one text. All of them raise RefusedError."""
+class Purse:
+    """The work that all texts of one file may cost together."""
 
-    def __init__(self, slots: Slots) -> None:
+    def __init__(self) -> None:
+        self.left = float(MAX_WORK_OF_FILE)
+
+
+class Arithmetic:
+    """The operations of one text. All of them raise RefusedError.
+
+    purse   what the text may cost together with others, where it is one of many
+    """
+
+    def __init__(self, slots: Slots, purse: Purse | None = None) -> None:
         self._slots = slots
+        self._purse = purse
         self._spent = 0.0
         self._measures = Measures()
         self._constants = Constants()
@@ -201,6 +214,11 @@ class Arithmetic:
             message = "this takes too long to work out"
             help_ = "write it shorter, with fewer different functions and derivatives"
             raise RefusedError("expression-too-large", message, help_)
+        if self._purse is not None:
+            self._purse.left -= units
+            if self._purse.left < 0:
+                message = "all of the file up to here takes too long to work out"
+                raise RefusedError("expression-too-large", message, "make two problems of it, or write it shorter")
 
     # -- helpers ---------------------------------------------------------------------------------------------
 

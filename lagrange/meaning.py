@@ -44,7 +44,7 @@ class ScalarMeaning(Remarks, ABC):
     def __init__(self, fragment: Fragment, scope: Scope, names: frozenset[str]) -> None:
         super().__init__(fragment, scope)
         self.names = names
-        self.arithmetic = Arithmetic(scope.slots)
+        self.arithmetic = Arithmetic(scope.slots, scope.purse)
         self._nested: dict[int, float] = {}
 
     @abstractmethod

@@ -14,6 +14,7 @@ from typing import TypeVar
 
 import sympy as sp
 
+from lagrange.bounded import Purse
 from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError, Span
 from lagrange.exact import is_zero
 from lagrange.expressions import EquationRead, Scope, Value, read_equation, read_scalar, read_value, read_vector
@@ -54,6 +55,7 @@ class Reading:
         self.forces = Namespace(self.names)
         self.choices = Namespace(self.names)
         self.scope = Scope()
+        self.purse = Purse()
         self.unknowns: tuple[sp.Symbol, ...] = ()
         self.values: dict[sp.Symbol, sp.Rational] = {}
         self.points: dict[str, Vector | None] = {}
@@ -142,13 +144,13 @@ class Reading:
     def read_quietly(self, reader: Reader[T], fragment: Fragment, scope: Scope, notes: list[Diagnostic]) -> T:
         """What a reader of expressions makes of a text; `notes` takes what is to be said of the reading.
 
-        Raises ProblemError, without a word where a name is used whose declaration has failed.
+        Raises ProblemError, without a word where a name is used whose declaration has failed, or the purse is empty.
         """
-        if self.names.uses_failed(fragment.text):
+        if self.names.uses_failed(fragment.text) or self.purse.left < 0:
             raise ProblemError(())
         self.findings.report_all(_halved_primes(fragment))
         self._charge(fragment)
-        return reader(fragment, scope, notes)
+        return reader(fragment, replace(scope, purse=self.purse), notes)
 
     def _charge(self, fragment: Fragment) -> None:
         """Counts what abbreviations amount to wherever they are used: a derivative is four times as large, or so."""

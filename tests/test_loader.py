@@ -817,6 +817,16 @@ def test_differentials_of_large_vectors_are_paid_for() -> None:
     assert {d.code for d in mistakes(text)} <= {"expression-too-large", "more-mistakes"}
 
 
+def test_a_file_of_many_expressions_has_one_budget() -> None:
+    """Three hundred constraints with a hundred sines each took two minutes; the budget is said to be spent once."""
+    text = HEAD + "constraints:\n"
+    for n in range(300):
+        text += f"  a{n}: {' + '.join(f'sin({i + 100 * n}*x + y)*x^{i % 7}' for i in range(100))} = y\n"
+    (found,) = mistakes(text)
+    assert found.code == "expression-too-large"
+    assert "all of the file" in found.message
+
+
 def test_differentials_of_vectors() -> None:
     """In a turning frame, with a prescribed motion: d(a) = a' dt, and delta(a) leaves time out."""
     text = """title: T
