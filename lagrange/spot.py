@@ -63,7 +63,7 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
     others = [s for s in sorted(used - moving, key=lambda s: s.name, reverse=True) if not isinstance(s, Sign)]
     numbers = count(1 + trial)
-    values |= {s: sp.S.One for s in used if isinstance(s, Sign)}
+    values |= {s: sp.S.One for s in sorted(used, key=lambda s: s.name) if isinstance(s, Sign)}
     parameters = {s: given.get(s) or _parameter_value(s, numbers) for s in others}
     values |= reversed(parameters.items())
     positions = _positions(configuration, values, trial)
