@@ -18,11 +18,11 @@ LAYERS = {
     "exact evaluation": """elimination graph field evaluation points residues reals walls branches blocks projection
         triangular sampler exact sampling""",
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
-        differentiation trigonometry common_factor textbook tidying""",
+        differentiation trigonometry common_factor textbook""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
-        meaning vector_meaning expressions""",
+        meaning vector_meaning expressions tidying""",
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
-        velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
+         velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability""",
