@@ -26,13 +26,12 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import possible_displacement
+from lagrange.explain.factors import CONSTANT, SHOWN_PAIRS, equal, explain_factor
 from lagrange.explain.words import brief, counted, plural, spoken
 from lagrange.integrability import Comparison
 from lagrange.notation import Partial, Slots, Wedge, differential, t
 
 OMEGA = sp.Symbol("omega", real=True)
-CONSTANT = sp.Symbol("const", real=True)
-SHOWN_PAIRS = 3
 
 
 def explain_constraints(classification: Classification) -> Step:
@@ -130,7 +129,7 @@ def _explain_finite(members: Sequence[ConstraintAnalysis]) -> list[Block]:
     telling = [p for c in members if (p := _telling_pair(c)) is not None]
     shown = [p for p in telling if 0 not in p.coefficients][:SHOWN_PAIRS]
     for n, pair in enumerate(shown):
-        words += [", for instance " if n == 0 else ", ", _equal(pair)]
+        words += [", for instance " if n == 0 else ", ", equal(pair)]
     return [prose(*words, ".")]
 
 
@@ -149,7 +148,7 @@ def _explain_exact(c: ConstraintAnalysis) -> list[Block]:
     label = f"form-{c.row.name}"
     pair = _telling_pair(c)
     words: list[Part] = ["All pairs of partial derivatives of ", Ref(label), " agree"]
-    words += [", for instance ", _equal(pair)] if pair and 0 not in pair.coefficients else []
+    words += [", for instance ", equal(pair)] if pair and 0 not in pair.coefficients else []
     words += [": it is ", Term("exact"), ". "]
     if c.integral is None:
         return [prose(*words, "Its finite form was not found in closed form.")]
@@ -192,7 +191,7 @@ def _explain_frobenius(c: ConstraintAnalysis, label: str, geometric: Sequence[Co
         return [question, prose("Whether that is so could not be decided.")]
     if c.integrable:
         words = f"That is so{where}: an integrating factor exists, and the constraint is a finite relation in disguise."
-        return [paragraph(question, prose(words))]
+        return [paragraph(question, prose(words)), *explain_factor(c)]
     nonzero = [k for k in c.frobenius if k.nonzero]
     more: tuple[Part, ...] = (f"and {counted(len(nonzero) - 1, 'more component')}",) if len(nonzero) > 1 else ()
     shown = Equation((product, *map(_component, nonzero[:1])), label=f"frobenius-{c.row.name}", condition=more)
@@ -210,11 +209,6 @@ def _component(c: FrobeniusComponent) -> sp.Expr:
 def _unequal(p: Comparison) -> tuple[Part, ...]:
     (q, r), (a, b), (left, right) = p.variables, p.coefficients, p.derivatives
     return math(Partial(a, r), left), " ≠ ", math(right, Partial(b, q))
-
-
-def _equal(p: Comparison) -> Part:
-    (q, r), (a, b), (left, _) = p.variables, p.coefficients, p.derivatives
-    return math(Partial(a, r), left, Partial(b, q))
 
 
 def _explain_together(classification: Classification) -> list[Block]:
