@@ -106,7 +106,7 @@ def analysis(
     if row.finite is None and pairs.exact is not True:
         integrable = is_integrable(form, slots, surface.constraints)
         frobenius = _frobenius(row, geometric, surface, slots)
-        found = finite_form(form, surface.constraints, slots) if integrable is not False else None
+        found = finite_form(form, surface, slots) if integrable is not False else None
         integrable = integrable if found is None else True
         integral = None if found is None else found.integral
     return ConstraintAnalysis(
@@ -116,7 +116,7 @@ def analysis(
         integrable=integrable,
         integral=integral,
         frobenius=frobenius,
-        depends_on_time=_depends_on_time(row, integrable, integral, surface, slots),
+        depends_on_time=_depends_on_time(row, integrable, None if found is None else integral, surface, slots),
         catastatic=surface.is_zero(row.drift),
         contains_time=_contains_time(constraint.function, slots),
         finite_form=found,
@@ -161,8 +161,9 @@ def _depends_on_time(
 ) -> bool | None:
     """Whether t occurs, explicitly or through a prescribed motion.
 
-    A finite relation F = const contains t just when ∂F/∂t is not 0, or, where F is not known, its form has a dt. A form that is no finite relation contains t when the
-    ratio of two of its coefficients does, so that a common factor makes no difference.
+    A finite relation F = const contains t just when ∂F/∂t is not 0, or, where F is not known, its form has a dt. A form
+    that is no finite relation contains t when the ratio of two of its coefficients does, so that a common factor makes
+    no difference.
     """
     if row.finite is not None:
         return _contains_time(row.finite, slots)

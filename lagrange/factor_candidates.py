@@ -1,7 +1,8 @@
 """What an integrating factor may be made of: functions that can be read off the coefficients of a form.
 
-Textbook factors are products of powers of coordinates, of sines and cosines of the angles that occur, of the irreducible
-factors of the coefficients, of x² + y², and of e^x, e^{x²}, e^{xy}. Each candidate enters log μ with an unknown exponent:
+Textbook factors are products of powers of coordinates, of sines and cosines of the angles that occur, of the
+irreducible factors of the coefficients, of x² + y², and of e^x, e^{x²}, e^{xy}. Each candidate enters log μ with an
+unknown exponent:
 
     μ = Π g_k^{e_k} · exp(Σ c_k L_k).
 """
@@ -21,6 +22,7 @@ from lagrange.one_forms import OneForm
 MOST = 36
 LARGEST_FACTORED = 120
 MOST_TERMS = 60
+MOST_GENERATORS = 10
 FEW_VARIABLES = 4
 
 
@@ -40,7 +42,7 @@ def candidates(omega: OneForm) -> list[Candidate]:
     """The candidates for one form, the simplest kinds first, not more than `MOST`."""
     found: dict[tuple[sp.Expr, bool], Candidate] = {}
     for function, exponential in _proposed(omega):
-        if function.free_symbols & omega.moving or function.has(Unspecified):
+        if _moves(function, omega):
             primitive = function.as_content_primitive()[1]
             if primitive.could_extract_minus_sign():
                 primitive = -primitive
@@ -50,6 +52,10 @@ def candidates(omega: OneForm) -> list[Candidate]:
     return list(found.values())
 
 
+def _moves(e: sp.Expr, omega: OneForm) -> bool:
+    return bool(e.free_symbols & omega.moving) or e.has(Unspecified)
+
+
 def common_factor(omega: OneForm) -> sp.Expr:
     """What all coefficients have in common: x² + y² in (x² + y²)(y dx - x dy). Numbers and parameters do not count."""
     common: dict[sp.Expr, sp.Expr] | None = None
@@ -57,11 +63,8 @@ def common_factor(omega: OneForm) -> sp.Expr:
         if a == 0:
             continue
         powers = factored(a).as_powers_dict()
-        known = {g: e for g, e in powers.items() if e.is_Rational and (g.free_symbols & omega.moving or g.has(Unspecified))}
-        if common is None:
-            common = known
-        else:
-            common = {g: min(e, known[g]) for g, e in common.items() if g in known}
+        known = {g: e for g, e in powers.items() if e.is_Rational and _moves(g, omega)}
+        common = known if common is None else {g: min(e, known[g]) for g, e in common.items() if g in known}
     return sp.Mul(*(g**e for g, e in (common or {}).items()))
 
 
@@ -124,6 +127,9 @@ def factored(e: sp.Expr) -> sp.Expr:
 def is_small(e: sp.Expr) -> bool:
     """Whether cancelling and factoring take little time."""
     if sp.count_ops(e) > LARGEST_FACTORED:
+        return False
+    roots = (p for p in e.atoms(sp.Pow) if not p.exp.is_Integer)
+    if len(e.free_symbols | e.atoms(sp.Function, Unspecified).union(roots)) > MOST_GENERATORS:
         return False
     measure = Measures().of(e)
     return bool(measure.terms <= MOST_TERMS and measure.power <= 12 and measure.denominator <= 12)

@@ -6,8 +6,8 @@ A form ω = Σ a_i dq_i with ω ∧ dω = 0 has, locally, a factor μ that makes
 
 Such factors are looked for in a bounded class, in this order: products of powers of what the coefficients are made of
 (`exponents`); those beside a function of one variable (`one_variable`); 1/ω(X) for an affine symmetry X
-(`symmetries`); functions of x + y, x y, ...; powers with exponents that contain parameters. What is found is proved on the form: d(μω) = 0, dF ∧ ω =
-0, both exactly. Where nothing is found a factor may still exist.
+(`symmetries`); functions of x + y, x y, ...; powers with exponents that contain parameters. What is found is proved on
+the form: d(μω) = 0, dF ∧ ω = 0, both exactly. Where nothing is found a factor may still exist.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from lagrange.notation import Slots, Unspecified
 from lagrange.one_forms import OneForm
 from lagrange.one_variable import factor_beside, factors_of_combinations, shortened, shortest
 from lagrange.potentials import potential
-from lagrange.relations import tidy_relation
+from lagrange.relations import moves, tidy_relation
 from lagrange.symmetries import symmetries
 
 LARGEST_FORM = 200
@@ -192,9 +192,10 @@ def _closed(
     factor: sp.Expr, form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots
 ) -> IntegratingFactor | None:
     """The factor with the multiplied form, if that is exact."""
-    constant, factor = factor.as_independent(*variables, *slots.prescribed, as_Add=False) if factor.is_Mul else (1, factor)
-    if constant == 0:
+    if factor == 0:
         return None
+    moving = {*variables, *slots.prescribed}
+    factor = sp.Mul(*(g for g in sp.Mul.make_args(factor) if moves(g, moving)))
     if factor.has(sp.exp) or any(not p.exp.is_Rational for p in factor.atoms(sp.Pow)):
         factor = sp.powsimp(factor)
     multiplied = shortest([factor * a for a in form])
@@ -205,7 +206,7 @@ def _closed(
         return None
     if pairs.exact is not True or not same:
         return None
-    nonzero, positive = _conditions(factor, variables, slots)
+    nonzero, positive = _conditions(factor)
     return IntegratingFactor(factor, tuple(variables), multiplied, pairs, None, nonzero, positive)
 
 
@@ -234,9 +235,7 @@ def _has_differential(f: sp.Expr, form: Sequence[sp.Expr], variables: Sequence[s
         return False
 
 
-def _conditions(
-    factor: sp.Expr, variables: Sequence[sp.Symbol], slots: Slots
-) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
+def _conditions(factor: sp.Expr) -> tuple[tuple[sp.Expr, ...], tuple[sp.Expr, ...]]:
     """What must not vanish, and what must be positive."""
     nonzero: list[sp.Expr] = []
     positive: list[sp.Expr] = []

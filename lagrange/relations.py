@@ -42,8 +42,9 @@ def tidy_relation(
     return f, factor
 
 
-def _moves(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
-    return any(base(s) in moving for s in e.free_symbols) or e.has(Unspecified)
+def moves(e: sp.Expr, moving: Collection[sp.Symbol]) -> bool:
+    """Whether an expression contains something of `moving`, a rate of it, or an undefined function."""
+    return any(base(s) in moving for s in e.free_symbols) or bool(e.has(Unspecified))
 
 
 def _unbarred(e: sp.Expr) -> sp.Expr:
@@ -52,7 +53,7 @@ def _unbarred(e: sp.Expr) -> sp.Expr:
 
 
 def _without_constants(f: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
-    return sp.Add(*(term for term in sp.Add.make_args(f) if _moves(term, moving)))
+    return sp.Add(*(term for term in sp.Add.make_args(f) if moves(term, moving)))
 
 
 def _shorter(f: sp.Expr) -> sp.Expr:
@@ -71,9 +72,7 @@ def _freed(f: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     return None
 
 
-def _of_logarithms(
-    f: sp.Expr, moving: set[sp.Symbol], angles: Collection[sp.Symbol]
-) -> tuple[sp.Expr, sp.Expr] | None:
+def _of_logarithms(f: sp.Expr, moving: set[sp.Symbol], angles: Collection[sp.Symbol]) -> tuple[sp.Expr, sp.Expr] | None:
     """Σ c_k log g_k + Σ b_i q_i = const: Π g_k^{c_k} · exp Σ b_i q_i = const."""
     product: dict[sp.Expr, sp.Expr] = {}
     growth = sp.S.Zero
@@ -82,7 +81,7 @@ def _of_logarithms(
             growth += term
             continue
         logs = [a for a in sp.Mul.make_args(term) if isinstance(a, sp.log)]
-        if len(logs) != 1 or _moves(term / logs[0], moving):
+        if len(logs) != 1 or moves(term / logs[0], moving):
             return None
         g = _unbarred(logs[0].args[0])
         product[g] = product.get(g, sp.S.Zero) + term / logs[0]
@@ -98,7 +97,7 @@ def _of_logarithms(
 def _is_linear(term: sp.Expr, moving: set[sp.Symbol]) -> bool:
     """Whether a term is a constant times a coordinate."""
     constant, rest = term.as_independent(*moving, as_Add=False)
-    return rest in moving and not constant.has(Unspecified)
+    return bool(rest in moving and not moves(constant, moving))
 
 
 def _of_powers(f: sp.Expr, moving: set[sp.Symbol]) -> tuple[sp.Expr, sp.Expr] | None:
@@ -106,7 +105,7 @@ def _of_powers(f: sp.Expr, moving: set[sp.Symbol]) -> tuple[sp.Expr, sp.Expr] | 
     powers: dict[sp.Expr, sp.Expr] = {}
     growth = sp.S.Zero
     for factor in sp.Mul.make_args(f):
-        if not _moves(factor, moving):
+        if not moves(factor, moving):
             continue
         if isinstance(factor, sp.exp):
             growth += factor.args[0]
@@ -114,7 +113,7 @@ def _of_powers(f: sp.Expr, moving: set[sp.Symbol]) -> tuple[sp.Expr, sp.Expr] | 
             g, e = factor.as_base_exp()
             g = _unbarred(g)
             powers[g] = powers.get(g, sp.S.Zero) + e
-    if not powers or any(_moves(e, moving) for e in powers.values()) or len(powers) > MOST_FACTORS:
+    if not powers or any(moves(e, moving) for e in powers.values()) or len(powers) > MOST_FACTORS:
         return None
     scale = _clearing(list(powers.values()))
     if scale is None:
@@ -132,7 +131,8 @@ def _is_upside_down(powers: dict[sp.Expr, sp.Expr], growth: sp.Expr) -> bool:
     above = [g for g in powers if g not in below]
     if not above:
         return True
-    return growth == 0 and sum(sp.count_ops(g) + 1 for g in below) > sum(sp.count_ops(g) + 1 for g in above)
+    lengths = [sum(int(sp.count_ops(g)) + 1 for g in part) for part in (below, above)]
+    return bool(growth == 0) and lengths[0] > lengths[1]
 
 
 def _is_negative(e: sp.Expr) -> bool:

@@ -1,12 +1,14 @@
 """A form restricted to the surface of geometric constraints, where these can be solved by hand.
 
-A form may be integrable on a surface only: there it is a form in fewer coordinates. Two kinds of constraints are solved,
+A form may be integrable on a surface only: there it is a form in fewer coordinates. Two kinds of constraints are
+solved,
 
     linear in a coordinate q:             q = E, with E free of q
     p and q on a circle:                  (p - α)² + (q - β)² = ρ²,    p = α + ρ cos ψ,    q = β + ρ sin ψ
 
-with α, β, ρ that do not contain p and q (a sphere is a circle whose ρ depends on z), and dq = dE, dp = dα + cos ψ dρ - ρ sin ψ
-dψ are put into the form. What is found there is written in the old coordinates again.
+with α, β, ρ that do not contain p and q (a sphere is a circle whose ρ depends on z), and the differentials dE, dα +
+cos ψ dρ - ρ sin ψ dψ, dβ + sin ψ dρ + ρ cos ψ dψ are put into the form. What is found there is written in the old
+coordinates again.
 """
 
 from __future__ import annotations
@@ -17,7 +19,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.exact import DivisionByZeroError, is_zero
+from lagrange.exact import DivisionByZeroError, Surface, is_zero
 from lagrange.factor_candidates import is_small
 from lagrange.integrability import is_integrable
 from lagrange.integrating_factors import IntegratingFactor, integrating_factor
@@ -131,21 +133,29 @@ class FiniteForm:
         return e if self.restriction is None else self.restriction.in_old_coordinates(e)
 
 
-def finite_form(form: Sequence[sp.Expr], geometric: Sequence[sp.Expr], slots: Slots) -> FiniteForm | None:
+def finite_form(form: Sequence[sp.Expr], surface: Surface, slots: Slots) -> FiniteForm | None:
     """A factor for a form, or for what it is on the surface of the geometric constraints; None: not found.
 
-    form       (n + 1,) coefficients of dq_1 ... dq_n, dt
-    geometric  functions f(q, t) whose vanishing is the geometric constraints
+    form     (n + 1,) coefficients of dq_1 ... dq_n, dt
+    surface  where the geometric constraints hold
     """
+    geometric = surface.constraints
     if not geometric or is_integrable(form, slots):
         found = integrating_factor(form, (*slots.coordinates, t), slots)
-        if found is not None or not geometric:
-            return None if found is None else FiniteForm(found)
+        if found is not None and _is_valid(found, surface):
+            return FiniteForm(found)
+        if not geometric:
+            return None
     there = restriction(form, geometric, slots)
     if there is None or not is_integrable(there.form, there.slots):
         return None
     found = integrating_factor(there.form, there.variables, there.slots, [a.symbol for a in there.angles])
     return None if found is None else FiniteForm(found, there)
+
+
+def _is_valid(found: IntegratingFactor, surface: Surface) -> bool:
+    """Whether the factor is finite and not 0 on the surface: with z = 0, 1/z is not."""
+    return all(surface.is_zero(g) is False for g in (*found.nonzero, *found.positive))
 
 
 Solved = tuple[Mapping[sp.Symbol, sp.Expr], Angle | None]
@@ -196,4 +206,3 @@ def _is_nonzero(e: sp.Expr) -> bool:
         return is_zero(e) is False
     except DivisionByZeroError:
         return False
-

@@ -68,26 +68,30 @@ def check_integrability(classification: Classification) -> list[Check]:
 
 
 def check_finite_forms(classification: Classification, slots: Slots, surface: Surface) -> list[Check]:
-    """Factors and finite relations that were found, put back into the forms, where the geometric constraints hold."""
+    """Factors and finite relations that were found, put back into the forms.
+
+    What was found on the geometric constraints only is tried there; the rest everywhere.
+    """
     found = []
     variables = (*slots.coordinates, t)
-    where = ", where the geometric constraints hold" if surface.constraints else ""
-    around = [r for r in classification.rows if r.finite is not None and r.name not in classification.redundant]
+    geometric = [r for r in classification.rows if r.finite is not None and r.name not in classification.redundant]
     for c in classification.constraints:
         if c.row.finite is not None:
             continue
         name, coefficients = c.row.name.replace("_", " "), (*c.row.coefficients, c.row.drift)
+        restricted = c.finite_form is not None and c.finite_form.restriction is not None
+        around, there = (geometric, surface) if restricted else ([], Surface())
+        where = ", where the geometric constraints hold" if restricted else ""
         if c.finite_form is not None:
             multiplied = [c.finite_form.factor * a for a in coefficients]
-            closed = exterior_derivative(multiplied, variables, slots)
-            passed = _vanishes_beside(closed, around, surface)
+            passed = _vanishes_beside(exterior_derivative(multiplied, variables, slots), around, there)
             how = f"exact: its exterior derivative is 0{where}"
             found.append(Check(f"the factor makes {name} exact", passed, how))
         if c.integral is not None:
             gradient = one_form([differentiated(c.integral, v, slots) for v in variables])
-            passed = _vanishes_beside(wedge(gradient, one_form(coefficients)), around, surface)
-            constant = _vanishes_beside(gradient, around, surface)
-            passed = passed if constant is False else None if constant is None else False
+            proportional = _vanishes_beside(wedge(gradient, one_form(coefficients)), around, there)
+            constant = _vanishes_beside(gradient, around, there)
+            passed = None if None in (proportional, constant) else proportional and not constant
             how = f"exact: dF ∧ ω = 0{where}"
             found.append(Check(f"the finite relation has a differential proportional to {name}", passed, how))
     return found

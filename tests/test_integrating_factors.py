@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from itertools import combinations
 
@@ -12,6 +11,7 @@ from exterior import concrete, real_point
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from lagrange.exact import Surface
 from lagrange.integrability import is_integrable
 from lagrange.integrating_factors import IntegratingFactor, integrating_factor
 from lagrange.notation import Slots, Unspecified, prime, t
@@ -107,6 +107,7 @@ WRITTEN: list[tuple[Form, object, sp.Expr]] = [
     ({x: y**2 + y * z, y: x * z + z**2, z: y**2 - x * y}, (y + z) ** -2, y * (x + z) / (y + z)),
     ({x: x * fx, y: x * fy, z: x * fz}, 1 / x, f),
     ({x: u, t: 2 * prime(u) * x}, u, u**2 * x),
+    ({x: prime(u), t: -x * prime(u, 2)}, x**-2, prime(u) / x),
     ({x: 1, t: prime(u) * x}, exp(u), x * exp(u)),
     ({x: y * (x**2 + y**2), y: -x * (x**2 + y**2)}, 1 / (x**2 * (x**2 + y**2)), y / x),
     ({x: omega * y, y: -omega * x, t: omega * (x**2 + y**2)}, 1 / (x**2 + y**2), t + sp.atan2(x, y)),
@@ -229,6 +230,14 @@ def test_the_factor_is_finite_and_not_zero_where_it_is_said_to_be_valid(form):
             assert value == 0 or value.has(sp.zoo, sp.nan, sp.oo)
 
 
+@pytest.mark.parametrize("form", SOLVED, ids=str)
+def test_time_occurs_in_the_relation_just_when_the_form_has_a_dt(form):
+    e = concrete(found(form).integral, (u,))
+    symbols = {*VARIABLES, *e.free_symbols}
+    rates = [abs(numerical_gradient(e, point)[VARIABLES.index(t)]) for point in points(symbols, e)]
+    assert bool(max(rates) > 10**-15) is (sp.sympify(form.get(t, 0)) != 0)
+
+
 TRAPS: list[Form] = [
     {x: sin(theta), y: -cos(theta), theta: 0},
     {z: 1, x: -y},
@@ -301,7 +310,9 @@ def test_what_is_large_is_given_up(form):
 # -- laws ---------------------------------------------------------------------------------------------------------
 
 whole = st.integers(-2, 2)
-terms = st.sampled_from([x, y, z, x * y, y * z, x**2 * z, x * cos(theta), exp(x) * y, x**2 + y**2, y * sin(theta), z * t, 1 / z])
+terms = st.sampled_from(
+    [x, y, z, x * y, y * z, x**2 * z, x * cos(theta), exp(x) * y, x**2 + y**2, y * sin(theta), z * t, 1 / z]
+)
 
 
 @st.composite
@@ -363,7 +374,7 @@ ON_SURFACES: list[tuple[str, Form, tuple[sp.Expr, ...], tuple[sp.Symbol, ...]]] 
 @pytest.mark.parametrize(("form", "on", "solved"), [s[1:] for s in ON_SURFACES], ids=[s[0] for s in ON_SURFACES])
 def test_a_form_that_is_integrable_on_a_surface_only(form, on, solved):
     """dF ∧ ω ∧ df_1 ∧ ... = 0 at real points of the surface: the rank of dF, ω, df_1, ... is one less than it could be."""
-    result = finite_form(coefficients(form), on, SLOTS)
+    result = finite_form(coefficients(form), Surface(on, SLOTS.coordinates), SLOTS)
     assert result is not None
     assert result.integral is not None
     assert not result.integral.free_symbols - {*VARIABLES, a, length, omega}
@@ -379,9 +390,17 @@ def test_a_form_that_is_integrable_on_a_surface_only(form, on, solved):
         assert min(abs(e) for e in (without * without.T).applyfunc(sp.N).eigenvals(multiple=True)) > 1e-6
 
 
+def test_a_factor_that_is_infinite_on_the_surface_is_not_taken():
+    """z dx + x z dy = 0: e^y/z is a factor on z = x; on z = 0 the form is 0."""
+    result = finite_form(coefficients({x: z, y: z * x}), Surface([z - x], SLOTS.coordinates), SLOTS)
+    assert result is not None
+    assert result.restriction is None
+    assert finite_form(coefficients({x: z, y: z * x}), Surface([z], SLOTS.coordinates), SLOTS) is None
+
+
 def test_a_surface_that_is_not_solved_by_hand():
     assert restriction(coefficients({x: 1}), [x + sin(x) + exp(y) * y], SLOTS) is None
-    assert finite_form(coefficients({x: y, y: -x, z: 1}), [f - c], SLOTS) is None
+    assert finite_form(coefficients({x: y, y: -x, z: 1}), Surface([f - c], SLOTS.coordinates), SLOTS) is None
 
 
 # -- the stages ---------------------------------------------------------------------------------------------------
@@ -399,12 +418,12 @@ def of_constraint(problem: Callable[[str], Problem], text: str, last: str) -> di
     ("text", "factor", "integral", "timed"),
     [
         ("{c: \"y*x' - x*y' = 0\"}", "1/x^2", "y/x", False),
-        ("{c: \"x' - k*x = 0\"}", "exp(-k*t)", "x*exp(-k*t)", True),
+        ('{c: "x\' - k*x = 0"}', "exp(-k*t)", "x*exp(-k*t)", True),
         ("{c: \"sin(omega*t)*(y*x' + x*y') = 0\"}", "1/sin(omega*t)", "x*y", False),
         ("{c: \"x' - a*y' = 0\"}", "1", "x - a*y", False),
-        ('{s: z = sin(omega*t), c: "x\' + (z - sin(omega*t))*y\' = 0"}', "1", "x", False),
-        ('{s: z = a, c: "x\' + z*y\' + (z - a)*t = 0"}', "1", "x + a*y", False),
-        ('{s: x^2 + y^2 = l^2, c: "x*y\' - y*x\' - a*z\' = 0"}', "1", None, False),
+        ("{s: z = sin(omega*t), c: \"x' + (z - sin(omega*t))*y' = 0\"}", "1", "x", False),
+        ("{s: z = a, c: \"x' + z*y' + (z - a)*t = 0\"}", "1", "x + a*y", False),
+        ("{s: x^2 + y^2 = l^2, c: \"x*y' - y*x' - a*z' = 0\"}", "1", None, False),
     ],
 )
 def test_factor_and_integral_of_a_constraint(problem, text, factor, integral, timed):
@@ -417,9 +436,9 @@ def test_factor_and_integral_of_a_constraint(problem, text, factor, integral, ti
 
 
 def test_no_factor_where_none_is_known(problem):
-    skate = of_constraint(problem, '{c: "x\' - z*y\' = 0"}', "c")
+    skate = of_constraint(problem, "{c: \"x' - z*y' = 0\"}", "c")
     assert (skate["integrable"], "integrating_factor" in skate, "integral" in skate) == (False, False, False)
-    riccati = of_constraint(problem, '{c: "y\' - (x^2 + y^2)*x\' = 0"}', "c")
+    riccati = of_constraint(problem, "{c: \"y' - (x^2 + y^2)*x' = 0\"}", "c")
     assert (riccati["integrable"], "integrating_factor" in riccati) == (True, False)
 
 
@@ -442,12 +461,12 @@ def test_the_derivation_shows_factor_form_pairs_relation_and_validity(problem):
 
 
 def test_the_derivation_says_when_none_was_found(problem):
-    said = words(problem, '{c: "y\' - (x^2 + y^2)*x\' = 0"}')
+    said = words(problem, "{c: \"y' - (x^2 + y^2)*x' = 0\"}")
     assert "A factor exists but was not found" in said
 
 
 def test_the_derivation_restricts_the_form(problem):
-    said = words(problem, '{s: x^2 + y^2 = l^2, c: "x*y\' - y*x\' - a*z\' = 0"}')
+    said = words(problem, "{s: x^2 + y^2 = l^2, c: \"x*y' - y*x' - a*z' = 0\"}")
     assert "x = l*cos(psi) and y = l*sin(psi)" in said
     assert "atan2(y, x)" in said
 

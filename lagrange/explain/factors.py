@@ -9,7 +9,6 @@ import sympy as sp
 from lagrange.constraints import ConstraintAnalysis
 from lagrange.derivation import Block, Detail, Equation, Part, Prose, display, listed, math, prose
 from lagrange.integrability import Comparison
-from lagrange.integrating_factors import IntegratingFactor
 from lagrange.notation import Partial, differential
 from lagrange.restrictions import FiniteForm, Restriction
 
@@ -27,7 +26,8 @@ def explain_factor(c: ConstraintAnalysis) -> list[Block]:
     """What was found for an integrable form that is not exact."""
     form = c.finite_form
     if form is None:
-        return [prose("A factor exists but was not found among the products of powers, functions of one variable and symmetries tried.")]
+        where = "the products of powers, functions of one variable and symmetries that were tried"
+        return [prose(f"A factor exists but was not found: it is not among {where}.")]
     body = [] if form.restriction is None else _explain_restriction(form.restriction)
     body += _explain_multiplied(form)
     if c.integral is None:
@@ -66,9 +66,7 @@ def _moral(form: FiniteForm) -> Prose:
     valid: tuple[Part, ...] = (" where ", *listed(conditions)) if conditions else ()
     if found.factor == 1:
         return prose("Not exact is not the same as not integrable.")
-    return prose(
-        "The factor is valid", *(valid or (" everywhere",)), ". Not exact is not the same as not integrable."
-    )
+    return prose("The factor is valid", *(valid or (" everywhere",)), ". Not exact is not the same as not integrable.")
 
 
 def _shown(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> Block:
