@@ -26,6 +26,7 @@ from lagrange.verification import (
     Check,
     check_choice,
     check_displacements,
+    check_finite_forms,
     check_integrability,
     check_motion,
     check_reality,
@@ -89,6 +90,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
     checks = [
         *check_reality(configuration),
         *check_integrability(classification),
+        *check_finite_forms(classification, problem.slots, configuration.surface),
         *check_displacements(configuration, elimination, carried),
     ]
     solution = Solution(

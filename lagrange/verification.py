@@ -1,5 +1,6 @@
 """The checks of a solution, each by a second route.
 
+    finite relations            dF ∧ ω = 0, by exterior algebra in the coordinates of the file
     Lagrange's equations        from T, V and Q: no step in common with d'Alembert's principle but the positions
     virtual displacements       the solved δq put back into A δq = 0
     energy                      dT/dt with the accelerations that the equations give, against the power of the forces
@@ -20,10 +21,12 @@ from lagrange.classification import Classification, has_real_point
 from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
-from lagrange.exact import Point
+from lagrange.exact import Point, Surface
+from lagrange.exterior import Form, exterior_derivative, one_form, wedge
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.lagrangian import kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
+from lagrange.potentials import differentiated
 from lagrange.sampling import agreed
 
 
@@ -62,6 +65,44 @@ def check_integrability(classification: Classification) -> list[Check]:
             name = f"Frobenius' condition {'holds' if c.integrable else 'fails'} for {c.row.name.replace('_', ' ')}"
             found.append(Check(name, passed, "exact: by its components and by the derived system"))
     return found
+
+
+def check_finite_forms(classification: Classification, slots: Slots, surface: Surface) -> list[Check]:
+    """Factors and finite relations that were found, put back into the forms.
+
+    What was found on the geometric constraints only is tried there; the rest everywhere.
+    """
+    found = []
+    variables = (*slots.coordinates, t)
+    geometric = [r for r in classification.rows if r.finite is not None and r.name not in classification.redundant]
+    for c in classification.constraints:
+        if c.row.finite is not None:
+            continue
+        name, coefficients = c.row.name.replace("_", " "), (*c.row.coefficients, c.row.drift)
+        restricted = c.finite_form is not None and c.finite_form.restriction is not None
+        around, there = (geometric, surface) if restricted else ([], Surface())
+        where = ", where the geometric constraints hold" if restricted else ""
+        if c.finite_form is not None:
+            multiplied = [c.finite_form.factor * a for a in coefficients]
+            passed = _vanishes_beside(exterior_derivative(multiplied, variables, slots), around, there)
+            how = f"exact: its exterior derivative is 0{where}"
+            found.append(Check(f"the factor makes {name} exact", passed, how))
+        if c.integral is not None:
+            gradient = one_form([differentiated(c.integral, v, slots) for v in variables])
+            proportional = _vanishes_beside(wedge(gradient, one_form(coefficients)), around, there)
+            constant = _vanishes_beside(gradient, around, there)
+            passed = None if None in (proportional, constant) else proportional and not constant
+            how = f"exact: dF ∧ ω = 0{where}"
+            found.append(Check(f"the finite relation has a differential proportional to {name}", passed, how))
+    return found
+
+
+def _vanishes_beside(form: Form, around: Sequence[Row], surface: Surface) -> bool | None:
+    """Whether a form is 0 on the surface, among differentials along it: form ∧ df_1 ∧ ... = 0 there."""
+    for row in around:
+        form = wedge(form, one_form((*row.coefficients, row.drift)))
+    verdicts = [surface.is_zero(a) for a in form.values()]
+    return False if False in verdicts else None if None in verdicts else True
 
 
 def check_reality(configuration: Configuration) -> list[Check]:

@@ -25,12 +25,13 @@ LAYERS = {
          velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
-        integrability""",
+        integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
+        restrictions""",
     "stages": """kinematics bending constraints classification displacements coordinates principle equations lagrangian
         comparison spot verification""",
     "results": "solution references answers checking",
     "derivations": """derivation explain explain.words explain.statement explain.nonlinear explain.displacements
-        explain.constraints explain.motion explain.checks""",
+        explain.factors explain.constraints explain.motion explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

@@ -99,8 +99,8 @@ def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str
         form = {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
         found |= {"pfaffian": form | {"t": write(row.drift)}, "exact": c.exactness.exact}
     found["integrable"] = c.integrable
-    if c.exactness.exact:
-        found["integrating_factor"] = "1"
+    if c.factor is not None:
+        found["integrating_factor"] = write(c.factor)
     if c.integral is not None:
         found["integral"] = write(c.integral)
     return found | {"depends_on_time": c.depends_on_time, "catastatic": c.catastatic}
