@@ -1,7 +1,7 @@
 """The motion in one set of coordinates, with the reactions that it takes.
 
-Where friction acts, the reactions come first: d'Alembert's principle needs |R| in the applied forces. Everything else is
-the same in the coordinates of the file and in those of a choice: the multipliers are always those of the file's
+Where friction acts, the reactions come first: d'Alembert's principle needs |R| in the applied forces. Everything else
+is the same in the coordinates of the file and in those of a choice: the multipliers are always those of the file's
 constraints, because a choice makes constraints disappear and not the forces that keep them.
 """
 
@@ -102,7 +102,7 @@ def law_of_motion(problem: Problem, configuration: Configuration, elimination: E
     )
     if not law.frictions:
         return law
-    rubbed = symbolic_loads(rubbings(law.frictions, newton, configuration), configuration)
+    rubbed = symbolic_loads(rubbings(law.frictions, newton, configuration, configuration), configuration)
     loaded = replace(configuration, loads=(*configuration.loads, *rubbed))
     return replace(law, newton=newton_equations(loaded, problem.constraints, rank, taken))
 
@@ -113,7 +113,7 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination) -> 
     if not law.used and (len(coordinates) > MOST_FREE or configuration.expressed):
         return Motion(equations_of_motion(dalembert(configuration), elimination), None, (), configuration)
     reactions = solved_reactions(law.system, law.newton, law.used, configuration)
-    rubbed = rubbings(law.frictions, law.newton, configuration)
+    rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
     if not rubbed:
         return Motion(equations_of_motion(dalembert(configuration), elimination), reactions, (), configuration)
     dragging = [(r.reaction.multiplier, _generalized(law, configuration, r.share, r.friction.on)) for r in rubbed]

@@ -4,15 +4,16 @@
 
 It is an applied force: it does virtual work. It needs |R| = |λ| |g|, which Newton's law gives. While that is being
 solved, |λ| is σ λ with σ = ±1 the sign of λ, so that the equations stay linear in λ even where λ depends on the
-friction; a λ that comes out without σ gives |λ| at once, otherwise σ stays, with the condition that it is the sign of λ.
-Where P slides along a line, v_s = s w with a speed s that may have either sign, and v_s/|v_s| = sign(s) w/|w|. The file
-may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
+friction; a λ that comes out without σ gives |λ| at once, otherwise σ stays, on the condition that it is the sign of λ.
+Where P slides along a line, v_s = s w with a speed s that may have either sign, and v_s/|v_s| = sign(s) w/|w|. The
+file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 
 import sympy as sp
 
@@ -23,7 +24,7 @@ from lagrange.newton import Newton, Reaction
 from lagrange.notation import Sign
 from lagrange.problem import Friction
 from lagrange.reactions import Reactions
-from lagrange.textbook import textbook_form
+from lagrange.textbook import Factor, common_factor, textbook_form
 from lagrange.vectors import Vector
 
 
@@ -49,29 +50,32 @@ class Rubbing:
     contact: sp.Expr
 
     def load(self, magnitude: sp.Expr, point: Vector) -> Load:
-        """The force, for a given |λ|."""
-        size: sp.Expr = -self.friction.coefficient * magnitude * self.normal * self.sense
+        """The force, for a given |R|."""
+        size: sp.Expr = -self.friction.coefficient * magnitude * self.sense
         return Load(self.friction.name, self.friction.on, (self.along * size).map(textbook_form), point)
 
     @property
     def share(self) -> Vector:
         """The force for λ = 1, σ being its sign."""
         size: sp.Expr = -self.friction.coefficient * self.contact * self.normal * self.sense
-        return self.along * size
+        share: Vector = self.along * size
+        return share
 
     @property
     def magnitude(self) -> sp.Expr:
-        """|λ|, with its sign where that is known."""
+        """|R| with λ in it, and with the sign of λ where that is known."""
         multiplier = self.reaction.multiplier
-        return sp.Abs(multiplier) if isinstance(self.contact, Sign) else self.contact * multiplier
+        return self.normal * (sp.Abs(multiplier) if isinstance(self.contact, Sign) else self.contact * multiplier)
 
 
-def rubbings(frictions: Sequence[Friction], newton: Newton, configuration: Configuration) -> tuple[Rubbing, ...]:
-    """The friction forces in a configuration; `newton` is of the file's coordinates.
+def rubbings(
+    frictions: Sequence[Friction], newton: Newton, original: Configuration, configuration: Configuration
+) -> tuple[Rubbing, ...]:
+    """The friction forces in a configuration; `newton` and `original` are of the file's coordinates.
 
     Raises ProblemError where a constraint does not act on the particle that the friction is said to be on.
     """
-    return tuple(_rubbing(f, newton, configuration) for f in frictions)
+    return tuple(_rubbing(f, newton, original, configuration) for f in frictions)
 
 
 def symbolic_loads(found: Sequence[Rubbing], configuration: Configuration) -> tuple[Load, ...]:
@@ -96,12 +100,13 @@ def solved_loads(
         value = reactions.multipliers[name]
         if value is None:
             raise NotCoveredError(f"the friction `{r.friction.name}`, whose reaction is too large,", r.friction.span)
-        magnitude = r.contact * value
+        size = textbook_form(value * r.normal)
+        magnitude = r.contact * size
         if isinstance(r.contact, Sign):
             if r.contact in value.free_symbols:
                 signs[r.contact] = value
             else:
-                magnitude = sp.Abs(value)
+                magnitude = _absolute(size)
         loads.append(r.load(magnitude, _point(configuration, r.friction.on).position))
     return tuple(loads), signs
 
@@ -110,7 +115,7 @@ def _point(configuration: Configuration, name: str) -> MassPoint:
     return next(p for p in configuration.points if p.name == name)
 
 
-def _rubbing(friction: Friction, newton: Newton, configuration: Configuration) -> Rubbing:
+def _rubbing(friction: Friction, newton: Newton, original: Configuration, configuration: Configuration) -> Rubbing:
     named = [r for r in newton.reactions if r.name == friction.constraint]
     if not named:
         message = f"`{friction.constraint}` is a vector equation, and the friction `{friction.name}` needs one reaction"
@@ -128,9 +133,15 @@ def _rubbing(friction: Friction, newton: Newton, configuration: Configuration) -
         listed = " or ".join(f"`{name}`" for name in reaction.directions)
         help_ = f"it holds {listed}" if listed else "it holds no particle"
         raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    if not _is_placed_freely(_point(original, friction.on)):
+        message = (
+            f"the coordinates keep `{friction.on}` on a line or surface by themselves, and so a part of its reaction"
+        )
+        help_ = f"give `{friction.on}` all its coordinates, and write what keeps it there as a constraint"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
     direction = direction.xreplace(configuration.substitution)
     slip = _slip(friction, reaction, direction, configuration)
-    speed, along = _line(slip, configuration) or (None, None)
+    speed, along = _line(slip, friction, configuration) or (None, None)
     if along is None:
         if friction.slip is not None:
             message = f"`slip` of the friction `{friction.name}` is a sense along a line, and there is no line"
@@ -141,6 +152,19 @@ def _rubbing(friction: Friction, newton: Newton, configuration: Configuration) -
         sense = sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
     contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
     return Rubbing(friction, reaction, _size(direction, reaction, configuration), slip, speed, sense, along, contact)
+
+
+def _is_placed_freely(point: MassPoint) -> bool:
+    """Whether the coordinates place a particle freely in space, or in a plane that does not turn."""
+    partials = [p.fixed() for p in point.partials if not p.is_zero]
+    if any(textbook_form(a.dot(b.cross(c))) != 0 for a, b, c in combinations(partials, 3)):
+        return True
+    normals = (a.cross(b).map(textbook_form) for a, b in combinations(partials, 2))
+    normal = next((n for n in normals if not n.is_zero), None)
+    if normal is None:
+        return False
+    symbols = sorted(_symbols(normal), key=str)
+    return all(normal.cross(normal.map(lambda c, s=s: c.diff(s))).map(textbook_form).is_zero for s in symbols)  # type: ignore[misc]
 
 
 def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
@@ -196,19 +220,38 @@ def _dependent(configuration: Configuration) -> Mapping[sp.Symbol, sp.Expr]:
     return {slots.velocities[k]: v for k, v in zip(chosen, found, strict=True) if v is not None}
 
 
-def _line(slip: Vector, configuration: Configuration) -> tuple[sp.Expr, Vector] | None:
-    """s and w/|w| with v_s = s w, where only one velocity is free in it and its direction is given by the position."""
+def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tuple[sp.Expr, Vector] | None:
+    """s and w/|w| with v_s = s w, w not depending on velocities; None where the slip is along no line.
+
+    w belongs to the first velocity that the surface has not, so that s is positive where that coordinate increases. A
+    direction that turns with the coordinates is not split off, unless the file says which sense the slip has.
+    """
     put_in = slip.map(lambda c: textbook_form(c.xreplace(_dependent(configuration))))
-    velocities = [v for v in configuration.slots.velocities if any(v in c.free_symbols for c in put_in.components)]
-    if len(velocities) != 1:
+    carried = set() if friction.surface_velocity is None else _symbols(friction.surface_velocity)
+    velocities = [v for v in configuration.slots.velocities if v in _symbols(put_in)]
+    velocities.sort(key=lambda v: v in carried)
+    if not velocities:
         return None
-    [velocity] = velocities
-    w = put_in.map(lambda c: textbook_form(c.diff(velocity)))
-    rest = put_in.map(lambda c: textbook_form(c.xreplace({velocity: sp.S.Zero})))
-    if any(velocity in c.free_symbols for c in w.components):
+    partials = [put_in.map(lambda c, v=v: textbook_form(c.diff(v))) for v in velocities]  # type: ignore[misc]
+    rest = put_in.map(lambda c: textbook_form(c.xreplace(dict.fromkeys(velocities, sp.S.Zero))))
+    w = partials[0]
+    if any(_symbols(p) & set(velocities) for p in partials):
         return None
-    if any(textbook_form(c) != 0 for c in w.cross(rest).components):
+    if not all(w.cross(p).map(textbook_form).is_zero for p in (*partials, rest)):
         return None
     square = textbook_form(w.dot(w))
-    speed = velocity + textbook_form(rest.dot(w) / square)
-    return speed, (w / textbook_form(sp.sqrt(square))).map(textbook_form)
+    if friction.slip is None and square.free_symbols & set(configuration.slots.coordinates):
+        return None
+    speed = sp.Add(*(v * textbook_form(p.dot(w) / square) for v, p in zip(velocities, partials, strict=True)))
+    return speed + textbook_form(rest.dot(w) / square), (w / textbook_form(sp.sqrt(square))).map(textbook_form)
+
+
+def _symbols(vector: Vector) -> set[sp.Basic]:
+    return set().union(*(c.free_symbols for c in vector.components))
+
+
+def _absolute(value: sp.Expr) -> sp.Expr:
+    """|value|, with what is positive in front: m |g + u''|."""
+    factor = common_factor(value)
+    positive = Factor(factor.number, tuple((f, e) for f, e in factor.powers if f.is_positive))
+    return positive.expression * sp.Abs(positive.divide(value))

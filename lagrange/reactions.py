@@ -23,7 +23,7 @@ from lagrange.kinematics import Configuration
 from lagrange.linear import MOST_CANCELLED, Tidy, solved_linear, tidy_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.principle import Principle
-from lagrange.textbook import Factor, common_factor, textbook_form
+from lagrange.textbook import common_factor, textbook_form
 from lagrange.vectors import Vector
 
 Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
@@ -186,16 +186,21 @@ def written_out(system: LinearSystem, configuration: Configuration, dragging: Se
 
 
 def over_one_denominator(value: sp.Expr) -> sp.Expr:
-    """A sum whose terms all have the same sum in their denominator, as one quotient."""
+    """A sum whose terms have a denominator in common as one quotient, or one product: (m/l) (x'² + y'² + g y)."""
     if not value.is_Add:
         return value
-    common = common_factor(value).only(lambda f: f.is_Add)
-    below = Factor(sp.S.One, tuple((f, e) for f, e in common.powers if e < 0))
-    return below.divide(value) * below.expression if below.powers else value
+    common = common_factor(value)
+    if not any(e < 0 for _, e in common.powers):
+        return value
+    rest = common.divide(value)
+    terms = sp.Add.make_args(rest)
+    if all(term.could_extract_minus_sign() for term in terms):
+        return -(common.expression * sp.Add(*(-term for term in terms)))
+    return common.expression * rest
 
 
 def _force(direction: Vector, value: sp.Expr, rule: dict[sp.Basic, sp.Basic], tidy: Tidy) -> Vector:
-    force = direction.xreplace(rule) * value
+    force: Vector = direction.xreplace(rule) * value
     return force.map(lambda c: tidy(c) if c.count_ops() < MOST_CANCELLED else c)
 
 

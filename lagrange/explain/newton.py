@@ -59,8 +59,8 @@ def _nature(reaction: Reaction) -> list[Prose]:
         first, second = rod.ends
         other = second or ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
         beginning: list[Part] = [
-            f"{_capital(name)} keeps {first} at the distance ", math(rod.length), f" from {other}: its reaction is along "
-            "the line that joins them, as that of a rod. ",
+            f"{_capital(name)} keeps {first} at the distance ", math(rod.length), f" from {other}: its reaction is "
+            "along the line that joins them, as that of a rod. ",
         ]  # fmt: skip
         if reaction.tension is None:
             return [prose(*beginning)]
@@ -122,9 +122,9 @@ def _friction(rubbed: Sequence[Rubbing]) -> list[Block]:
         found.append(
             prose(
                 f"While {r.friction.on} slides, the friction {name} is ", math(r.friction.coefficient), " times the "
-                "magnitude of the reaction, ", math(r.magnitude * r.normal), ", against the slip ", math(r.slip), ". It does "
-                "work, and counts as an applied force. This holds where the slip is not zero; without slip friction is "
-                "what keeps it so, up to a limit.",
+                "magnitude of the reaction, ", math(r.magnitude), ", against the slip ", math(r.slip),
+                ". It does work, and counts as an applied force. This holds where the slip is not zero; without slip "
+                "friction is what keeps it so, up to a limit.",
             )
         )  # fmt: skip
         if isinstance(r.contact, Sign):
@@ -158,9 +158,9 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
     many = before.missing
     words = (
         f"If nothing were known of the reactions but that they act, {counted(coordinates, 'coordinate')} and "
-        f"{counted(components, 'component')} of reactions would be unknown, {before.unknowns} in all, in {before.equations} "
-        f"equations: {counted(laws, 'component')} of Newton's law and {counted(constraints, 'independent constraint')}. "
-        f"{many} {plural(many, 'is', 'are')} missing"
+        f"{counted(components, 'component')} of reactions would be unknown, {before.unknowns} in all, in "
+        f"{before.equations} equations: {counted(laws, 'component')} of Newton's law and "
+        f"{counted(constraints, 'independent constraint')}. {many} {plural(many, 'is', 'are')} missing"
     )
     words += ", as many as there are degrees of freedom. " if many == freedom else ". "
     multipliers = len(newton.reactions)
