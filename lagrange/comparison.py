@@ -81,6 +81,7 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
         surface,
         lambda p: _compared(state(p, system.configuration, symbols), answer, system, free),
         expressions,
+        settles=lambda comparison: Standing.CONTRADICTS in comparison.standings,
     )
 
 

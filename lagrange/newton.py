@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from lagrange.exact import Surface
 from lagrange.kinematics import Configuration, MassPoint, Row
 from lagrange.linear import solved_linear, tidy_quotient
 from lagrange.notation import multiplier
@@ -220,7 +221,7 @@ def _placed(configuration: Configuration) -> Placed | None:
 
     None where the coordinates keep constraints by themselves.
     """
-    surface = configuration.surface
+    anywhere = Surface((), configuration.slots.coordinates)
     moved = [
         k for k, _ in enumerate(configuration.slots.coordinates) if any(_moves(p, k) for p in configuration.points)
     ]
@@ -236,14 +237,14 @@ def _placed(configuration: Configuration) -> Placed | None:
         reached.update(columns)
         basis: list[int] = []
         for k in columns:
-            if surface.rank([p.partials[n].components for n in (*basis, k)]) == len(basis) + 1:
+            if anywhere.rank([p.partials[n].components for n in (*basis, k)]) == len(basis) + 1:
                 basis.append(k)
         chosen.append((p, tuple(basis)))
     total = sum(len(basis) for _, basis in chosen)
     if total != len(moved) or not chosen or not _act_at_particles(configuration):
         return None
     stacked = [[c for p, _ in chosen for c in p.partials[k].fixed().components] for k in moved]
-    if surface.rank(stacked) != total:
+    if configuration.surface.rank(stacked) != total:
         return None
     order = [p.name for p in configuration.points]
     return tuple(sorted(chosen, key=lambda pair: order.index(pair[0].name)))
