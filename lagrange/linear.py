@@ -18,7 +18,9 @@ from lagrange.exact import Surface
 from lagrange.textbook import textbook_form
 
 MOST_OPERATIONS = 400
-"""Operations of an entry beyond which the equations are not solved."""
+"""Operations of an entry, before it is tidied, beyond which the equations are not solved."""
+MOST_WORK = 2500
+"""Operations of all entries together, each counted whenever it is tidied."""
 MOST_CANCELLED = 120
 """Operations of a quotient that is still brought to lowest terms with its sines as they are."""
 
@@ -26,7 +28,22 @@ Tidy = Callable[[sp.Expr], sp.Expr]
 
 
 class TooLargeError(Exception):
-    """An entry has more than `MOST_OPERATIONS` operations."""
+    """The equations are beyond `MOST_OPERATIONS` or `MOST_WORK`."""
+
+
+class _Bounded:
+    """Tidies entries, and counts what that takes. Raises TooLargeError."""
+
+    def __init__(self, tidy: Tidy) -> None:
+        self.tidy = tidy
+        self.work = 0
+
+    def __call__(self, entry: sp.Expr) -> sp.Expr:
+        operations = int(entry.count_ops())
+        self.work += operations
+        if operations > MOST_OPERATIONS or self.work > MOST_WORK:
+            raise TooLargeError
+        return self.tidy(entry)
 
 
 def solved_linear(
@@ -36,10 +53,10 @@ def solved_linear(
 
     The equations must not contradict one another.
     """
-    tidied = tidy or tidy_quotient
+    tidied = _Bounded(tidy or tidy_quotient)
     width = len(rows[0]) if rows else 0
     try:
-        work = [[_bounded(tidied, e) for e in (*row, b)] for row, b in zip(rows, right, strict=True)]
+        work = [[tidied(e) for e in (*row, b)] for row, b in zip(rows, right, strict=True)]
         pivot_of = _reduce(work, width, surface, tidied)
     except TooLargeError:
         return None
@@ -70,12 +87,12 @@ def _reduce(work: list[list[sp.Expr]], width: int, surface: Surface, tidy: Tidy)
             return pivot_of
         r, c = place
         pivot = work[r][c]
-        work[r] = [sp.S.One if k == c else _bounded(tidy, e / pivot) for k, e in enumerate(work[r])]
+        work[r] = [sp.S.One if k == c else tidy(e / pivot) if e != 0 else e for k, e in enumerate(work[r])]
         for other, row in enumerate(work):
             factor = row[c]
             if other != r and factor != 0:
                 work[other] = [
-                    sp.S.Zero if k == c else _bounded(tidy, a - factor * b) if b != 0 else a
+                    sp.S.Zero if k == c else tidy(a - factor * b) if b != 0 else a
                     for k, (a, b) in enumerate(zip(row, work[r], strict=True))
                 ]
         pivot_of[r] = c
@@ -100,12 +117,3 @@ def _pivot(
         if work[r][c].is_nonzero or surface.is_zero(work[r][c]) is False:
             return r, c
     return None
-
-
-def _bounded(tidy: Tidy, entry: sp.Expr) -> sp.Expr:
-    if entry.count_ops() > 4 * MOST_OPERATIONS:
-        raise TooLargeError
-    tidied = tidy(entry)
-    if tidied.count_ops() > MOST_OPERATIONS:
-        raise TooLargeError
-    return tidied

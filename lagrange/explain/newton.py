@@ -60,7 +60,8 @@ def _nature(reaction: Reaction) -> list[Prose]:
         other = second or ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
         beginning: list[Part] = [
             f"{_capital(name)} keeps {first} at the distance ", math(rod.length), f" from {other}: its reaction is "
-            "along the line that joins them, as that of a rod. ",
+            "along the line that joins them, as that of a rod",
+            "" if second else ", or of a smooth circle or sphere", ". ",
         ]  # fmt: skip
         if reaction.tension is None:
             return [prose(*beginning)]
@@ -205,18 +206,31 @@ def _shares(work: WorkOfReaction) -> list[Block]:
     """Each particle's share, where it is not zero."""
     if len(work.working) < 2:
         return []
-    name = spoken(work.reaction.name)
+    reaction = work.reaction
     lines = [
-        Equation((work.reaction.force * share,), label=f"share-{work.reaction.name}-{particle}")
+        Equation((reaction.force * share,), label=f"share-{reaction.name}-{particle}")
         for particle, share in work.shares.items()
         if particle in work.working
     ]
     particles = listed(work.working)
-    words = f"The reaction of {name} works on "
+    found: list[Block] = []
+    if reaction.rod is not None and reaction.rod.centre is None:
+        found += _ends(reaction.name, *reaction.rod.ends)
+    found.append(prose(f"The reaction of {spoken(reaction.name)} works on ", *particles, " one by one:"))
+    ending = "None of these need be zero, only their sum: what is taken from one is given to another."
+    return [*found, display(*lines), prose(ending)]
+
+
+def _ends(name: str, first: str, second: str) -> list[Block]:
+    """The ends of a rod move alike along it, and are pulled oppositely."""
+    along = VectorSymbol(f"r_{first}") - VectorSymbol(f"r_{second}")
+    moved = (Dot(along, VectorSymbol(f"delta(r_{end})")) for end in (first, second))
     return [
-        prose(words, *particles, " one by one:"),
-        display(*lines),
-        prose("None of these need be zero, only their sum: what is taken from one is given to another."),
+        prose(
+            f"By {spoken(name)} the displacements of {first} and {second} along the line that joins them are the same,"
+        ),
+        display(Equation(tuple(moved), label=f"ends-{name}")),
+        prose("and the forces on the two are opposite."),
     ]
 
 

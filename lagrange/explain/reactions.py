@@ -101,6 +101,11 @@ def _conditions(newton: Newton) -> list[Block]:
                   "A string in its place can only pull, and keeps the distance as long as " if one
                   else "Strings in their place can only pull, and keep the distances as long as ", *tensions, ".")
         )  # fmt: skip
+    about = [r.tension for r in rods if r.rod is not None and r.rod.centre is not None and r.tension is not None]
+    if about:
+        tensions = listed(math(s, sp.S.Zero, relation="≤") for s in about)
+        words = "Where it is a surface on which the particle rests from outside, there is contact as long as "
+        found.append(prose(words, *tensions, "."))
     normal = [r for r in newton.reactions if r.is_normal]
     if normal:
         multipliers = listed(math(r.multiplier) for r in normal)
