@@ -11,14 +11,14 @@ from lagrange.newton import Newton
 from lagrange.reactions import Reactions
 
 LONGEST = 60
-"""Operations of a reaction that is still shown without being asked for, where a choice shows a shorter one."""
+"""Operations of a reaction that is still shown without being asked for, where other coordinates are to be had."""
 
 
 def explain_reactions(motion: Motion, newton: Newton, choice: str = "", shorter: bool = False) -> Step | None:
     """The multipliers and the tensions; None where there is nothing to show.
 
     choice   the name of the choice of coordinates that they are written in
-    shorter  whether they are shown in a choice as well
+    shorter  whether there are choices, where they may be shorter
     """
     reactions = motion.reactions
     if reactions is None or not newton.reactions:
@@ -26,7 +26,9 @@ def explain_reactions(motion: Motion, newton: Newton, choice: str = "", shorter:
     body: list[Block] = []
     suffix = f"-{choice}" if choice else ""
     lines = _lines(reactions, newton, suffix)
-    long = shorter and any(s.count_ops() > LONGEST for line in lines for s in line.sides if isinstance(s, sp.Expr))
+    long = (shorter or choice) and any(
+        s.count_ops() > LONGEST for line in lines for s in line.sides if isinstance(s, sp.Expr)
+    )
     lost = [
         r.name for r in newton.reactions if r.name in reactions.multipliers and reactions.multipliers[r.name] is None
     ]
@@ -35,8 +37,7 @@ def explain_reactions(motion: Motion, newton: Newton, choice: str = "", shorter:
         what = "accelerations and multipliers; solved for the latter they give"
         body.append(prose(*((words, what) if not choice else ("In these coordinates the same equations give",))))
     elif lines:
-        body.append(prose("Solved for the multipliers, Newton's equations give long expressions, left out here; in the "
-                          "generalized coordinates below they are short."))  # fmt: skip
+        body.append(prose("Solved for the multipliers, Newton's equations give long expressions, left out here."))
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))
     if lost:
@@ -93,19 +94,20 @@ def _conditions(newton: Newton) -> list[Block]:
     """What rods, strings and surfaces can bear."""
     found: list[Block] = []
     rods = [r for r in newton.reactions if r.rod is not None and r.tension is not None]
-    if rods:
-        tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r in rods if r.tension is not None)
-        one = len(rods) == 1
+    tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r in rods if r.tension is not None)
+    if len(rods) == 1 and rods[0].rod is not None and rods[0].rod.centre is not None and rods[0].tension is not None:
+        outside = math(rods[0].tension, sp.S.Zero, relation="≤")
         found.append(
-            prose("A rod can pull and push. " if one else "Rods can pull and push. ",
-                  "A string in its place can only pull, and keeps the distance as long as " if one
-                  else "Strings in their place can only pull, and keep the distances as long as ", *tensions, ".")
+            prose("A rod can pull and push. A string in its place, or a surface that holds the particle inside, needs ",
+                  *tensions, "; a surface that carries it on its outside, ", outside, ".")
         )  # fmt: skip
-    about = [r.tension for r in rods if r.rod is not None and r.rod.centre is not None and r.tension is not None]
-    if about:
-        tensions = listed(math(s, sp.S.Zero, relation="≤") for s in about)
-        words = "Where it is a surface on which the particle rests from outside, there is contact as long as "
-        found.append(prose(words, *tensions, "."))
+    elif rods:
+        found.append(
+            prose("A rod can pull and push. A string in its place can only pull, and keeps its length as long as "
+                  if len(rods) == 1 else
+                  "Rods can pull and push. Strings in their place can only pull, and keep their lengths as long as ",
+                  *tensions, ".")
+        )  # fmt: skip
     normal = [r for r in newton.reactions if r.is_normal]
     if normal:
         multipliers = listed(math(r.multiplier) for r in normal)
