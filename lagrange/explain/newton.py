@@ -17,6 +17,8 @@ from lagrange.vectors import Vector
 from lagrange.workless import WorkOfReaction
 
 ZERO = sp.S.Zero
+LONGEST = 8
+"""Operations of what stands in running text."""
 
 
 def explain_newton(newton: Newton, motion: Motion, configuration: Configuration, freedom: int) -> Step:
@@ -119,15 +121,16 @@ def _with(reactions: Sequence[tuple[Reaction, Vector]]) -> str:
 def _friction(rubbed: Sequence[Rubbing]) -> list[Block]:
     found: list[Block] = []
     for r in rubbed:
-        name = spoken(r.friction.name)
-        found.append(
-            prose(
-                f"While {r.friction.on} slides, the friction {name} is ", math(r.friction.coefficient), " times the "
-                "magnitude of the reaction, ", math(r.magnitude), ", against the slip ", math(r.slip),
-                ". It does work, and counts as an applied force. This holds where the slip is not zero; without slip "
-                "friction is what keeps it so, up to a limit.",
-            )
+        begin = f"While {r.friction.on} slides, the friction {spoken(r.friction.name)} is "
+        first: tuple[Part, ...] = (begin, math(r.friction.coefficient), " times the magnitude of the reaction")
+        second: tuple[Part, ...] = (
+            "against the slip ", math(r.slip), ". It does work, and counts as an applied force. This holds where the "
+            "slip is not zero; without slip friction is what keeps it so, up to a limit.",
         )  # fmt: skip
+        if r.magnitude.count_ops() > LONGEST:
+            found += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
+        else:
+            found.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
         if isinstance(r.contact, Sign):
             continue
         sense = "positive" if r.contact == 1 else "negative"
