@@ -5,6 +5,7 @@
     virtual displacements       the solved δq put back into A δq = 0
     energy                      dT/dt with the accelerations that the equations give, against the power of the forces
     coordinates                 the equations of the file's coordinates, rewritten in those of a choice
+    reactions                   their virtual work; their values put back into Lagrange's equations
 
 All are exact: expressions are evaluated at random states of a random prime field, and solution sets are compared, never
 printed forms. A check that cannot be decided says so and does not count as held.
@@ -27,7 +28,9 @@ from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.lagrangian import kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
 from lagrange.potentials import differentiated
+from lagrange.reactions import Reactions
 from lagrange.sampling import agreed
+from lagrange.workless import WorkOfReaction
 
 
 @dataclass(frozen=True)
@@ -162,6 +165,52 @@ def check_motion(motion: EquationsOfMotion, reactions: Mapping[str, sp.Symbol]) 
 
 
 EXACT = "exact, at random states"
+
+
+def check_workless(works: Sequence[WorkOfReaction]) -> list[Check]:
+    """The virtual work of the reactions, the dependent displacements put in."""
+    if not works:
+        return []
+    verdicts = [w.vanishes for w in works]
+    passed = False if False in verdicts else None if None in verdicts else True
+    return [Check("the reactions do no virtual work", passed, "exact: where the constraints hold")]
+
+
+def check_reactions(
+    original: Configuration, multipliers: tuple[sp.Symbol, ...], found: Reactions | None
+) -> list[Check]:
+    """Reactions and accelerations, put back into Lagrange's equations with multipliers.
+
+    original     the system in the file's coordinates, friction included
+    multipliers  of its constraints
+    """
+    claims = [] if found is None else _claims(found)
+    if found is None or not claims:
+        return []
+    configuration = found.configuration
+    system = multiplier_system(original, lagrange_equations(original).left, multipliers)
+    rule = {s: e for s, e in configuration.substitution.items() if not str(s).endswith("''")}
+    known = [e.xreplace(rule) for e in (*system.equations, *system.accelerated_constraints)]
+    unknowns = (*original.slots.accelerations, *multipliers)
+    symbols = symbols_of((*known, *claims))
+
+    def follow(point: Point) -> bool:
+        moving = state(point, configuration, symbols)
+        rows = affine_rows(moving, known, unknowns)
+        return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, unknowns)])
+
+    passed = agreed(configuration.states, follow, (*known, *claims))
+    name = "the reactions satisfy Lagrange's equations with multipliers"
+    return [Check(name, passed, EXACT, configuration.name)]
+
+
+def _claims(found: Reactions) -> list[sp.Expr]:
+    """Each of these is said to be zero: λ − value, q'' − value."""
+    claims = [symbol - value for symbol, value in found.values.items()]
+    for c in found.combinations:
+        if c.value is not None:
+            claims.append(sp.Add(*(factor * symbol for factor, symbol in c.terms), -c.value))
+    return claims
 
 
 def _agrees_with_lagrange(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...]) -> bool | None:
