@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from lagrange.exact import Surface
-from lagrange.kinematics import MassPoint, Row
+from lagrange.kinematics import Load, MassPoint, Row
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
@@ -68,6 +68,14 @@ def displaced(point: MassPoint, slots: Slots, of: Callable[[sp.Symbol], sp.Symbo
         total = total + partial * of(q)
     if of is differential:
         total = total + point.position.frozen_derivative(slots) * differential(t)
+    return total
+
+
+def displaced_force(load: Load, slots: Slots) -> Vector:
+    """δr of the point where a force acts."""
+    total = Vector.zero(load.point.triad)
+    for q in slots.coordinates:
+        total = total + load.point.partial(q) * variation(q)
     return total
 
 

@@ -99,10 +99,15 @@ def reference_of_solution(solution: Solution) -> Reference:
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:
-    """F_P of each particle P on which forces act, as a derivation writes it. Names of the file keep their meaning."""
+    """F_P of each particle P on which forces act, as a derivation writes it; F and r of a force that acts elsewhere.
+
+    Names of the file keep their meaning.
+    """
     forces: dict[str, Vector] = {}
     for load in solution.configuration.loads:
-        name = f"F_{load.on}"
+        name = f"F_{load.name if load.elsewhere else load.on}"
+        if load.elsewhere and f"r_{load.name}" not in solution.problem.scope.names():
+            forces[f"r_{load.name}"] = load.point
         if name not in solution.problem.scope.names():
             forces[name] = forces.get(name, Vector.zero()) + load.vector
     return forces

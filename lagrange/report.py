@@ -25,6 +25,7 @@ from lagrange.explain.motion import (
     explain_principle,
 )
 from lagrange.explain.statement import explain_statement
+from lagrange.explain.statics import explain_equilibrium_in_choice, explain_virtual_work
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
@@ -73,11 +74,15 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_classification(classification)
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination)
+    if solution.equilibrium is not None:
+        yield explain_virtual_work(solution.equilibrium, None if problem.choices else solution.stability)
     if solution.motion is not None:
         yield explain_principle(solution.motion, problem)
         yield explain_equations(solution.motion, problem)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
+        if c.equilibrium is not None:
+            yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
         if c.motion is not None:
             yield explain_motion_in_choice(c.coordinates, c.motion, problem)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])

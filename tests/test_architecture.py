@@ -26,11 +26,12 @@ LAYERS = {
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability""",
+    "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
     "stages": """kinematics constraints classification displacements coordinates principle equations lagrangian
-        comparison spot verification""",
-    "results": "solution references answers checking",
+        comparison spot verification equilibrium stability statics""",
+    "results": "solution references answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.statement explain.displacements explain.constraints
-        explain.motion explain.checks""",
+        explain.motion explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

@@ -147,7 +147,7 @@ def _positions(configuration: Configuration) -> list[Block]:
 def _forces(configuration: Configuration) -> list[Block]:
     found: list[Block] = []
     for p in configuration.points:
-        loads = [f for f in configuration.loads if f.on == p.name]
+        loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
             continue
         names = ["its weight" if f.name == "weight" else f"the force {f.name}" for f in loads]
@@ -160,9 +160,23 @@ def _forces(configuration: Configuration) -> list[Block]:
             prose(f"{words}{p.name}{verb}", *listed(names), ","),
             display(Equation(sides, label=f"force-{p.name}")),
         ]
+    for f in configuration.loads:
+        if f.elsewhere:
+            lines = (
+                Equation((VectorSymbol(f"F_{f.name}"), f.vector)),
+                Equation((VectorSymbol(f"r_{f.name}"), f.point)),
+            )
+            found += [prose(f"The force {f.name} on {f.on}, and the point where it acts, are"), display(*lines)]
+    for s in configuration.springs:
+        length: tuple[Part, ...] = (" and free length ", math(s.length)) if s.length != 0 else (" and free length 0",)
+        found.append(
+            prose(f"The spring {s.name} has stiffness ", math(s.stiffness), *length, "; its ends are ",
+                  math(s.distance), " apart, so that it pulls them together with the force ", math(s.pull), ".")
+        )  # fmt: skip
     if configuration.potential != 0:
+        what = "of the given fields and springs" if configuration.springs else "of the given fields"
         found += [
-            prose("The potential energy of the given fields is"),
+            prose(f"The potential energy {what} is"),
             display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
         ]
     return found
