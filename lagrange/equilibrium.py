@@ -56,12 +56,14 @@ class ConditionOfEquilibrium:
     """expression = 0, which multiplies the virtual displacement of `coordinate`.
 
     factor    what has been divided out; it cannot vanish
+    below     the denominator that it has been multiplied by; solutions are looked for where it vanishes as well
     reversed  whether the sign has been changed too
     """
 
     coordinate: sp.Symbol
     expression: sp.Expr
     factor: Factor
+    below: Factor
     reversed: bool
 
 
@@ -157,13 +159,13 @@ def _condition(work: VirtualWork, coordinate: sp.Symbol, force: Element) -> Cond
     expression = work.textbook.form(force)
     common = common_factor(expression)
     factor = common.only(lambda f: bool(f.is_nonzero))
-    below = common.denominator.only(lambda f: not f.is_nonzero)
+    below = Factor(sp.S.One, common.denominator.only(lambda f: not f.is_nonzero).powers)
     kept = below.multiply(factor.divide(expression))
     if below.powers:
         kept = work.textbook.form(kept)
         kept = common_factor(kept).only(lambda f: bool(f.is_nonzero)).divide(kept)
     leading = normalised(kept)
-    return ConditionOfEquilibrium(coordinate, leading, factor, leading != kept)
+    return ConditionOfEquilibrium(coordinate, leading, factor, below, leading != kept)
 
 
 def _for_forces(e: Equilibrium) -> Equilibrium | None:

@@ -233,6 +233,8 @@ class EquilibriumComparison:
             if all(is_zero(e) for e in equations):
                 return EquationVerdict(text, Verdict.TRIVIAL, "it is an identity, true of every position")
             return EquationVerdict(text, Verdict.EQUIVALENT, remarks=("it restates a constraint",))
+        if not any(e.free_symbols & {*self.unknowns} for e in equations):
+            return EquationVerdict(text, Verdict.EQUIVALENT)  # of parameters: judged with the others
         return self._somewhere(text, equations, {})
 
     def _somewhere(

@@ -102,12 +102,20 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
     if a.has(root) or b.has(root) or a == 0:
         return None
     of_a, of_b = (_of_product(_factored(e), known) for e in (a, b))
-    if None in (of_a, of_b):
+    if of_b is None:
         return None
     if of_a == of_b:
         return of_a
     square = _of_product(_factored(sp.expand(a**2 - b**2 * root.base)), known)
-    return None if square is None or of_a is None else of_a * square
+    if of_a is not None:
+        return None if square is None else of_a * square
+    if square == -1:
+        return of_b
+    against = sp.Add(*(term for term in sp.Add.make_args(a) if _of_product(term, known) != of_b))
+    if against in (0, a):
+        return None
+    rest = _of_product(_factored(sp.expand(b**2 * root.base - against**2)), known)
+    return of_b if rest == 1 else None
 
 
 def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[Condition, ...] | None:

@@ -67,7 +67,10 @@ class SolutionSet:
 
     def at(self, point: Values, e: sp.Expr) -> sp.Expr:
         """An expression at a point of a branch. Raises NotAlgebraicError."""
-        return self.letters.write(resolved(self.letters.read(e), point))
+        there = resolved(self.letters.read(e), point)
+        for root in [r for r in self.letters.roots if r in there.free_symbols]:
+            there = there.xreplace({root: sp.sqrt(self.letters.write(resolved(self.letters.roots[root], point)))})
+        return self.letters.write(there)
 
 
 def resolved(e: sp.Expr, values: Values) -> sp.Expr:
@@ -155,7 +158,21 @@ def written(b: Branch, letters: Letters, unknowns: Sequence[sp.Symbol]) -> Branc
         )
         for c in b.conditions
     ]
-    return replace(b, relations=tuple(relations), conditions=tuple(dict.fromkeys(conditions)))
+    return replace(b, relations=tuple(relations), conditions=_joined(conditions))
+
+
+def _joined(conditions: Sequence[Condition]) -> tuple[Condition, ...]:
+    """Each condition once; a ≥ b and a ≠ b are a > b."""
+    found: dict[tuple[sp.Expr, sp.Expr], set[str]] = {}
+    for c in conditions:
+        found.setdefault((c.lhs, c.rhs), set()).add(c.relation)
+    joined = []
+    for (lhs, rhs), relations in found.items():
+        for weak, strict in (("≥", ">"), ("≤", "<")):
+            if {weak, "≠"} <= relations:
+                relations = relations - {weak, "≠"} | {strict}
+        joined += [Condition(lhs, relation, rhs) for relation in sorted(relations)]
+    return tuple(joined)
 
 
 def without_repetitions(found: Sequence[Branch]) -> list[Branch]:

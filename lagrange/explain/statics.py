@@ -108,7 +108,13 @@ def _conclusion(found: Equilibrium) -> list[Block]:
         else " are independent, so what multiplies each of them vanishes"
     )
     divided = [math(c.factor.expression) for c in found.conditions if c.factor.expression != 1]
-    dividing = (" (dividing by ", *listed(dict.fromkeys(divided)), ", which is not zero)") if divided else ()
+    multiplied = [math(c.below.expression) for c in found.conditions if c.below.expression != 1]
+    steps: list[tuple[Part, ...]] = []
+    if multiplied:
+        steps.append(("multiplying by ", *listed(dict.fromkeys(multiplied))))
+    if divided:
+        steps.append(("dividing by ", *listed(dict.fromkeys(divided)), ", which is not zero"))
+    dividing = (" (", *steps[0], *((" and ", *steps[1]) if len(steps) > 1 else ()), ")") if steps else ()
     suffix = _suffix(found.configuration)
     lines = (Equation((c.expression, ZERO), label=f"condition{suffix}-{c.coordinate.name}") for c in found.conditions)
     return [prose(*listed(free), arbitrary, *dividing, ":"), display(*lines)]
@@ -215,17 +221,28 @@ def _stability(found: Equilibrium, second: SecondVariation | None) -> Iterator[B
     yield paragraph(*sentences)
 
 
+LONGEST = 30
+"""Operations of the minors of a matrix that are still shown."""
+
+
 def _said(s: Stability, one: bool) -> tuple[Part, ...]:
+    long = not one and sum(m.count_ops() for m in s.minors) > LONGEST
     values = listed(math(m) for m in s.minors)
-    what: tuple[Part, ...] = ("it is ", *values) if one else ("they are ", *values)
+    what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
     match s.verdict:
+        case Verdict.STABLE if long:
+            return ("all of them are positive: stable.",)
         case Verdict.STABLE:
             return (*what, ", positive: stable." if one else ", all positive: stable.")
+        case Verdict.UNSTABLE if long:
+            return ("they exclude a minimum: unstable.",)
         case Verdict.UNSTABLE:
             return (*what, ", negative: unstable." if one else ": unstable.")
         case Verdict.CONDITIONAL:
             where = listed(_condition(c) for c in s.conditions)
             contrary = ", and unstable where the contrary holds." if one else "."
+            if long:
+                return ("the equilibrium is stable where ", *where, ".")
             return (*what, ": stable where ", *where, contrary)
         case Verdict.UNDECIDED:
-            return (*what, ": the second variation does not decide.")
+            return (*what, ": the second variation does not decide.") if not long else ("they do not decide.",)
