@@ -15,6 +15,7 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import sympy as sp
@@ -23,6 +24,7 @@ from lagrange.branching import solutions
 from lagrange.common_factor import Factor, common_factor, normalised
 from lagrange.displacements import Elimination
 from lagrange.equations import of_independent
+from lagrange.exact import is_zero, rank
 from lagrange.kinematics import Configuration
 from lagrange.notation import multiplier, variation
 from lagrange.principle import generalized_forces
@@ -108,6 +110,23 @@ class Equilibrium:
         """The unknown forces of which only combinations are determined."""
         used = {s for b in self.branches for r in b.relations for s in r.rhs.free_symbols}
         return tuple(f for f in self.forces if f in used) if self.given else ()
+
+
+def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None:
+    """Whether there is equilibrium at a point; `at` gives the value of an expression there. None: undecided.
+
+    With constraints the generalized forces must be a combination of their rows, Q = −Aᵀ λ; nothing is divided by.
+    Finite constraints must hold. Raises what `at` raises.
+    """
+    rows = [r for r in e.configuration.rows if not r.is_identity]
+    verdicts: list[bool | None] = [is_zero(at(f)) for f in e.configuration.finite_constraints]
+    if not rows:
+        verdicts += [is_zero(at(c.expression)) for c in e.conditions]
+    else:
+        matrix = [[at(a) for a in row.coefficients] for row in rows]
+        ranks = rank(matrix), rank([*matrix, [at(q) for q in e.work.forces]])
+        verdicts.append(None if None in ranks else ranks[0] == ranks[1])
+    return False if False in verdicts else None if None in verdicts else True
 
 
 def virtual_work(configuration: Configuration) -> VirtualWork:

@@ -66,7 +66,8 @@ def check_equilibria(
     errors = tuple(d for a in readings for r in a if r.error for d in r.error.diagnostics)
     if errors:
         return _unreadable(readings, errors, notes)
-    tried = [v for e in equilibria if (v := _tried(readings, e, reference)) is not None]
+    somewhere = [e for e in equilibria if e.branches] or equilibria
+    tried = [v for e in somewhere if (v := _tried(readings, e, reference)) is not None]
     if not tried:
         diagnosis = "it mixes coordinates of several choices; use the file's coordinates and those of one choice"
         found = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, diagnosis) for a in readings for r in a)

@@ -18,12 +18,14 @@ import sympy as sp
 from lagrange.answers import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.branching import solutions
 from lagrange.closed_form import Values
-from lagrange.equilibrium import Equilibrium
+from lagrange.equilibrium import Equilibrium, is_balanced
 from lagrange.exact import DivisionByZeroError, Surface, is_zero
 from lagrange.polynomial_roots import factors, numerator
 from lagrange.references import Reading
 from lagrange.solution_sets import Branch, SolutionSet
 from lagrange.unit_circle import CIRCULAR, Letters, NotAlgebraicError
+
+RESTATED = "it restates a constraint"
 
 
 @dataclass(frozen=True)
@@ -60,6 +62,7 @@ class EquilibriumComparison:
     def __init__(
         self, e: Equilibrium, values: Mapping[sp.Symbol, sp.Expr], systems: Sequence[Sequence[Sequence[sp.Expr]]]
     ) -> None:
+        self.equilibrium = e
         self.surface = e.configuration.surface
         self.rows = tuple(f.xreplace(dict(values)) for f in e.configuration.finite_constraints)
         self.conditions = tuple(x.xreplace(dict(values)) for x in e.expressions)
@@ -81,7 +84,7 @@ class EquilibriumComparison:
         self.solution = solution
         generic = [b for b in solution.branches if not b.special]
         branches = generic or list(solution.branches)
-        self.points = self._distinct([(n, p) for n, b in enumerate(branches) for p in b.points if not b.left])
+        self.points = self._distinct([(n, p) for n, b in enumerate(branches) for p in _points(b, self.unknowns)])
         self.left = [b for b in branches if b.left]
         self.branches = branches
 
@@ -188,9 +191,12 @@ class EquilibriumComparison:
     def _judged(self, a: _Alternative) -> _Judged:
         rest = [x for es in a.equations for x in es]
         covered = frozenset(n for n, (_, p) in enumerate(self.points) if self._holds(p, rest, a.angles))
-        verdicts = [self._of_one(r, es, a) for r, es in zip(a.readings, a.equations, strict=True)]
+        _, given = _parameters_given(rest, self.unknowns)
+        verdicts = [self._of_one(r, es, a, given) for r, es in zip(a.readings, a.equations, strict=True)]
         if any(v.verdict is Verdict.WRONG for v in verdicts):
             return _Judged(False, covered, False, tuple(verdicts))
+        if all(v.verdict is Verdict.TRIVIAL or RESTATED in v.remarks for v in verdicts):
+            return _Judged(False, covered, True, tuple(verdicts))
         right, loose, why = self._right(rest, a.angles)
         if right is False and not loose:
             verdicts = [
@@ -220,26 +226,30 @@ class EquilibriumComparison:
                 verdicts.append(None)
         return False if False in verdicts else None if None in verdicts else True
 
-    def _of_one(self, reading: Reading, equations: Sequence[sp.Expr], a: _Alternative) -> EquationVerdict:
+    def _of_one(
+        self, reading: Reading, equations: Sequence[sp.Expr], a: _Alternative, given: Values
+    ) -> EquationVerdict:
         """The verdict on one equation: whether it holds at some equilibrium."""
         text = reading.text
         if not equations:  # it gives an angle
             angles = {
                 u: v for u, v in a.angles.items() if any(u in e.free_symbols for e in reading.components)
             } or a.angles
-            return self._somewhere(text, (), angles)
+            return self._somewhere(text, (), angles, given)
         constraint = [self.surface.is_zero(e) for e in equations]
         if all(constraint):
             if all(is_zero(e) for e in equations):
                 return EquationVerdict(text, Verdict.TRIVIAL, "it is an identity, true of every position")
-            return EquationVerdict(text, Verdict.EQUIVALENT, remarks=("it restates a constraint",))
+            return EquationVerdict(text, Verdict.EQUIVALENT, remarks=(RESTATED,))
         if not any(e.free_symbols & {*self.unknowns} for e in equations):
             return EquationVerdict(text, Verdict.EQUIVALENT)  # of parameters: judged with the others
-        return self._somewhere(text, equations, {})
+        return self._somewhere(text, equations, {}, given)
 
     def _somewhere(
-        self, text: str, equations: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr]
+        self, text: str, equations: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr], given: Values
     ) -> EquationVerdict:
+        if given:
+            return EquationVerdict(text, Verdict.EQUIVALENT)  # for particular parameters: judged with the others
         verdicts = [self._holds(p, equations, angles) for _, p in self.points]
         if True in verdicts:
             return EquationVerdict(text, Verdict.EQUIVALENT)
@@ -265,9 +275,11 @@ class EquilibriumComparison:
         if found.solved:
             if not found.branches:
                 return False, False, "together with the constraints it can hold nowhere"
-            return self._solutions_right(found, conditions)
+            return self._solutions_right(found, values)
         if self._same_factors(equations):
             return True, False, ""
+        if len(equations) + len(angles) < len(self.conditions) - len(self.rows):
+            return False, True, ""
         surface = Surface([*equations, *rows], self.unknowns)
         verdicts = [surface.is_zero(c) for c in conditions]
         if angles or None in verdicts:
@@ -279,13 +291,13 @@ class EquilibriumComparison:
         wanted = {x for e in self.conditions for x in self._canonical(e)}
         return bool(mine) and mine == wanted
 
-    def _solutions_right(self, found: SolutionSet, conditions: Sequence[sp.Expr]) -> tuple[bool | None, bool, str]:
+    def _solutions_right(self, found: SolutionSet, values: Values) -> tuple[bool | None, bool, str]:
         verdict: bool | None = found.verified
         loose = False
         least = min((self._open(p, self.solution) for _, p in self.points), default=0)
         for b in found.branches:
             for p in b.points:
-                holds = _all_zero([found.at(p, c) for c in conditions])
+                holds = self._is_balanced(found, p, values)
                 if holds:
                     continue
                 if holds is None:
@@ -296,11 +308,33 @@ class EquilibriumComparison:
                     return False, False, f"it also holds where {_stated(b)}, which is no equilibrium"
         return (False if loose else verdict), loose, ""
 
+    def _is_balanced(self, found: SolutionSet, point: Values, values: Values) -> bool | None:
+        def at(e: sp.Expr) -> sp.Expr:
+            there = found.at(point, e.xreplace(self.values).xreplace(dict(values)))
+            if there.has(sp.zoo, sp.nan, sp.oo):
+                raise DivisionByZeroError(e)
+            return there
+
+        try:
+            return is_balanced(self.equilibrium, at)
+        except DivisionByZeroError:
+            return False
+
     def _open(self, point: Values, found: SolutionSet) -> int:
         """How many unknowns a point leaves open."""
         letters = found.letters
         own = [letters.angles[u].cosine if u in letters.angles else u for u in self.unknowns]
         return sum(letter not in point for letter in own)
+
+
+def _points(b: Branch, unknowns: Sequence[sp.Symbol]) -> list[Values]:
+    """The points of a branch that is in closed form; a relation of parameters gives one of these a value."""
+    if b.left:
+        return []
+    given: Values = {}
+    if b.special:
+        _, given = _parameters_given([r.residual for r in b.relations], unknowns)
+    return [{**p, **given} for p in b.points]
 
 
 def _parameters_given(
@@ -324,16 +358,6 @@ def _parameters_given(
         else:
             kept.append(e)
     return kept, values
-
-
-def _all_zero(expressions: Sequence[sp.Expr]) -> bool | None:
-    verdicts: list[bool | None] = []
-    for e in expressions:
-        try:
-            verdicts.append(False if e.has(sp.zoo, sp.nan, sp.oo) else is_zero(e))
-        except DivisionByZeroError:
-            verdicts.append(False)
-    return False if False in verdicts else None if None in verdicts else True
 
 
 def _stated(b: Branch) -> str:

@@ -13,9 +13,12 @@ from solution_counts import function, newton_solutions, roots
 from lagrange.branching import solutions
 from lagrange.solution_sets import Branch, SolutionSet
 
-POSITIVE = {n: sp.Symbol(n, positive=True) for n in "a b c d f g h k l m n p r w W M".split()}
-ANGLES = {n: sp.Symbol(n, real=True) for n in "theta phi psi".split()}
-PLAIN = {n: sp.Symbol(n, real=True) for n in "x y z u v P Q".split()}
+POSITIVE = {
+    n: sp.Symbol(n, positive=True)
+    for n in ["a", "b", "c", "d", "f", "g", "h", "k", "l", "m", "n", "p", "r", "w", "W", "M"]
+}
+ANGLES = {n: sp.Symbol(n, real=True) for n in ["theta", "phi", "psi"]}
+PLAIN = {n: sp.Symbol(n, real=True) for n in ["x", "y", "z", "u", "v", "P", "Q"]}
 ALPHA = {n: sp.Symbol(n, positive=True) for n in ("alpha", "beta")}
 NAMES = {**POSITIVE, **ANGLES, **PLAIN, **ALPHA}
 
