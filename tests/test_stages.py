@@ -128,12 +128,10 @@ gravity: g*j
 @pytest.mark.parametrize(
     ("more", "what"),
     [
-        ("find: equilibrium", "equilibrium"),
         ("find: linearization", "linearization"),
         ('speeds: {u: "x\'"}', "speeds"),
         ("forces: {rub: {friction: mu, constraint: rod, on: P}}\nfunctions: {mu: [t]}", "friction"),
         ("forces: {d: {damper: m, between: [P, '[0, 0]']}}", "damper"),
-        ("forces: {s: {spring: m, between: [P, '[0, 0]'], length: l}}", "spring"),
         ("bodies: {B: {mass: m, inertia: m*l^2, position: x*i, angle: y}}", "body"),
     ],
 )
