@@ -91,11 +91,17 @@ def reference_of_solution(solution: Solution) -> Reference:
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
-        scalars={**scope.scalars, **signs},
+        scalars={**_potential(solution), **scope.scalars, **signs},
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **scope.vectors},
     )
     return Reference(wider, tuple(_candidates(solution)), _values(problem), problem.unknowns)
+
+
+def _potential(solution: Solution) -> dict[str, sp.Expr]:
+    """V, as a derivation writes the given potential energy."""
+    potential = solution.configuration.potential
+    return {"V": potential} if potential != 0 and "V" not in solution.problem.scope.names() else {}
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:
