@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import islice, product
 
 import sympy as sp
 
@@ -21,7 +22,17 @@ from lagrange.closed_form import Relation, Root, Values, one_unknown, plain_root
 from lagrange.exact import is_zero
 from lagrange.polynomial_roots import factors, numerator, square_root, tidied
 from lagrange.positivity import Condition, different_from_zero, sign_of
-from lagrange.solution_sets import Branch, SolutionSet, merged, resolved, sides, verified, without_repetitions, written
+from lagrange.solution_sets import (
+    MOST_POINTS,
+    Branch,
+    SolutionSet,
+    merged,
+    resolved,
+    sides,
+    verified,
+    without_repetitions,
+    written,
+)
 from lagrange.unit_circle import Letters, NotAlgebraicError
 
 MOST_STEPS = 300
@@ -38,6 +49,7 @@ class _State:
     special: bool = False
     stuck: tuple[sp.Expr, ...] = ()
     solved: tuple[sp.Symbol, ...] = ()
+    signs: tuple[tuple[Values, ...], ...] = ()
 
 
 class _TooLongError(Exception):
@@ -202,12 +214,14 @@ class _Search:
             if roots is None:
                 yield from self._mixed(e, u, rest, state)
                 return
+            alone = all(u not in self.letters.unknowns_in(other) for other in rest)
             for root in roots:
-                for values in root.values:
+                for values in root.values[:1] if alone else root.values:
                     yield from self.branches(
                         replace(
                             state,
                             equations=rest,
+                            signs=(*state.signs, root.values) if alone else state.signs,
                             values={**state.values, **values},
                             common={**state.common, **root.on_it},
                             relations=(*state.relations, *root.relations),
@@ -310,7 +324,11 @@ class _Search:
         values = dict(state.values)
         for letter, radicand in self.letters.roots.items():
             if letter not in values:
-                values[letter] = square_root(resolved(radicand, values))
-        point = {u: resolved(v, values) for u, v in values.items()}
+                values[letter] = square_root(resolved(radicand, values)) if not state.signs else sp.sqrt(radicand)
+        points = []
+        for chosen in islice(product(*state.signs), MOST_POINTS):
+            for more in chosen:
+                values |= more
+            points.append({u: resolved(v, values) for u, v in values.items()})
         left = tuple(self.letters.write(e) for e in state.stuck)
-        return Branch(state.relations, state.conditions, (point,), state.common, state.special, left)
+        return Branch(state.relations, state.conditions, tuple(points), state.common, state.special, left)

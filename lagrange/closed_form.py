@@ -104,24 +104,28 @@ def _without_root(f: sp.Expr, u: sp.Symbol, letter: sp.Symbol, letters: Letters)
     roots = one_unknown(squared[0], u, letters)
     if roots is None:
         return None
-    found = []
-    for r in roots:
-        kept = []
-        conditions: tuple[Condition, ...] = ()
-        for values in r.values:
-            value = _quotient(-a, b, values)
-            radicand = letters.roots[letter].xreplace(dict(values))
-            value = square_root(radicand) if value is None else value
-            allowed = not_negative(value)
-            if allowed is not None:
-                kept.append({**values, letter: value})
-                conditions = (*conditions, *(c for c in allowed if c not in conditions))
-        if kept:
-            common = dict(r.common)
-            if len({k[letter] for k in kept}) == 1:
-                common[letter] = kept[0][letter]
-            found.append(Root(r.relations, tuple(kept), (*r.conditions, *conditions), common))
-    return found
+    return [root for r in roots for root in _with_square_root(r, letter, (a, b), letters)]
+
+
+def _with_square_root(r: Root, letter: sp.Symbol, parts: tuple[sp.Expr, sp.Expr], letters: Letters) -> Iterator[Root]:
+    """The values of a root of the squared equation at which R = −A/B may be positive, by the conditions for that."""
+    a, b = parts
+    groups: dict[tuple[Condition, ...], list[Values]] = {}
+    for values in r.values:
+        value = _quotient(-a, b, values)
+        value = square_root(letters.roots[letter].xreplace(dict(values))) if value is None else value
+        allowed = not_negative(value)
+        if allowed is not None:
+            groups.setdefault(allowed, []).append({**values, letter: value})
+    for conditions, kept in groups.items():
+        relations = r.relations
+        if len(kept) < len(r.values):  # the relation alone would have the other sign as well
+            other = next(s for s, v in kept[0].items() if s in r.values[0] and any(w[s] != v for w in r.values))
+            relations = (*relations, Relation(other, kept[0][other]))
+        common = dict(r.common)
+        if len({k[letter] for k in kept}) == 1:
+            common[letter] = kept[0][letter]
+        yield Root(relations, tuple(kept), (*r.conditions, *conditions), common)
 
 
 def _quotient(a: sp.Expr, b: sp.Expr, values: Values) -> sp.Expr | None:

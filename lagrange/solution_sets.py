@@ -18,7 +18,8 @@ from lagrange.positivity import Condition
 from lagrange.presentation import shown
 from lagrange.unit_circle import Letters
 
-MOST_POINTS = 64
+MOST_POINTS = 130
+"""More points of a branch are not verified one by one: it is undecided whether they all satisfy the equations."""
 
 
 @dataclass(frozen=True)
@@ -100,12 +101,12 @@ def verified(
         if b.special or b.left:
             kept.append(b)
             continue
-        [point] = b.points
-        holds = _satisfies(point, equations, letters)
-        if holds is None:
+        verdicts = [_satisfies(p, equations, letters) for p in b.points]
+        if None in verdicts or len(b.points) == MOST_POINTS or {True, False} <= {*verdicts}:
             verdict = None
-        if holds is not False:
-            kept.append(b)
+        points = tuple(p for p, holds in zip(b.points, verdicts, strict=True) if holds is not False)
+        if points:
+            kept.append(replace(b, points=points))
     return kept, verdict
 
 
@@ -151,7 +152,10 @@ def written(b: Branch, letters: Letters, unknowns: Sequence[sp.Symbol]) -> Branc
         used = [unknowns.index(owner[s]) for s in letters.read(r.lhs).free_symbols if s in owner]
         return min(used, default=-1)
 
-    relations = [Relation(r.lhs, shown(letters.write(resolved(r.rhs, known)))) for r in sorted(b.relations, key=place)]
+    relations = [
+        Relation(letters.write(r.lhs), shown(letters.write(resolved(r.rhs, known))))
+        for r in sorted(b.relations, key=place)
+    ]
     conditions = [
         Condition(
             shown(letters.write(resolved(c.lhs, known))), c.relation, shown(letters.write(resolved(c.rhs, known)))

@@ -54,6 +54,9 @@ ONE_ANGLE = [
     "a*cos(theta) - b*sin(theta)*cos(theta) + a*sin(theta)*cos(theta)",
     "a*sin(theta) + a*cos(theta) - a",
     "a*sin(2*theta) + b*cos(2*theta)",
+    "a*cos(theta) - sqrt(b + c + b*sin(theta))",
+    "a*sin(theta) - sqrt(b + c - b*cos(theta))",
+    "a*cos(theta) + b*sqrt(c + d + c*cos(theta))",
     "a + b + c*cos(theta) + (a + b)*cos(theta)",
 ]
 ONE_PLAIN = [
@@ -211,6 +214,13 @@ def test_parameters_that_balance_in_every_position(text: str, relation: str) -> 
     [r] = special.relations
     lhs, rhs = map(read, relation.split(" = "))
     assert {r.lhs, r.rhs} == {lhs, rhs}
+
+
+def test_a_sign_that_a_root_decides_is_stated() -> None:
+    """a cos θ = √(b + c + b sin θ): of the two angles with that sine, the one with cos θ > 0, by its cosine."""
+    found = solutions([read("a*cos(theta) - sqrt(b + c + b*sin(theta))")], [ANGLES["theta"]])
+    for b in found.branches:
+        assert {r.lhs for r in b.relations} == {sp.sin(ANGLES["theta"]), sp.cos(ANGLES["theta"])}
 
 
 @pytest.mark.parametrize("text", ["W*a + M*b", "a*cos(theta) + a + b", "a*sin(theta) - a*2", "k*x^2 + m*g", "a"])
