@@ -11,14 +11,15 @@ configuration, with the positions, forces and remaining constraints written in i
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import sympy as sp
 
 from lagrange.exact import Surface
 from lagrange.notation import Slots, prime
-from lagrange.problem import AppliedForce, Potential, Problem
+from lagrange.problem import AppliedForce, Potential, Problem, Spring
+from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
 
@@ -79,12 +80,33 @@ def admitted_states(rows: Sequence[Row], slots: Slots) -> Surface:
 
 @dataclass(frozen=True)
 class Load:
-    """An applied force and the point that it acts at."""
+    """An applied force and the point that it acts at; `elsewhere`: that is not the position of what it acts on."""
 
     name: str
     on: str
     vector: Vector
     point: Vector
+    elsewhere: bool = False
+
+
+@dataclass(frozen=True)
+class Stretched:
+    """A spring in a configuration: the distance d of its ends, its energy k (d − l)²/2, its pull k (d − l)."""
+
+    name: str
+    stiffness: sp.Expr
+    length: sp.Expr
+    distance: sp.Expr
+
+    @property
+    def energy(self) -> sp.Expr:
+        """k (d − l)²/2."""
+        return self.stiffness * (self.distance - self.length) ** 2 / 2
+
+    @property
+    def pull(self) -> sp.Expr:
+        """The force with which it pulls its ends together."""
+        return self.stiffness * (self.distance - self.length)
 
 
 @dataclass(frozen=True)
@@ -107,7 +129,8 @@ class Configuration:
     slots       the coordinates and the prescribed motions
     points      the particles
     loads       the applied forces, weights included
-    potential   the potential energy of what is given by a potential
+    potential   the potential energy of what is given by a potential, and of the springs
+    springs     the springs
     rows        the constraints that these coordinates still have to satisfy
     expressed   each old coordinate that is replaced, in the present coordinates
     """
@@ -119,6 +142,7 @@ class Configuration:
     potential: sp.Expr
     rows: tuple[Row, ...]
     expressed: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    springs: tuple[Stretched, ...] = ()
 
     @property
     def finite_constraints(self) -> tuple[sp.Expr, ...]:
@@ -158,13 +182,15 @@ def applied_loads(problem: Problem) -> tuple[Load, ...]:
     positions = {p.name: p.position for p in problem.particles}
     for f in problem.forces:
         if isinstance(f, AppliedForce):
-            loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on]))
+            loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on], f.at is not None))
     return tuple(loads)
 
 
 def file_configuration(problem: Problem, rows: tuple[Row, ...]) -> Configuration:
     """The system in the coordinates of the file."""
-    potential = sp.Add(*(f.energy for f in problem.forces if isinstance(f, Potential)))
+    springs = stretched_springs(problem)
+    energies = [f.energy for f in problem.forces if isinstance(f, Potential)]
+    potential = sp.Add(*energies, *(s.energy for s in springs))
     return Configuration(
         name="",
         slots=problem.slots,
@@ -172,7 +198,18 @@ def file_configuration(problem: Problem, rows: tuple[Row, ...]) -> Configuration
         loads=applied_loads(problem),
         potential=potential,
         rows=rows,
+        springs=springs,
     )
+
+
+def stretched_springs(problem: Problem) -> tuple[Stretched, ...]:
+    """The springs in the coordinates of the file."""
+    found = []
+    for f in problem.forces:
+        if isinstance(f, Spring):
+            apart = (f.ends[0] - f.ends[1]).fixed()
+            found.append(Stretched(f.name, f.stiffness, f.length, sp.sqrt(textbook_form(apart.dot(apart)))))
+    return tuple(found)
 
 
 def substituted_configuration(
@@ -187,8 +224,13 @@ def substituted_configuration(
     blank = Configuration(name, slots, (), (), sp.S.Zero, rows, expressed)
     rule = blank.substitution
     points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
-    loads = tuple(Load(f.name, f.on, f.vector.xreplace(rule), f.point.xreplace(rule)) for f in original.loads)
-    return Configuration(name, slots, points, loads, original.potential.xreplace(rule), rows, expressed)
+    loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
+    springs = tuple(
+        replace(f, distance=sp.sqrt(textbook_form(f.distance.xreplace(rule) ** 2))) for f in original.springs
+    )
+    stretched = {f.energy: g.energy for f, g in zip(original.springs, springs, strict=True)}
+    potential = original.potential.xreplace(stretched).xreplace(rule)
+    return Configuration(name, slots, points, loads, potential, rows, expressed, springs)
 
 
 def _moving(name: str, mass: sp.Expr, position: Vector, slots: Slots) -> MassPoint:

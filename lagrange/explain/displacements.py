@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
-from lagrange.displacements import Elimination, carried_along, displaced, virtual_displacement
+from lagrange.displacements import Elimination, carried_along, displaced, displaced_force, virtual_displacement
 from lagrange.explain.nonlinear import by_chetaev
 from lagrange.explain.words import plural
 from lagrange.kinematics import Configuration, MassPoint, Row, is_pfaffian
@@ -149,6 +149,11 @@ def of_points(configuration: Configuration, elimination: Elimination) -> list[Bl
                  label=f"delta{suffix}-{p.name}")
         for p in configuration.points
     ]  # fmt: skip
+    elsewhere = [
+        Equation((VectorSymbol(f"delta(r_{f.name})"), displaced_force(f, slots).xreplace(zero)))
+        for f in configuration.loads
+        if f.elsewhere
+    ]
     if not lines:
         return []
     words = (
@@ -156,4 +161,7 @@ def of_points(configuration: Configuration, elimination: Elimination) -> list[Bl
         if len(lines) == 1
         else "The virtual displacements of the particles are"
     )
+    if elsewhere:
+        words = "The virtual displacements of the particles, and of where forces act, are"
+        lines += elsewhere
     return [prose(words), display(*lines)]

@@ -61,11 +61,14 @@ def _principle(configuration: Configuration) -> sp.Expr:
     """Σ (m r'' − F)·δr, and δV where there is a potential."""
     terms = []
     for p in configuration.points:
-        acting = any(f.on == p.name for f in configuration.loads)
+        acting = any(f.on == p.name and not f.elsewhere for f in configuration.loads)
         force = VectorSymbol(f"F_{p.name}") if acting else ZERO
         bracket = p.mass * VectorSymbol(f"r_{p.name}''") - force
         if bracket != 0:
             terms.append(Dot(bracket, VectorSymbol(f"delta(r_{p.name})")))
+    for load in configuration.loads:
+        if load.elsewhere:
+            terms.append(-Dot(VectorSymbol(f"F_{load.name}"), VectorSymbol(f"delta(r_{load.name})")))
     potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
     return sp.Add(*terms, potential)
 

@@ -171,7 +171,7 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list
     found: list[Block] = []
     rubbing = {f.name: f.constraint for f in frictions}
     for p in configuration.points:
-        loads = [f for f in configuration.loads if f.on == p.name]
+        loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
             continue
         names = [
@@ -194,9 +194,23 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list
         unknown = listed(dict.fromkeys(spoken(rubbing[f.name]) for f in loads if f.name in rubbing))
         if unknown:
             found.append(prose("The friction has the multiplier of the reaction of ", *unknown, " in it, found below."))
+    for f in configuration.loads:
+        if f.elsewhere:
+            lines = (
+                Equation((VectorSymbol(f"F_{f.name}"), f.vector)),
+                Equation((VectorSymbol(f"r_{f.name}"), f.point)),
+            )
+            found += [prose(f"The force {f.name} on {f.on}, and the point where it acts, are"), display(*lines)]
+    for s in configuration.springs:
+        length: tuple[Part, ...] = (" and free length ", math(s.length)) if s.length != 0 else (" and free length 0",)
+        found.append(
+            prose(f"The spring {s.name} has stiffness ", math(s.stiffness), *length, "; its ends are ",
+                  math(s.distance), " apart, so that it pulls them together with the force ", math(s.pull), ".")
+        )  # fmt: skip
     if configuration.potential != 0:
+        what = "of the given fields and springs" if configuration.springs else "of the given fields"
         found += [
-            prose("The potential energy of the given fields is"),
+            prose(f"The potential energy {what} is"),
             display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
         ]
     return found
