@@ -78,7 +78,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
         yield explain_integrability(classification, names_of(problem))
     yield explain_classification(classification)
     yield explain_freedom(classification)
-    yield explain_displacements(solution.configuration, solution.elimination, solution.carried)
+    yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     if solution.equilibrium is not None:
         yield explain_virtual_work(solution.equilibrium, None if problem.choices else solution.stability)
     yield from _motion(solution)

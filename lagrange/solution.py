@@ -20,6 +20,7 @@ from lagrange.dynamics import Law, Motion, law_of_motion, motion
 from lagrange.equations import EquationsOfMotion, check_inertia
 from lagrange.equilibrium import Equilibrium, equilibrium
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.newton import Normal, normals
 from lagrange.problem import AppliedForce, AppliedMoment, Choice, Damper, Find, Friction, Potential, Problem, Spring
 from lagrange.spot import Spot, spot_value
 from lagrange.stability import SecondVariation, second_variation
@@ -67,6 +68,7 @@ class Solution:
     configuration  the system in the file's own coordinates
     elimination    of the dependent virtual displacements there
     carried        shape (n,): rates w with which moving constraints carry the coordinates along, dq = δq + w dt
+    normals        gradients of the geometric constraints on one particle, where no motion is asked
     law            Newton's law there, where motion is asked
     works          the work of the reactions
     dynamics       the motion and the reactions there
@@ -78,6 +80,7 @@ class Solution:
     configuration: Configuration
     elimination: Elimination
     carried: tuple[sp.Expr, ...]
+    normals: tuple[Normal, ...] = ()
     law: Law | None = None
     works: tuple[WorkOfReaction, ...] = ()
     dynamics: Motion | None = None
@@ -124,6 +127,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         configuration,
         elimination,
         carried,
+        normals=() if Find.MOTION in problem.find else normals(configuration),
         choices=tuple(ChoiceSolution(c) for c in chosen),
         checks=(*checks, *_substitutions(chosen)),
     )
