@@ -7,7 +7,7 @@ so that the state is possible.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, count
@@ -15,6 +15,7 @@ from random import Random
 from typing import Any
 
 import sympy as sp
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from lagrange.comparison import System, affine_rows
 from lagrange.coordinates import solved_constraints
@@ -64,7 +65,8 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     others = [s for s in sorted(used - moving, key=lambda s: s.name, reverse=True) if not isinstance(s, Sign)]
     numbers = count(1 + trial)
     values |= {s: sp.S.One for s in sorted(used, key=lambda s: s.name) if isinstance(s, Sign)}
-    parameters = {s: given.get(s) or _parameter_value(s, numbers) for s in others}
+    angles = _angles(system.equations)
+    parameters = {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in others}
     values |= reversed(parameters.items())
     positions = _positions(configuration, values, trial)
     if positions is None:
@@ -120,13 +122,24 @@ def _all_expressions(system: System) -> Iterator[sp.Expr]:
         yield from (*row.coefficients, row.drift, row.finite or sp.S.Zero)
 
 
-def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int]) -> sp.Expr:
-    """The next number; the last name has the smallest, because a + b cos ωt is a length where a > b."""
+def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], angle: bool) -> sp.Expr:
+    """The next number; the last name has the smallest, because a + b cos ωt is a length where a > b.
+
+    An angle is less than a right one: the normal force on an incline is m g cos α.
+    """
     if symbol.name == "g":
         return sp.Integer(10)
     if symbol == t:
         return sp.S.One
-    return sp.Integer(next(numbers))
+    number = sp.Integer(next(numbers))
+    return 1 / (1 + number) if angle else number
+
+
+def _angles(expressions: Iterable[sp.Expr]) -> set[sp.Expr]:
+    """The symbols that stand by themselves in the argument of a sine or cosine: α, and not ω in ω t."""
+    functions = (f for e in expressions for f in e.atoms(TrigonometricFunction))
+    terms = (term for f in functions for term in sp.Add.make_args(f.args[0]))
+    return {symbol for term in terms for number, symbol in [term.as_coeff_Mul()] if symbol.is_Symbol}
 
 
 def _velocities(

@@ -204,6 +204,23 @@ def test_a_spot_value_satisfies_the_equations(problem: Read) -> None:
     assert abs(acceleration + values["g"] / values["l"] * sp.sin(values["th"])) < 1e-5
 
 
+def test_spot_values_are_sensible(problem: Read) -> None:
+    """An angle of an incline is less than a right one, and of a + b cos ωt the first is the larger."""
+    text = """
+title: A block on an incline
+parameters: [m, g, a, b, alpha, omega]
+coordinates: [x]
+particles: {P: {mass: m, position: "[x*cos(alpha), x*sin(alpha) + b*cos(omega*t) + a*x^2]"}}
+gravity: -g*j
+"""
+    spot = solve(problem(text)).spot
+    assert spot is not None
+    values = {s.name: v for s, v in spot.values.items()}
+    assert 0 < values["alpha"] < 1.5
+    assert values["a"] > values["b"] > 0
+    assert values["omega"].is_Integer
+
+
 def test_springs_in_motion(problem: Read) -> None:
     """m x'' = −c (√(x² + h²) − b) x/√(x² + h²), the component of the pull."""
     text = """
