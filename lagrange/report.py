@@ -69,7 +69,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
-        yield explain_integrability(classification)
+        yield explain_integrability(classification, problem.slots)
     yield explain_classification(classification)
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination)

@@ -24,6 +24,7 @@ from lagrange.verification import (
     Check,
     check_choice,
     check_displacements,
+    check_hidden,
     check_integrability,
     check_motion,
     check_reality,
@@ -85,6 +86,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         *check_reality(configuration),
         *check_integrability(classification),
         *check_displacements(configuration, elimination),
+        *check_hidden(classification, elimination, configuration),
     ]
     solution = Solution(
         problem,

@@ -16,11 +16,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.classification import Classification, has_real_point
+from lagrange.classification import Classification
 from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
-from lagrange.exact import Point
+from lagrange.exact import Point, has_real_point
 from lagrange.kinematics import Configuration
 from lagrange.lagrangian import kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
@@ -62,6 +62,22 @@ def check_integrability(classification: Classification) -> list[Check]:
             name = f"Frobenius' condition {'holds' if c.integrable else 'fails'} for {c.row.name.replace('_', ' ')}"
             found.append(Check(name, passed, "exact: by its components and by the derived system"))
     return found
+
+
+def check_hidden(classification: Classification, elimination: Elimination, configuration: Configuration) -> list[Check]:
+    """The hidden relations, found at random points, against the virtual displacements, solved in symbols."""
+    found = classification.hidden.found
+    if not found:
+        return []
+    columns = displacement_basis(elimination, len(configuration.slots.coordinates))
+    verdicts = [
+        configuration.surface.is_zero(sp.Add(*(a * x for a, x in zip(r.differential, column, strict=False))))
+        for r in found
+        for column in columns
+    ]
+    passed = False if False in verdicts else None if None in verdicts else True
+    how = "exact: their differentials in the solved displacements"
+    return [Check("the hidden relations hold in every virtual displacement", passed, how)]
 
 
 def check_reality(configuration: Configuration) -> list[Check]:

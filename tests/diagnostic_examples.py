@@ -188,6 +188,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "particles: {P: {mass: m, position: x*i}}\n")),
     "singular-constraint": ("The differential of the constraint vanishes where it holds.",
         problem("constraints: {a: sin(x) = 1}")),
+    "unstated-condition": ("These constraints can be met only where one more relation holds. Add it.",
+        problem("constraints: {a: x = 0, b: \"x' = y\"}")),
     "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
         "constraints: {speed: \"x'^2 + y'^2 = 1\"}")),
     "undecided": ("The question could not be settled, and nothing is guessed. Exit status 3.", None),

@@ -25,12 +25,12 @@ LAYERS = {
         reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
-        integrability""",
-    "stages": """kinematics constraints classification displacements coordinates principle equations lagrangian
+        integrability combinations candidates first_integrals hidden_relations""",
+    "stages": """kinematics consistency rank_loss constraints classification displacements coordinates principle equations lagrangian
         comparison spot verification""",
     "results": "solution references answers checking",
-    "derivations": """derivation explain explain.words explain.statement explain.displacements explain.constraints
-        explain.motion explain.checks""",
+    "derivations": """derivation explain explain.words explain.statement explain.displacements explain.systems
+        explain.constraints explain.motion explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

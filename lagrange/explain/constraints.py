@@ -26,12 +26,18 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import possible_displacement
+from lagrange.explain.systems import (
+    CONSTANT,
+    OMEGA,
+    explain_hidden,
+    explain_losses,
+    explain_redundant,
+    explain_together,
+)
 from lagrange.explain.words import brief, counted, plural, spoken
 from lagrange.integrability import Comparison
 from lagrange.notation import Partial, Slots, Wedge, differential, t
 
-OMEGA = sp.Symbol("omega", real=True)
-CONSTANT = sp.Symbol("const", real=True)
 SHOWN_PAIRS = 3
 
 
@@ -100,7 +106,7 @@ def _coefficients(constraints: Sequence[ConstraintAnalysis], slots: Slots) -> Ta
     return Table(tuple(header), tuple(rows))
 
 
-def explain_integrability(classification: Classification) -> Step:
+def explain_integrability(classification: Classification, slots: Slots) -> Step:
     """Exactness by pairs, finite forms, Frobenius, and the system as a whole."""
     finite = [c for c in classification.constraints if c.row.finite is not None]
     independent = [c for c in finite if c.row.name not in classification.redundant]
@@ -108,7 +114,8 @@ def explain_integrability(classification: Classification) -> Step:
     for c in classification.constraints:
         if c.row.finite is None:
             body += _explain_exact(c) if c.exactness.exact else _explain_not_exact(c, independent)
-    body += _explain_together(classification)
+    body += explain_together(classification)
+    body += explain_hidden(classification, slots)
     return Step(Rule.INTEGRABILITY, "Integrability", tuple(body))
 
 
@@ -217,27 +224,6 @@ def _equal(p: Comparison) -> Part:
     return math(Partial(a, r), left, Partial(b, q))
 
 
-def _explain_together(classification: Classification) -> list[Block]:
-    """The derived systems, where they add something."""
-    if len(classification.constraints) < 2 or all(c.row.finite is not None for c in classification.constraints):
-        return []
-    flag = classification.flag
-    if flag.integrable_rank is None:
-        return [prose("How many finite relations the constraints hold together could not be decided.")]
-    ranks = " and ".join(
-        (", ".join(map(str, flag.ranks[:-1])), str(flag.ranks[-1])) if flag.ranks[1:] else map(str, flag.ranks)
-    )
-    systems = plural(len(flag.ranks), f"the system has the rank {ranks} and loses nothing in its derived system",
-                     f"the system and its derived systems have the ranks {ranks}")  # fmt: skip
-    relations = counted(flag.integrable_rank, "finite relation") if flag.integrable_rank else "no finite relation"
-    words = f"Taken together, {systems}: the constraints come to {relations} between the coordinates"
-    known = sum(1 for c in classification.constraints if c.integrable) - len(classification.redundant)
-    extra = flag.integrable_rank - known
-    if extra > 0:
-        words += f", of which {counted(extra, 'one') if extra > 1 else 'one'} is shown by no single constraint"
-    return [prose(words.replace(" ones is", " are") + ".")]
-
-
 def explain_classification(classification: Classification) -> Step:
     """Holonomic or not, scleronomic or rheonomic, and why."""
     constraints = classification.constraints
@@ -261,16 +247,13 @@ def explain_classification(classification: Classification) -> Step:
             Term("nonholonomic"),
             ".",
         ]
-    sentences = (prose(*words), _time(classification), *_redundant(classification))
+    sentences = (
+        prose(*words),
+        _time(classification),
+        *explain_redundant(classification),
+        *explain_losses(classification),
+    )
     return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences)),))
-
-
-def _redundant(classification: Classification) -> list[Prose]:
-    if not classification.redundant:
-        return []
-    names = listed(spoken(n) for n in classification.redundant)
-    verb = plural(len(classification.redundant), " follows", " follow")
-    return [prose(*names, f"{verb} from the constraints before: redundant, and not counted.")]
 
 
 def _time(classification: Classification) -> Prose:

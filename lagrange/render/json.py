@@ -55,7 +55,7 @@ def as_object(report: Report) -> dict[str, Any]:
             "catastatic": classification.catastatic,
             "rank": classification.rank,
             "integrable_rank": classification.integrable_rank,
-            "hidden": [],
+            "hidden": [write(r.function) for r in classification.hidden.found],
             "redundant": list(classification.redundant),
         },
         "degrees_of_freedom": classification.degrees_of_freedom,
