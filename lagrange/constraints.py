@@ -18,12 +18,11 @@ import sympy as sp
 from lagrange.diagnostics import NotCoveredError
 from lagrange.exact import Surface
 from lagrange.exterior import Form, one_form, wedge
-from lagrange.integrability import Exactness, exactness, frobenius_form, is_integrable
+from lagrange.integrability import Exactness, exactness, frobenius_form, is_integrable, writer
 from lagrange.kinematics import Row
 from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
-from lagrange.textbook import textbook_form
 
 
 @dataclass(frozen=True)
@@ -118,13 +117,14 @@ def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slot
     for other in geometric:
         form = wedge(form, one_form((*other.coefficients, other.drift)))
     found = []
+    written = writer(row.form)
     for indices, coefficient in sorted(form.items()):
-        tidied = textbook_form(coefficient)
-        if tidied == 0:
+        shown = written(coefficient)
+        if shown == 0:
             continue
-        zero = surface.is_zero(tidied)
+        zero = surface.is_zero(shown)
         nonzero = None if zero is None else not zero
-        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), tidied, nonzero))
+        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), shown, nonzero))
     return tuple(found)
 
 

@@ -50,6 +50,8 @@ def rank_losses(rows: Sequence[Row], surface: Surface, slots: Slots) -> tuple[Ra
     """The places that were found. `rows` are independent, with the geometric constraints of the surface among them."""
     found = [loss for row in rows if (loss := _of_row(row, rows, slots)) is not None]
     for factor in _factors(rows, surface, slots):
+        if any(loss.conditions in ((factor,), (-factor,)) for loss in found):
+            continue
         place = _place((factor,), rows, slots)
         rank = _rank(rows, place)
         if rank is not None and rank < len(rows) and has_real_point(place):

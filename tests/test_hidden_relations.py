@@ -324,3 +324,23 @@ def test_six_constraints_in_twelve_coordinates(change: Callable[..., list[list[s
     for relation in found.found:
         point = somewhere([*table, list(relation.differential)], "six")
         assert rank_at([*table, list(relation.differential)], point) == rank_at(table, point) == 6
+
+
+def test_two_trolleys_in_twelve_coordinates(problem: Read) -> None:
+    """Six constraints with trigonometric coefficients from the file to the report: each axle hides one relation."""
+    rows = []
+    for n in (1, 2):
+        forward = f"cos(a{n})*x{n}' + sin(a{n})*y{n}'"
+        rows.append(f"s{n}: \"sin(a{n})*x{n}' - cos(a{n})*y{n}' = 0\"")
+        rows.append(f"l{n}: \"{forward} + b*a{n}' = R*p{n}'\"")
+        rows.append(f"r{n}: \"{forward} - b*a{n}' = R*q{n}'\"")
+    names = ", ".join(f"{v}{n}" for n in (1, 2) for v in ("x", "y", "a", "p", "q"))
+    text = f"title: T\nparameters: [R, b]\ncoordinates: [{names}, u, v]\nconstraints: {{{', '.join(rows)}}}\n"
+    done = report(problem(text))
+    found = done.solution.classification
+    assert done.holds
+    assert (found.rank, found.flag.ranks, found.hidden.missing) == (6, (6, 4, 2), 0)
+    R, b = sp.symbols("R b", positive=True)
+    for n, relation in enumerate(found.hidden.found, start=1):
+        a, p, q = (sp.Symbol(f"{v}{n}", real=True) for v in "apq")
+        assert sp.expand(relation.function - 2 * b * a + R * (p - q)) == 0

@@ -141,13 +141,14 @@ def explain_losses(classification: Classification) -> list[Prose]:
         if loss.excluded:
             names = listed(spoken(n) for n in loss.excluded)
             verb = plural(len(loss.excluded), " excludes", " exclude")
-            excluded += ["; " if excluded else "", form, " only where ", place, ", which ", *names, verb]
+            start: tuple[Part, ...] = ("; ", form) if excluded else ("The form ", form, " vanishes, and binds nothing,")
+            excluded += [*start, " only where ", place, ", which ", *names, verb]
         elif loss.vanishing:
             sentences.append(prose("Where ", place, " the form ", form, " vanishes and binds nothing", *there, "."))
         else:
             sentences.append(prose("Where ", place, " the constraints are not independent", *there, "."))
     if excluded:
-        sentences.append(prose("Could a form vanish, and bind nothing? ", *excluded, "."))
+        sentences.append(prose(*excluded, "."))
     return sentences
 
 
