@@ -7,7 +7,11 @@
 together, some of them perhaps shown by none alone. The system is holonomic when all of them come to finite relations.
 A constraint that is a finite relation makes it rheonomic by t in that relation, one that is not by t in its form.
 
-Shapes: A (m, n), a_t (m,). All ranks are taken at generic points where the geometric constraints hold.
+Constraints that are not linear in the velocities count in A by Chetaev's rule, a = ∂φ/∂q'. They hold no finite relation
+beyond those of the others where the admitted velocities bend enough (`bending`); where they do not, it is undecided.
+
+Shapes: A (m, n), a_t (m,). All ranks are taken at generic points where the geometric constraints hold, and at
+velocities that the constraints admit where A depends on these.
 """
 
 from __future__ import annotations
@@ -17,16 +21,17 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from lagrange.bending import bending_rank
 from lagrange.combinations import combination
-from lagrange.consistency import check_consistent
-from lagrange.constraints import ConstraintAnalysis, analysis, pfaffian_form
+from lagrange.consistency import check_consistent, check_curved, check_follows
+from lagrange.constraints import ConstraintAnalysis, analysis, constraint_row
 from lagrange.diagnostics import UndecidedError
 from lagrange.exact import Surface
 from lagrange.hidden_relations import HiddenRelations, differential_of, hidden_relations
 from lagrange.integrability import Flag, derived_flag
-from lagrange.kinematics import Row
+from lagrange.kinematics import Row, admitted_states, is_pfaffian
 from lagrange.notation import Slots, base, t
-from lagrange.problem import Problem
+from lagrange.problem import Constraint, Problem
 from lagrange.rank_loss import RankLoss, rank_losses
 
 
@@ -34,7 +39,7 @@ from lagrange.rank_loss import RankLoss, rank_losses
 class Redundancy:
     """A constraint that follows from those before it.
 
-    combination  (name, c) for ω = Σ c ω_name; None where it is too long to be shown
+    combination  (name, c) for ω = Σ c ω_name; None where it is too long to be shown, or there is no form
     """
 
     name: str
@@ -115,32 +120,55 @@ class Classification:
 def classify(problem: Problem) -> Classification:
     """Analyses the constraints of a problem.
 
-    Raises ProblemError where they contradict one another, UndecidedError where their rank could not be found,
-    NotCoveredError where one is not linear in the velocities.
+    Raises ProblemError where they contradict one another, UndecidedError where their rank could not be found.
     """
     slots = problem.slots
-    rows = tuple(pfaffian_form(c, slots) for c in problem.constraints)
+    rows = tuple(constraint_row(c, slots) for c in problem.constraints)
     geometric = [r for r in rows if r.finite is not None]
     surface = Surface([r.finite for r in geometric], slots.coordinates)
     check_consistent(problem.constraints, rows, surface)
-    redundant = _redundant(rows, surface)
+    states = surface if is_pfaffian(rows) else admitted_states(rows, slots)
+    check_curved(problem.constraints, rows, states)
+    redundant = _redundant(problem.constraints, rows, states, slots)
     names = {r.name for r in redundant}
     independent = [r for r in rows if r.name not in names]
     finite = [r for r in independent if r.finite is not None]
     constraints = tuple(
         analysis(c, row, finite, surface, slots) for c, row in zip(problem.constraints, rows, strict=True)
     )
-    flag = derived_flag([r.form for r in rows], slots, surface.constraints) if rows else Flag((0,), 0)
+    rank = _rank(rows, states)
+    flag = _flag(rows, rank, slots, surface, states)
     return Classification(
         constraints=constraints,
-        rank=_rank(rows, surface),
+        rank=rank,
         flag=flag,
         redundancies=redundant,
         hidden=_hidden(constraints, independent, flag, surface, slots),
-        losses=rank_losses(independent, surface, slots),
+        losses=rank_losses(independent, surface, slots) if is_pfaffian(rows) else (),
         moving=_moving_positions(problem),
         coordinates=len(slots.coordinates),
     )
+
+
+def _flag(rows: Sequence[Row], rank: int, slots: Slots, surface: Surface, states: Surface) -> Flag:
+    """The derived flag of the Pfaffian rows, which is that of all rows if the others bend enough.
+
+    Where the constraints leave no freedom, q' is a function of q and t, and all of them together are finite relations.
+    """
+    pfaffian = [r for r in rows if r.nonlinear is None]
+    forms = [(*r.coefficients, r.drift) for r in pfaffian]
+    flag = derived_flag(forms, slots, surface.constraints) if forms else Flag((0,), 0)
+    if len(pfaffian) == len(rows):
+        return flag
+    if rank == len(slots.coordinates):
+        return Flag((rank,), rank)
+    if flag.integrable_rank is None:
+        return flag
+    straight = surface.rank([r.coefficients for r in pfaffian]) if pfaffian else 0
+    bent = bending_rank(rows, slots, states)
+    if straight is None or bent is None or straight + bent != rank:
+        return Flag(flag.ranks, None, "the velocities that are admitted at one position may lie in a plane")
+    return flag
 
 
 def _rank(rows: Sequence[Row], surface: Surface) -> int:
@@ -150,22 +178,30 @@ def _rank(rows: Sequence[Row], surface: Surface) -> int:
     return found
 
 
-def _redundant(rows: Sequence[Row], surface: Surface) -> tuple[Redundancy, ...]:
+def _redundant(
+    constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface, slots: Slots
+) -> tuple[Redundancy, ...]:
     """The rows that raise the rank of those before them by nothing, as combinations of these."""
     found: list[Redundancy] = []
     independent: list[Row] = []
-    for row in rows:
+    for count, (constraint, row) in enumerate(zip(constraints, rows, strict=True), start=1):
         now = surface.rank([r.coefficients for r in (*independent, row)])
         if now is None:
             raise UndecidedError(f"whether the constraint `{row.name}` follows from the others")
         if now > len(independent):
             independent.append(row)
             continue
-        names = [r.name for r in independent]
-        values = combination(row.form, [r.form for r in independent], surface) if names else ()
-        terms = None if values is None else tuple((n, c) for n, c in zip(names, values, strict=True) if c != 0)
-        found.append(Redundancy(row.name, terms))
+        check_follows(constraint, rows[:count], slots)
+        found.append(Redundancy(row.name, _combination(row, independent, surface)))
     return tuple(found)
+
+
+def _combination(row: Row, others: Sequence[Row], surface: Surface) -> tuple[tuple[str, sp.Expr], ...] | None:
+    """The terms of ω = Σ c ω_name; None where they are long or there are no forms."""
+    if not is_pfaffian([*others, row]):
+        return None
+    values = combination(row.form, [r.form for r in others], surface) if others else ()
+    return None if values is None else tuple((r.name, c) for r, c in zip(others, values, strict=True) if c != 0)
 
 
 def _hidden(
@@ -175,7 +211,7 @@ def _hidden(
     known = [c.row.form for c in constraints if c.row.finite is not None]
     integrals = [c.integral for c in constraints if c.row.finite is None and c.integral is not None]
     known += [differential_of(f, slots) for f in integrals]
-    forms = [r.form for r in independent]
+    forms = [r.form for r in independent if r.nonlinear is None]
     return hidden_relations(forms, known, flag.integrable_rank, surface, slots, flag.bound)
 
 

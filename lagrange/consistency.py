@@ -15,9 +15,10 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.combinations import combination
-from lagrange.diagnostics import Diagnostic, ProblemError
+from lagrange.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.exact import DivisionByZeroError, Surface, has_real_point
-from lagrange.kinematics import Row
+from lagrange.kinematics import Row, admitted_states, is_pfaffian
+from lagrange.notation import Slots
 from lagrange.problem import Constraint
 from lagrange.textbook import textbook_form
 
@@ -29,17 +30,23 @@ def check_consistent(constraints: Sequence[Constraint], rows: Sequence[Row], sur
 
     surface  of all the geometric constraints; `rows` are the forms of the constraints
     """
+    linear = [(c, row) for c, row in zip(constraints, rows, strict=True) if row.nonlinear is None]
+    constraints, rows = [c for c, _ in linear], [row for _, row in linear]
     geometric = [c for c in constraints if not c.kinematic]
     clash = [geometric[k] for k in surface.contradictory()]
     if not clash or has_real_point(surface):
         _check_regular(geometric, rows, surface)
-        pairs = _clash_of_rates(list(zip(constraints, rows, strict=True)), surface)
+        pairs = _clash_of_rates(linear, surface)
         _check_no_condition(pairs, surface.coordinates)
         clash = [c for c, _ in pairs]
     if clash:
-        message = f"{_named(clash)} contradict each other" if len(clash) > 1 else f"{_named(clash)} cannot be satisfied"
-        help_ = "no position or velocity satisfies them; correct or remove one"
-        raise ProblemError(Diagnostic("contradictory-constraints", message, clash[-1].span, help=help_))
+        raise _contradiction(clash)
+
+
+def _contradiction(clash: Sequence[Constraint]) -> ProblemError:
+    message = f"{_named(clash)} contradict each other" if len(clash) > 1 else f"{_named(clash)} cannot be satisfied"
+    help_ = "no position or velocity satisfies them; correct or remove one"
+    return ProblemError(Diagnostic("contradictory-constraints", message, clash[-1].span, help=help_))
 
 
 def _named(constraints: Sequence[Constraint]) -> str:
@@ -115,3 +122,35 @@ def _condition(clash: Pairs, coordinates: Sequence[sp.Symbol]) -> sp.Expr | None
         except DivisionByZeroError:
             continue
     return None
+
+
+def check_curved(constraints: Sequence[Constraint], rows: Sequence[Row], states: Surface) -> None:
+    """Refuses constraints, not linear in the velocities, that exclude others, or whose ∂φ/∂q' vanish where φ = 0."""
+    curved = [(c, r) for c, r in zip(constraints, rows, strict=True) if r.nonlinear is not None]
+    if not curved:
+        return
+    clash = states.contradictory()
+    if clash and not has_real_point(states):
+        finite = [c for c, r in zip(constraints, rows, strict=True) if r.finite is not None]
+        ordered = [*finite, *constraints]
+        raise _contradiction(list(dict.fromkeys(ordered[k] for k in clash)))
+    for constraint, row in curved:
+        if states.rank([row.coefficients]) == 0:
+            raise _singular(constraint)
+
+
+def _singular(constraint: Constraint) -> ProblemError:
+    message = f"the derivatives of `{constraint.name}` by the velocities vanish wherever the constraints hold"
+    help_ = "write it so that it changes sign there, as a product without squares"
+    return ProblemError(Diagnostic("singular-constraint", message, constraint.span, help=help_))
+
+
+def check_follows(constraint: Constraint, rows: Sequence[Row], slots: Slots) -> None:
+    """Refuses a constraint that only touches those before it: x' = 1 touches x'² + y'² = 1 where y' = 0."""
+    if is_pfaffian(rows):
+        return
+    follows = admitted_states(rows[:-1], slots).is_zero(rows[-1].velocity_form(slots))
+    if follows is None:
+        raise UndecidedError(f"whether the constraint `{constraint.name}` follows from the others", constraint.span)
+    if not follows:
+        raise _singular(constraint)

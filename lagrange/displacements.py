@@ -1,27 +1,43 @@
 """Possible and virtual displacements.
 
 The constraints in differential form, A dq + a_t dt = 0, are what a possible displacement satisfies. Two of them in the
-same dt differ by a virtual displacement, A δq = 0: time is frozen and a_t has dropped out. Solving A δq = 0 for m of
-the δq leaves n − m independent ones; each pivot that is divided by must not vanish, and is stated.
+same dt differ by a virtual displacement, A δq = 0: time is frozen and a_t has dropped out. So with any w for which
+A w + a_t = 0, the possible displacements are
 
-Shapes: A (m, n), a_t (m,).
+    dq = δq + w dt ,     dr = δr + (Σ (∂r/∂q_k) w_k + ∂r/∂t) dt :
+
+w dt is what the moving constraints force on the system. Solving A δq = 0 for m of the δq leaves n − m independent
+ones; each pivot that is divided by must not vanish, and is stated. Where a constraint φ = 0 is not linear in the
+velocities, the difference of two possible displacements satisfies nothing linear, and Σ ∂φ/∂q' δq = 0 is Chetaev's
+rule, a postulate (N. G. Chetaev, On Gauss's principle, 1932).
+
+Shapes: A (m, n), a_t (m,), w (n,).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.exact import Surface
-from lagrange.kinematics import MassPoint, Row
+from lagrange.kinematics import MassPoint, Row, is_pfaffian
+from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
+from lagrange.tidying import in_differences, is_short
 from lagrange.vectors import Vector
 
 MOST_FACTORED = 8
 """Symbols of a minor that is still factored."""
+MOST_DRIFTS = 8
+"""Eliminations that are tried for a simple drift."""
+LONGEST_FACTORED = 20
+"""Operations of a quotient that is still factored."""
+
+MOST_TERMS = 200
+"""Terms, all multiplied out, of an expression that is still reduced or factored."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +47,7 @@ class Elimination:
     independent  indices of the coordinates whose δq are free
     dependent    indices of the coordinates whose δq are given, in the order of the rows used
     solution     shape (number dependent, number independent): δq_D = solution · δq_I
+    drift        shape (number dependent,): dq_D = solution · dq_I + drift dt
     pivots       the factors of the minor that was divided by, constants left out: must not vanish
     unused       indices of rows that follow from the others
     """
@@ -38,6 +55,7 @@ class Elimination:
     independent: tuple[int, ...]
     dependent: tuple[int, ...]
     solution: tuple[tuple[sp.Expr, ...], ...]
+    drift: tuple[sp.Expr, ...]
     pivots: tuple[sp.Expr, ...]
     unused: tuple[int, ...]
 
@@ -51,7 +69,9 @@ class Elimination:
 
 
 def possible_displacement(row: Row, slots: Slots) -> sp.Expr:
-    """Σ a_i dq_i + a_t dt."""
+    """Σ a_i dq_i + a_t dt; of a constraint that is not linear in the velocities φ, with dq_i = q_i' dt."""
+    if row.nonlinear is not None:
+        return row.nonlinear
     terms = (a * differential(q) for a, q in zip(row.coefficients, slots.coordinates, strict=True))
     return sp.Add(*terms, row.drift * differential(t))
 
@@ -61,35 +81,65 @@ def virtual_displacement(row: Row, slots: Slots) -> sp.Expr:
     return sp.Add(*(a * variation(q) for a, q in zip(row.coefficients, slots.coordinates, strict=True)))
 
 
-def displaced(point: MassPoint, slots: Slots, of: Callable[[sp.Symbol], sp.Symbol]) -> Vector:
-    """Σ (∂r/∂q_k) dq_k with differentials and the drift, or with variations: δr, where time is frozen."""
+def displaced(point: MassPoint, slots: Slots) -> Vector:
+    """δr = Σ (∂r/∂q_k) δq_k."""
+    return _moved(point, [variation(q) for q in slots.coordinates])
+
+
+def carried_along(point: MassPoint, slots: Slots, rates: Sequence[sp.Expr]) -> Vector:
+    """What the moving constraints force on a particle: Σ (∂r/∂q_k) w_k + ∂r/∂t."""
+    return (_moved(point, rates) + point.position.frozen_derivative(slots)).map(textbook_form)
+
+
+def _moved(point: MassPoint, by: Sequence[sp.Expr]) -> Vector:
+    """Σ (∂r/∂q_k) s_k, for s of shape (n,)."""
     total = Vector.zero(point.position.triad)
-    for q, partial in zip(slots.coordinates, point.partials, strict=True):
-        total = total + partial * of(q)
-    if of is differential:
-        total = total + point.position.frozen_derivative(slots) * differential(t)
+    for partial, step in zip(point.partials, by, strict=True):
+        if step != 0:
+            total = total + partial * step
     return total
 
 
+def carrying_rates(rows: Sequence[Row], elimination: Elimination, size: int, surface: Surface) -> tuple[sp.Expr, ...]:
+    """The simplest w found with A w + a_t = 0, shape (n,): all zero where no constraint moves.
+
+    w is not unique; of those that set all coordinates but m to rest, the one written most simply is taken. There is no
+    w where a constraint is not linear in the velocities.
+    """
+    if not is_pfaffian(rows) or not any(elimination.drift):
+        return (sp.S.Zero,) * size
+    moving = {k for row in rows if row.drift != 0 for k, a in enumerate(row.coefficients) if a != 0}
+    others = sorted(moving - set(elimination.dependent))[:MOST_DRIFTS]
+    found = [elimination, *(eliminate(rows, size, surface, (k,)) for k in others)]
+    return min((_rates(e, size) for e in found), key=lambda w: sum(1 + r.count_ops() for r in w if r != 0))
+
+
+def _rates(elimination: Elimination, size: int) -> tuple[sp.Expr, ...]:
+    rates = [sp.S.Zero] * size
+    for k, rate in zip(elimination.dependent, elimination.drift, strict=True):
+        rates[k] = rate
+    return tuple(rates)
+
+
 def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collection[int] = ()) -> Elimination:
-    """Solves A δq = 0 by Gauss-Jordan elimination.
+    """Solves A δq = 0, and with it A dq + a_t dt = 0, by Gauss-Jordan elimination.
 
     rows   the forms, m of them, with `size` coefficients each
     first  indices of coordinates to be eliminated before any others
 
     A pivot is nonzero at generic points of the constraint surface; constants are preferred, then short expressions.
     """
-    matrix = [list(row.coefficients) for row in rows]
+    matrix = [[*row.coefficients, row.drift] for row in rows]
     pivot_of: dict[int, int] = {}
     minor = sp.S.One
     unused: list[int] = []
     for r, row in enumerate(matrix):
-        column = _pivot_column(row, surface, first)
+        column = _pivot_column(row[:size], surface, first)
         if column is None:
             unused.append(r)
             continue
         pivot = row[column]
-        minor = sp.cancel(minor * pivot)
+        minor = _cancelled(minor * pivot)
         matrix[r] = [_tidy(entry / pivot) for entry in row]
         for other in range(len(matrix)):
             factor = matrix[other][column]
@@ -100,8 +150,9 @@ def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collectio
         pivot_of[r] = column
     dependent = tuple(pivot_of.values())
     independent = tuple(k for k in range(size) if k not in dependent)
-    solution = tuple(tuple(-matrix[r][k] for k in independent) for r in pivot_of)
-    return Elimination(independent, dependent, solution, _varying_factors(_tidy(minor)), tuple(unused))
+    solution = tuple(tuple(_factored(-matrix[r][k]) for k in independent) for r in pivot_of)
+    drift = tuple(_factored(-matrix[r][size]) for r in pivot_of)
+    return Elimination(independent, dependent, solution, drift, _varying_factors(_tidy(minor)), tuple(unused))
 
 
 def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[int]) -> int | None:
@@ -115,18 +166,39 @@ def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[in
 
 def _varying_factors(minor: sp.Expr) -> tuple[sp.Expr, ...]:
     """The factors of the minor that can vanish, each once, constant ones dropped: of 2 l x² it is x."""
-    numerator, _ = sp.fraction(sp.factor(minor) if len(minor.free_symbols) <= MOST_FACTORED else minor)
+    small = len(minor.free_symbols) <= MOST_FACTORED and _is_short(minor)
+    numerator, _ = sp.fraction(sp.factor(minor) if small else minor)
     bases = (f.as_base_exp()[0] for f in sp.Mul.make_args(numerator))
     varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
     return tuple(dict.fromkeys(varying))
+
+
+def _factored(quotient: sp.Expr) -> sp.Expr:
+    """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
+    if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
+        return quotient
+    if not is_short(quotient) or quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
+        return quotient
+    factors = sp.factor(quotient)
+    shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
+    return in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name)))
+
+
+def _is_short(expression: sp.Expr) -> bool:
+    """Whether multiplying out takes little time: (x + y + z + w)^20 has 1771 terms."""
+    return Measures().of(expression).widest <= MOST_TERMS
+
+
+def _cancelled(expression: sp.Expr) -> sp.Expr:
+    return sp.cancel(expression) if _is_short(expression) else expression
 
 
 def _tidy(entry: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms, and with sin² + cos² put together."""
     if entry.is_number or entry.is_Symbol:
         return entry
-    reduced = sp.cancel(entry)
-    if not reduced.has(sp.sin, sp.cos, sp.tan):
+    reduced = _cancelled(entry)
+    if not reduced.has(sp.sin, sp.cos, sp.tan) or not _is_short(reduced):
         return reduced
     tidied = textbook_form(reduced)
     return tidied if tidied.count_ops() <= reduced.count_ops() else reduced

@@ -74,7 +74,7 @@ def hidden_relations(
         return HiddenRelations(missing=None)
     wanted = (integrable_rank if integrable_rank is not None else len(forms) if most is None else most) - before
     found: list[HiddenRelation] = []
-    if wanted > 0:
+    if wanted > 0 and forms:
         try:
             for function in _proposed(forms, known, surface, slots):
                 relation = _verified(function, forms, [*known, *(r.differential for r in found)], surface, slots)

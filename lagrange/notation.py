@@ -17,8 +17,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 from sympy.core.symbol import Str
+from sympy.printing.str import StrPrinter
 
 t = sp.Symbol("t", real=True)
+
+CONSTANT = sp.Symbol("const", real=True)
+"""The value that a finite relation keeps: x − R φ = const."""
 
 
 class Sign(sp.Symbol):
@@ -48,6 +52,12 @@ class UnitVector(sp.Symbol):
 
 class VectorSymbol(sp.Symbol):
     """A named vector such as r_P, r_P'' or delta(r_P), for printing formulas such as (m r'' - F)·δr = 0."""
+
+    __slots__ = ()
+
+
+class FormSymbol(sp.Symbol):
+    """A named differential form ω_1, for printing combinations such as y ω_1 + ω_2."""
 
     __slots__ = ()
 
@@ -92,6 +102,13 @@ class Unspecified(sp.Expr):
     def arguments(self) -> tuple[sp.Expr, ...]:
         """Where it is taken."""
         return tuple(self.args[3:])
+
+    def _sympystr(self, printer: StrPrinter) -> str:
+        text = f"{self.name}({', '.join(map(printer.doprint, self.arguments))})"
+        for name, order in zip(self.argument_names, self.orders, strict=True):
+            for _ in range(order):
+                text = f"diff({text}, {name})"
+        return text
 
     def partial(self, index: int) -> Unspecified:
         """The partial derivative by argument `index`."""

@@ -47,6 +47,10 @@ class Reals:
         """A rational number."""
         return _mp.mpf(numerator) / denominator
 
+    def float(self, x: sp.Float) -> Any:
+        """A number of SymPy's."""
+        return _mp.make_mpf(x._mpf_)
+
     def reduce(self, x: Any) -> Any:
         """The number itself."""
         return x

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
 
+import sympy as sp
+
 from lagrange.classification import Classification, classify
 from lagrange.comparison import System
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
-from lagrange.displacements import Elimination, eliminate
+from lagrange.displacements import Elimination, carrying_rates, eliminate
 from lagrange.equations import EquationsOfMotion, check_inertia, equations_of_motion
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.principle import dalembert
@@ -51,6 +53,7 @@ class Solution:
 
     configuration  the system in the file's own coordinates
     elimination    of the dependent virtual displacements there
+    carried        shape (n,): rates w with which moving constraints carry the coordinates along, dq = δq + w dt
     motion         its equations of motion, where motion is asked
     """
 
@@ -58,6 +61,7 @@ class Solution:
     classification: Classification
     configuration: Configuration
     elimination: Elimination
+    carried: tuple[sp.Expr, ...]
     motion: EquationsOfMotion | None = None
     spot: Spot | None = None
     choices: tuple[ChoiceSolution, ...] = ()
@@ -80,12 +84,13 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
     _refuse_what_is_not_covered(problem)
     classification = classify(problem)
     configuration = file_configuration(problem, classification.rows)
-    elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.surface)
+    elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.states)
+    carried = carrying_rates(configuration.rows, elimination, len(problem.coordinates), configuration.surface)
     chosen = [generalized_coordinates(c, configuration) for c in _choices(problem, choice)]
     checks = [
         *check_reality(configuration),
         *check_integrability(classification),
-        *check_displacements(configuration, elimination),
+        *check_displacements(configuration, elimination, carried),
         *check_hidden(classification, elimination, configuration),
     ]
     solution = Solution(
@@ -93,6 +98,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         classification,
         configuration,
         elimination,
+        carried,
         choices=tuple(ChoiceSolution(c) for c in chosen),
         checks=(*checks, *_substitutions(chosen)),
     )
@@ -112,7 +118,7 @@ def _with_motion(solution: Solution) -> Solution:
         configuration = c.coordinates.configuration
         coordinates = configuration.slots.coordinates
         first = [coordinates.index(q) for q in c.coordinates.through_rates]
-        elimination = eliminate(configuration.rows, len(coordinates), configuration.surface, first)
+        elimination = eliminate(configuration.rows, len(coordinates), configuration.states, first)
         there = equations_of_motion(dalembert(configuration), elimination)
         checks += check_displacements(configuration, elimination)
         checks += check_motion(there, reactions)

@@ -9,19 +9,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import combinations, count
+from random import Random
+from typing import Any
 
 import sympy as sp
 
-from lagrange.comparison import System
+from lagrange.comparison import System, affine_rows
 from lagrange.coordinates import solved_constraints
-from lagrange.kinematics import Configuration
+from lagrange.elimination import row_reduced
+from lagrange.evaluation import Graph
+from lagrange.exact import InadmissibleError, ZeroDivisorError
+from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.notation import Sign, Unspecified, t
+from lagrange.reals import RealPoint, Reals
 
 DIGITS = 30
 TRIALS = 8
 ITERATIONS = 30
 TOLERANCE = sp.Float(10) ** -20
+RECOGNISED = 60
+LARGEST_DENOMINATOR = 1000
 
 
 @dataclass(frozen=True)
@@ -39,7 +48,7 @@ def spot_value(system: System, given: Mapping[sp.Symbol, sp.Rational]) -> Spot |
     for trial in range(TRIALS):
         try:
             found = _at(system, given, trial)
-        except (ValueError, ZeroDivisionError, TypeError):
+        except (ValueError, ZeroDivisionError, TypeError, InadmissibleError, ZeroDivisorError):
             found = None
         if found is not None:
             return found
@@ -51,12 +60,12 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     slots = configuration.slots
     used = set().union(*(e.free_symbols for e in _all_expressions(system)))
     values: dict[sp.Basic, sp.Expr] = {}
-    numbers = _numbers(trial)
-    for s in sorted(used, key=lambda s: s.name):
-        if isinstance(s, Sign):
-            values[s] = sp.S.One
-        elif s not in slots.coordinates and s not in slots.velocities and s not in slots.accelerations:
-            values[s] = given.get(s) or _parameter_value(s, numbers)
+    moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
+    others = [s for s in sorted(used - moving, key=lambda s: s.name, reverse=True) if not isinstance(s, Sign)]
+    numbers = count(1 + trial)
+    values |= {s: sp.S.One for s in sorted(used, key=lambda s: s.name) if isinstance(s, Sign)}
+    parameters = {s: given.get(s) or _parameter_value(s, numbers) for s in others}
+    values |= reversed(parameters.items())
     positions = _positions(configuration, values, trial)
     if positions is None:
         return None
@@ -111,52 +120,74 @@ def _all_expressions(system: System) -> Iterator[sp.Expr]:
         yield from (*row.coefficients, row.drift, row.finite or sp.S.Zero)
 
 
-def _numbers(trial: int) -> Iterator[sp.Rational]:
-    """1, 2, 3, ..., begun elsewhere at every trial."""
-    return (sp.Integer(n) for n in count(1 + trial))
-
-
-def _parameter_value(symbol: sp.Symbol, numbers: Iterator[sp.Rational]) -> sp.Expr:
+def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int]) -> sp.Expr:
+    """The next number; the last name has the smallest, because a + b cos ωt is a length where a > b."""
     if symbol.name == "g":
         return sp.Integer(10)
     if symbol == t:
         return sp.S.One
-    return next(numbers)
+    return sp.Integer(next(numbers))
 
 
 def _velocities(
     configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
 ) -> dict[sp.Basic, sp.Expr]:
     """Velocities 1, 2, ... for as many as are free, and those that the constraints give."""
-    slots = configuration.slots
-    if not configuration.rows:
-        return {v: sp.Integer(n + trial) for n, v in enumerate(slots.velocities, start=1)}
-    rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
-    solution = sp.solve(rows, list(slots.velocities), dict=True)
-    if not solution:
+    velocities = configuration.slots.velocities
+    if not is_pfaffian(configuration.rows):
+        return _admitted(configuration, values, trial)
+    point = _point(values)
+    rows = [point.values((*row.coefficients, row.drift)) for row in configuration.rows]
+    reduced, pivots = row_reduced(point.arithmetic, rows)
+    if len(velocities) in pivots:
         raise ValueError("no velocities")
-    free = [v for v in slots.velocities if v not in solution[0]]
-    chosen = {v: sp.Integer(n + trial) for n, v in enumerate(free, start=1)}
-    return chosen | {v: e.xreplace(chosen) for v, e in solution[0].items()}
+    free = [k for k in range(len(velocities)) if k not in pivots]
+    chosen = {k: n + trial for n, k in enumerate(free, start=1)}
+    found: dict[sp.Basic, sp.Expr] = {velocities[k]: sp.Integer(n) for k, n in chosen.items()}
+    for k, row in zip(pivots, reduced, strict=True):
+        found[velocities[k]] = _recognised(-row[-1] - sum(row[i] * n for i, n in chosen.items()))
+    return found
+
+
+def _admitted(configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int) -> dict[sp.Basic, sp.Expr]:
+    """Velocities that satisfy constraints not linear in them."""
+    slots = configuration.slots
+    rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
+    start = {v: sp.Rational(3, 5) * (n + trial) for n, v in enumerate(slots.velocities, start=1)}
+    found = _by_newton(rows, start)
+    if found is None:
+        raise ValueError("no velocities")
+    return found
 
 
 def _solved(system: System, values: Mapping[sp.Basic, sp.Expr]) -> Mapping[sp.Symbol, sp.Expr] | None:
-    slots = system.configuration.slots
-    rows = [*system.equations, *system.accelerated_constraints]
-    at_rest = dict.fromkeys(slots.accelerations, sp.S.Zero)
-    matrix = sp.Matrix([[_number(e.diff(a), values) for a in slots.accelerations] for e in rows])
-    right = sp.Matrix([-_number(e.xreplace(at_rest), values) for e in rows])
-    if matrix.rows != matrix.cols or abs(matrix.det()) < sp.Float(10) ** -12:
+    accelerations = system.configuration.slots.accelerations
+    point = _point(values)
+    rows = affine_rows(point, [*system.equations, *system.accelerated_constraints], accelerations)
+    matrix = [row[:-1] for row in rows]
+    if len(matrix) != len(accelerations) or point.rank(matrix) < len(accelerations):
         return None
-    found = matrix.LUsolve(right)
-    return dict(zip(slots.accelerations, map(_rounded, found), strict=True))
+    found = point.solution(matrix, [-row[-1] for row in rows])
+    assert found is not None
+    numbers = [_recognised(x) for x in found]
+    return {
+        a: x if x.is_Integer else _rounded(sp.Float(x, DIGITS)) for a, x in zip(accelerations, numbers, strict=True)
+    }
 
 
-def _number(expression: sp.Expr, values: Mapping[sp.Basic, sp.Expr]) -> sp.Float:
-    number = expression.xreplace(values).evalf(DIGITS)
-    if not number.is_Float and not number.is_Integer and not number.is_Rational:
-        raise ValueError("not a number")
-    return sp.Float(number, DIGITS)
+def _point(values: Mapping[sp.Basic, sp.Expr]) -> RealPoint:
+    """The point with these values."""
+    point = RealPoint(Graph(), Reals(Random(0)))
+    point.move({s: point.reals.float(v) if v.is_Float else point.value(v) for s, v in values.items()})
+    return point
+
+
+def _recognised(number: Any) -> sp.Expr:
+    """A number of eighty digits; as a fraction, where it is one of a small denominator to sixty digits."""
+    value = sp.Float(number, DIGITS)
+    fraction = Fraction(int(number * 10**RECOGNISED), 10**RECOGNISED).limit_denominator(LARGEST_DENOMINATOR)
+    difference = abs(number * fraction.denominator - fraction.numerator)
+    return sp.Rational(fraction) if difference * 10**RECOGNISED < 1 else value
 
 
 def _rounded(value: sp.Expr) -> sp.Expr:

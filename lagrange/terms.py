@@ -9,7 +9,7 @@ from fractions import Fraction
 import sympy as sp
 
 from lagrange.packing import pack, unpack
-from lagrange.polynomials import Polynomial, common_number, factorization, negated
+from lagrange.polynomials import common_number, factorization
 
 LONGEST = 24  # a longer sum is not factored
 
@@ -112,13 +112,17 @@ def factored_sum(terms: list[Term]) -> Term | None:
         return None
     product = Term(Fraction(sign), {})
     for p, exponent in found:
-        turned, p = _turned(p)
         members = [Term(c, {factors[i]: sp.Integer(e) for i, e in unpack(m)}) for m, c in p.items()]
-        product = product * Term(Fraction(turned**exponent), {sum_of(members): sp.Integer(exponent)})
+        turned = _sign(members)
+        total = sum_of(term.scaled(Fraction(turned)) for term in members)
+        product = product * Term(Fraction(turned**exponent), {total: sp.Integer(exponent)})
     return product
 
 
-def _turned(polynomial: Polynomial) -> tuple[int, Polynomial]:
-    """Minus one if most signs are minus, and the polynomial without that sign."""
-    minus = sum(c < 0 for c in polynomial.values()) * 2 > len(polynomial)
-    return (-1, negated(polynomial)) if minus else (1, polynomial)
+def _sign(terms: list[Term]) -> int:
+    """The sign of most terms; of the shortest, where as many are minus as plus."""
+    balance = sum(1 if term.number > 0 else -1 for term in terms)
+    if balance == 0:
+        first = min(terms, key=lambda term: (len(term.factors), str(Term(Fraction(1), term.factors).to_sympy())))
+        balance = 1 if first.number > 0 else -1
+    return 1 if balance > 0 else -1

@@ -11,7 +11,7 @@ printed forms. A check that cannot be decided says so and does not count as held
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -21,7 +21,7 @@ from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
 from lagrange.exact import Point, has_real_point
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.lagrangian import kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
 from lagrange.sampling import agreed
@@ -55,7 +55,7 @@ def check_integrability(classification: Classification) -> list[Check]:
     """Frobenius' form, worked out in symbols, against the verdict on the constraint, which is found with jets."""
     found = []
     for c in classification.constraints:
-        if c.row.finite is None and not c.exactness.exact and c.integrable is not None:
+        if c.pfaffian and c.row.finite is None and not c.exactness.exact and c.integrable is not None:
             verdicts = [k.nonzero for k in c.frobenius]
             vanishes = False if True in verdicts else None if None in verdicts else True
             passed = None if vanishes is None else vanishes == c.integrable
@@ -81,22 +81,40 @@ def check_hidden(classification: Classification, elimination: Elimination, confi
 
 
 def check_reality(configuration: Configuration) -> list[Check]:
-    """Whether some real configuration satisfies the geometric constraints: x² + y² = −1 has none."""
-    if not configuration.finite_constraints:
+    """Whether some real configuration satisfies the constraints: x² + y² = −1 has none.
+
+    Where they are not linear in the velocities, real velocities are asked for too.
+    """
+    pfaffian = is_pfaffian(configuration.rows)
+    if pfaffian and not configuration.finite_constraints:
         return []
-    name = "a real configuration satisfies the constraints"
-    if has_real_point(configuration.surface):
+    name = f"a real {'configuration' if pfaffian else 'state'} satisfies the constraints"
+    if has_real_point(configuration.states):
         return [Check(name, True, "one was found, to sixty digits")]
     return [Check(name, None, "none was found")]
 
 
-def check_displacements(configuration: Configuration, elimination: Elimination) -> list[Check]:
-    """The solved virtual displacements, put into the constraints."""
+def check_displacements(
+    configuration: Configuration, elimination: Elimination, carried: Sequence[sp.Expr] = ()
+) -> list[Check]:
+    """The solved virtual displacements, and the rates at which moving constraints carry (n,), put into A and a_t."""
     if not configuration.rows:
         return []
     how = "exact: the solved displacements put into the constraints"
     passed = _displacements_hold(configuration, elimination)
-    return [Check("the virtual displacements satisfy the constraints", passed, how, configuration.name)]
+    found = [Check("the virtual displacements satisfy the constraints", passed, how, configuration.name)]
+    if any(carried):
+        rule = dict(zip(configuration.slots.velocities, carried, strict=True))
+        verdicts = [
+            configuration.surface.is_zero(row.velocity_form(configuration.slots).xreplace(rule))
+            for row in configuration.rows
+        ]
+        passed = False if False in verdicts else None if None in verdicts else True
+        how = "exact: put into the constraints"
+        found.append(
+            Check("the displacement that the moving constraints force satisfies them", passed, how, configuration.name)
+        )
+    return found
 
 
 def check_motion(motion: EquationsOfMotion, reactions: Mapping[str, sp.Symbol]) -> list[Check]:
@@ -132,7 +150,7 @@ def _displacements_hold(configuration: Configuration, elimination: Elimination) 
     """A N = 0, where the columns of N are the solved displacements."""
     columns = displacement_basis(elimination, len(configuration.slots.coordinates))
     verdicts = [
-        configuration.surface.is_zero(sp.Add(*(a * x for a, x in zip(row.coefficients, column, strict=True))))
+        configuration.states.is_zero(sp.Add(*(a * x for a, x in zip(row.coefficients, column, strict=True))))
         for row in configuration.rows
         for column in columns
     ]
@@ -152,10 +170,15 @@ def displacement_basis(elimination: Elimination, size: int) -> list[list[sp.Expr
 
 
 def _conserves_reactions(configuration: Configuration) -> bool:
-    """Whether reactions have no power: no constraint has a_t, and no position contains t."""
+    """Whether reactions have no power: no constraint has an a_t where it holds, and no position contains t."""
     slots = configuration.slots
-    still = all(row.drift == 0 for row in configuration.rows)
+    still = all(row.drift == 0 or _no_drift(row, configuration) for row in configuration.rows)
     return still and all(not _contains_time(p.position.components, slots) for p in configuration.points)
+
+
+def _no_drift(row: Row, configuration: Configuration) -> bool:
+    """Whether a_t is zero where a constraint that is not Pfaffian holds: x'² + y'² − z'² has a_t = −φ."""
+    return row.nonlinear is not None and configuration.states.is_zero(row.drift) is True
 
 
 def _contains_time(parts: tuple[sp.Expr, ...], slots: Slots) -> bool:
@@ -181,7 +204,7 @@ def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
         accelerated = with_accelerations(moving, system)
         return accelerated is not None and accelerated.is_zero(rate - power)
 
-    return agreed(configuration.surface, holds, expressions)
+    return agreed(configuration.states, holds, expressions)
 
 
 def with_accelerations(point: Point, system: System) -> Point | None:

@@ -20,16 +20,17 @@ LAYERS = {
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
         differentiation trigonometry common_factor textbook""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
-        meaning vector_meaning expressions""",
-    "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names problem
-        reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
+        meaning vector_meaning expressions tidying""",
+    "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
+         velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability combinations candidates first_integrals hidden_relations""",
-    "stages": """kinematics consistency rank_loss constraints classification displacements coordinates principle equations lagrangian
+    "stages": """kinematics bending consistency rank_loss constraints classification displacements coordinates principle equations lagrangian
         comparison spot verification""",
     "results": "solution references answers checking",
-    "derivations": """derivation explain explain.words explain.statement explain.displacements explain.systems
+    "derivations": """derivation explain explain.words explain.statement explain.nonlinear explain.displacements
+        explain.systems
         explain.constraints explain.motion explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import pytest
 import sympy as sp
-from exterior import rank_at, real_point
+from exterior import rank, real_point
 
 from lagrange.diagnostics import ProblemError
 from lagrange.notation import t
@@ -82,7 +82,7 @@ def test_a_long_combination_is_only_named(problem: Read) -> None:
 def test_the_combination_is_in_the_prose_and_the_names_in_json(problem: Read) -> None:
     found = as_object(report(problem(text(*REDUNDANT["numbers"][:2]))))
     assert found["classification"]["redundant"] == ["r"]
-    assert "omega_3 = omega_1 + 2*omega_2" in str(found["steps"])
+    assert "eta_3 = eta_1 + 2*eta_2" in str(found["steps"])
 
 
 # Loss of rank: where it is, and what the rank is there; (), [] where nothing is to be said.
@@ -118,18 +118,18 @@ def test_places_where_the_rank_drops(problem: Read, name: str) -> None:
     if expected is None:
         assert all(loss.rank is None or loss.rank < found.rank for loss in found.losses)
         return
-    wanted = [(tuple(sp.sympify(c, locals=symbols) for c in some.split(",")), rank) for some, rank in expected]
+    wanted = [(tuple(sp.sympify(c, locals=symbols) for c in some.split(",")), fewer) for some, fewer in expected]
     assert written(found.losses) in (wanted, [((-c[0], *c[1:]), r) for c, r in wanted])
     rows = [list(c.row.coefficients) for c in found.constraints]
     constants = {s for row in rows for a in row for s in a.free_symbols}
-    for conditions, rank in wanted:
+    for conditions, fewer in wanted:
         place = {s: sp.S.Zero for s in conditions if s.is_Symbol}
         if not place:
             [condition] = conditions
             place = {symbols["a"]: symbols["c"]} if condition.has(symbols.get("a", t)) else {symbols["y"]: sp.S.Zero}
         there = [[a.xreplace(place) for a in row] for row in rows]
         point = real_point((), (), list(constants | {*symbols.values()}), 3)
-        assert rank_at(there, point) == rank < rank_at(rows, point)
+        assert rank(there, point) == fewer < rank(rows, point)
 
 
 EXCLUDED = {
@@ -194,7 +194,7 @@ def test_contradictions_name_what_they_need_and_no_more(
 
 
 @pytest.mark.parametrize(
-    ("coordinates", "constraints", "condition", "rank"),
+    ("coordinates", "constraints", "condition", "independent"),
     [
         ("x, y", 'p: x = 0, q: "x\' = y"', "y", 2),
         ("x, y, z", 'p: "x\' = y*t", q: "z\' = 2*t", r: "z\' + x\'*y = 2*t"', "y", 3),
@@ -202,7 +202,7 @@ def test_contradictions_name_what_they_need_and_no_more(
     ],
 )
 def test_constraints_that_need_one_more(
-    problem: Read, coordinates: str, constraints: str, condition: str | None, rank: int
+    problem: Read, coordinates: str, constraints: str, condition: str | None, independent: int
 ) -> None:
     """x = 0 with x' = y is no contradiction: it holds where y = 0, and once that is stated all is well."""
     with pytest.raises(ProblemError) as caught:
@@ -211,4 +211,7 @@ def test_constraints_that_need_one_more(
     assert found.code == "unstated-condition"
     if condition:
         assert f"require {condition} = 0" in found.message
-        assert solve(problem(text(coordinates, f"{constraints}, more: {condition} = 0"))).classification.rank == rank
+        assert (
+            solve(problem(text(coordinates, f"{constraints}, more: {condition} = 0"))).classification.rank
+            == independent
+        )

@@ -2,36 +2,43 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
-from lagrange.displacements import Elimination, displaced, virtual_displacement
-from lagrange.kinematics import Configuration, Row
+from lagrange.displacements import Elimination, carried_along, displaced, virtual_displacement
+from lagrange.explain.nonlinear import by_chetaev
+from lagrange.explain.words import plural
+from lagrange.kinematics import Configuration, MassPoint, Row, is_pfaffian
 from lagrange.notation import VectorSymbol, differential, t, variation
 
 LONGEST = 40
 """Operations of a solved displacement that are still shown without being asked for."""
 
 
-def explain_displacements(configuration: Configuration, elimination: Elimination) -> Step:
-    """From dq to δq, and the solved δq."""
-    rows = configuration.rows
-    if not rows:
+def explain_displacements(configuration: Configuration, elimination: Elimination, carried: Sequence[sp.Expr]) -> Step:
+    """From dq to δq, the solved δq, and what possible displacements have beyond them: `carried`, shape (n,)."""
+    if not configuration.rows:
         words = "No constraint binds the displacements: every one of them is virtual, with time frozen."
-        return Step(
-            Rule.DISPLACEMENTS,
-            "Virtual displacements",
-            (prose(words), *of_points(configuration, elimination)),
-        )
-    body = [*_subtracted(configuration), *_drift(configuration)]
+        body = [prose(words), *of_points(configuration, elimination), *_by_time(configuration)]
+        return Step(Rule.DISPLACEMENTS, "Virtual displacements", tuple(body))
+    body = [*_subtracted(configuration)]
+    if is_pfaffian(configuration.rows) and not any(r.drift != 0 for r in configuration.rows):
+        body.append(prose("There is no term with ", math(differential(t)), ": ", *_same(configuration)))
+    body += by_chetaev(configuration)
     body += solved_displacements(elimination, configuration)
     body += of_points(configuration, elimination)
+    body += _drift(configuration, carried) if any(carried) else _by_time(configuration)
     return Step(Rule.DISPLACEMENTS, "Possible and virtual displacements", tuple(body))
 
 
 def _subtracted(configuration: Configuration) -> list[Block]:
     """Two possible displacements subtracted."""
-    slots, rows = configuration.slots, configuration.rows
+    slots = configuration.slots
+    rows = [r for r in configuration.rows if r.nonlinear is None]
+    if not rows:
+        return []
     forms = listed(Ref(f"form-{r.name}") for r in rows)
     dt = math(differential(t))
     moving = any(r.drift != 0 for r in rows)
@@ -45,26 +52,61 @@ def _subtracted(configuration: Configuration) -> list[Block]:
     return [prose(*words), display(*lines)]
 
 
-def _drift(configuration: Configuration) -> list[Block]:
-    """What a possible displacement has and a virtual one has not."""
-    dt = math(differential(t))
+def _same(configuration: Configuration) -> tuple[Part, ...]:
+    """Possible and virtual displacements of the coordinates are the same; those of points may yet differ."""
+    same = "possible and virtual displacements are the same."
+    return (f"for the coordinates, {same}",) if _moving_points(configuration) else (same,)
+
+
+def _drift(configuration: Configuration, carried: Sequence[sp.Expr]) -> list[Block]:
+    """dr = δr + w dt: what a possible displacement has and a virtual one has not."""
+    slots = configuration.slots
+    steps = {q: rate * differential(t) for q, rate in zip(slots.coordinates, carried, strict=True) if rate != 0}
+    forms = [Ref(f"form-{r.name}") for r in configuration.rows]
     moving = [r for r in configuration.rows if r.drift != 0]
-    if not moving:
-        return [prose("There is no term with ", dt, ": possible and virtual displacements are the same.")]
-    names = listed(Ref(f"form-{r.name}") for r in moving)
-    found: list[Block] = []
+    carry = plural(len(moving), "the moving constraint carries", "the moving constraints carry")
+    rest = "with the other coordinates at rest, " if len(steps) < len(slots.coordinates) else ""
+    found: list[Block] = [
+        prose(f"Possible and virtual displacements are not the same: {carry} the system along. For instance, {rest}",
+              *listed(forms), plural(len(forms), " is satisfied by", " are satisfied by")),
+        display(*(Equation((differential(q), step)) for q, step in steps.items())),
+        prose("and every other possible displacement differs from this one by a virtual displacement:"),
+    ]  # fmt: skip
     if configuration.points:
-        lines = [
-            Equation((VectorSymbol(f"d(r_{p.name})"), displaced(p, configuration.slots, differential)))
-            for p in configuration.points
-        ]
-        found.append(prose("A possible displacement of the " + ("particle is" if len(lines) == 1 else "particles is")))
-        found.append(display(*lines))
-    found.append(
-        prose("It has a part that no virtual displacement has, forced on it by the term with ", dt, " in ", *names,
-              ": the constraint moves." if len(moving) == 1 else ": the constraints move.")
-    )  # fmt: skip
-    return found
+        return [*found, _of_moved_points(configuration, carried)]
+    lines = (
+        Equation((differential(q), variation(q) + steps.get(q, sp.S.Zero)), label=f"possible-{q.name}")
+        for q in slots.coordinates
+    )
+    return [*found, display(*lines)]
+
+
+def _by_time(configuration: Configuration) -> list[Block]:
+    """What possible displacements have beyond virtual ones where positions contain t."""
+    moving = _moving_points(configuration)
+    if not moving:
+        return []
+    names = listed(p.name for p in moving)
+    verb = plural(len(moving), "the position of ", "the positions of ")
+    words = prose("Time occurs in ", verb, *names, ": a possible displacement has a part beside the virtual one,")
+    return [words, _of_moved_points(configuration, [sp.S.Zero] * len(configuration.slots.coordinates))]
+
+
+def _of_moved_points(configuration: Configuration, carried: Sequence[sp.Expr]) -> Block:
+    """dr = δr + w dt of each particle."""
+    lines = []
+    for p in configuration.points:
+        extra = carried_along(p, configuration.slots, carried) * differential(t)
+        virtual = VectorSymbol(f"delta(r_{p.name})")
+        total = virtual if extra.is_zero else virtual + extra.as_sum()
+        lines.append(Equation((VectorSymbol(f"d(r_{p.name})"), total), label=f"possible-{p.name}"))
+    return display(*lines)
+
+
+def _moving_points(configuration: Configuration) -> list[MassPoint]:
+    """The particles whose position contains t."""
+    slots = configuration.slots
+    return [p for p in configuration.points if not p.position.frozen_derivative(slots).is_zero]
 
 
 def solved_displacements(elimination: Elimination, configuration: Configuration) -> list[Block]:
@@ -103,7 +145,7 @@ def of_points(configuration: Configuration, elimination: Elimination) -> list[Bl
     zero = {d: value for d, value in elimination.solved(slots).items() if value == 0}
     suffix = f"-{configuration.name}" if configuration.name else ""
     lines = [
-        Equation((VectorSymbol(f"delta(r_{p.name})"), displaced(p, slots, variation).xreplace(zero)),
+        Equation((VectorSymbol(f"delta(r_{p.name})"), displaced(p, slots).xreplace(zero)),
                  label=f"delta{suffix}-{p.name}")
         for p in configuration.points
     ]  # fmt: skip

@@ -8,30 +8,39 @@ import sympy as sp
 
 from lagrange.classification import Classification, Redundancy
 from lagrange.derivation import Block, Equation, Part, Prose, Ref, display, listed, math, paragraph, prose
-from lagrange.explain.words import counted, plural, spoken
+from lagrange.explain.nonlinear import together
+from lagrange.explain.words import in_words, plural, spoken
 from lagrange.hidden_relations import HiddenRelation
-from lagrange.notation import Slots, differential, t
+from lagrange.notation import CONSTANT, FormSymbol, Slots, differential, t
 from lagrange.rank_loss import RankLoss
 
-OMEGA = sp.Symbol("omega", real=True)
-CONSTANT = sp.Symbol("const", real=True)
+LETTERS = ("omega", "eta", "chi", "zeta", "xi")
+"""What a form may be called; the first that the problem does not use."""
 SHOWN_LOSSES = 4
 
 
-def explain_together(classification: Classification) -> list[Block]:
+def form_letter(taken: Collection[str]) -> str:
+    """What a form is called: a letter that no name of the problem begins with."""
+    return next((n for n in LETTERS if not any(name.startswith(n) for name in taken)), LETTERS[0])
+
+
+def explain_together(classification: Classification, letter: str) -> list[Block]:
     """Frobenius' condition for the whole system, and its derived systems."""
     constraints, flag = classification.constraints, classification.flag
     if len(constraints) < 2 or all(c.row.finite is not None for c in constraints):
         return []
+    if not all(c.pfaffian for c in constraints):
+        return together(classification)
     if flag.integrable_rank is None:
         return [prose("How many finite relations the constraints hold together could not be decided.")]
-    relations = counted(flag.integrable_rank, "finite relation") if flag.integrable_rank else "no finite relation"
+    relations = in_words(flag.integrable_rank, "finite relation") if flag.integrable_rank else "no finite relation"
     if all(c.integrable for c in constraints):
         return [prose(f"Taken together, the constraints are worth {relations} between the coordinates.")]
+    omega = sp.Symbol(letter, real=True)
     question = prose(
-        "Together the constraints may hold more. A combination ", math(OMEGA), " of the forms is the differential of a "
-        "finite relation, but for a factor, only if ", math(differential(OMEGA)), " vanishes for any two displacements "
-        "that satisfy all the constraints: ", math(differential(OMEGA), sp.S.Zero, relation="≡"), " modulo the forms. "
+        "Together the constraints may hold more. A combination ", math(omega), " of the forms is the differential of a "
+        "finite relation, but for a factor, only if ", math(differential(omega)), " vanishes for any two displacements "
+        "that satisfy all the constraints: ", math(differential(omega), sp.S.Zero, relation="≡"), " modulo the forms. "
         "By Frobenius' theorem all the constraints come to finite relations if that holds for each of the forms.",
     )  # fmt: skip
     if len(flag.ranks) == 1:
@@ -48,68 +57,68 @@ def explain_together(classification: Classification) -> list[Block]:
     return [paragraph(question, prose(answer))]
 
 
-def explain_hidden(classification: Classification, slots: Slots) -> list[Block]:
+def explain_hidden(classification: Classification, slots: Slots, letter: str) -> list[Block]:
     """The finite relations that no single constraint shows."""
     found, missing = classification.hidden.found, classification.hidden.missing
     body: list[Block] = []
     if found:
-        what = plural(len(found), "One relation follows that no constraint shows as it stands:",
-                      f"{len(found)} relations follow that no constraint shows as it stands:")  # fmt: skip
+        many = in_words(len(found), "relation").capitalize()
+        what = f"{many} {plural(len(found), 'follows', 'follow')} that no constraint shows as it stands:"
         lines = (Equation((r.function, CONSTANT), label=f"hidden-{n}") for n, r in enumerate(found, start=1))
-        body += [prose(what), display(*lines), *_explain_combinations(classification, slots)]
+        body += [prose(what), display(*lines), *_explain_combinations(classification, slots, letter)]
     if missing and len(classification.constraints) > 1:
-        what = plural(missing, "finite relation exists", "finite relations exist")
-        body.append(prose(f"{missing} {'further ' if found else ''}{what}, not found in closed form."))
+        many = in_words(missing, f"{'further ' if found else ''}finite relation").capitalize()
+        body.append(prose(f"{many} {plural(missing, 'exists', 'exist')}, not found in closed form."))
     return body
 
 
-def _explain_combinations(classification: Classification, slots: Slots) -> list[Block]:
+def _explain_combinations(classification: Classification, slots: Slots, letter: str) -> list[Block]:
     """The differentials of the hidden relations as combinations of the forms, where these are short."""
     found = classification.hidden.found
     shown = [r for r in found if r.combination is not None]
     if not shown:
         what = plural(len(found), "this function", "these functions")
         return [prose(f"No displacement that satisfies the constraints changes {what}: verified exactly.")]
-    names = [c.row.name for c in classification.independent]
+    names = [c.row.name for c in classification.independent if c.pfaffian]
     used = {n for r in shown for n, c in zip(names, r.combination or (), strict=True) if c != 0}
     what = "its differential is" if len(found) == 1 else "the differentials are"
     what = what if len(shown) == len(found) else "of the differentials, those with short combinations are"
-    lines = (_as_combination(r, names, classification, slots) for r in shown)
+    lines = (_as_combination(r, names, classification, slots, letter) for r in shown)
     end = plural(len(found), "so that it does not change", "so that they do not change")
     return [
-        prose(*_with_symbols(classification, used), what),
+        prose(*_with_symbols(classification, used, letter), what),
         display(*lines),
         prose(f"{end} in a displacement that satisfies the constraints."),
     ]
 
 
-def _form_symbol(classification: Classification, name: str) -> sp.Symbol:
+def _form_symbol(classification: Classification, name: str, letter: str) -> FormSymbol:
     """ω_j for the form of the j-th constraint."""
     place = [c.row.name for c in classification.constraints].index(name)
-    return sp.Symbol(f"omega_{place + 1}", real=True)
+    return FormSymbol(f"{letter}_{place + 1}", real=True)
 
 
-def _with_symbols(classification: Classification, names: Collection[str], word: str = "With ") -> tuple[Part, ...]:
+def _with_symbols(classification: Classification, names: Collection[str], letter: str) -> tuple[Part, ...]:
     """`With ω_1 for (3) and ω_2 for (4), `."""
     used = [c.row.name for c in classification.constraints if c.row.name in names]
-    parts = [(math(_form_symbol(classification, n)), " for ", Ref(f"form-{n}")) for n in used]
-    found: list[Part] = [word]
+    parts = [(math(_form_symbol(classification, n, letter)), " for ", Ref(f"form-{n}")) for n in used]
+    found: list[Part] = ["With "]
     for k, part in enumerate(parts):
         found += [*([" and " if k == len(parts) - 1 else ", "] if k else []), *part]
     return (*found, ", ")
 
 
 def _as_combination(
-    relation: HiddenRelation, names: Sequence[str], classification: Classification, slots: Slots
+    relation: HiddenRelation, names: Sequence[str], classification: Classification, slots: Slots, letter: str
 ) -> Equation:
     """Σ ∂φ/∂q_k dq_k = Σ c_j ω_j."""
     variables = (*slots.coordinates, t)
     left = sp.Add(*(a * differential(v) for a, v in zip(relation.differential, variables, strict=True)))
     terms = zip(relation.combination or (), names, strict=True)
-    return Equation((left, sp.Add(*(c * _form_symbol(classification, n) for c, n in terms))))
+    return Equation((left, sp.Add(*(c * _form_symbol(classification, n, letter) for c, n in terms))))
 
 
-def explain_redundant(classification: Classification) -> list[Prose]:
+def explain_redundant(classification: Classification, letter: str) -> list[Prose]:
     """Each redundant constraint with the combination that makes it so."""
     if not classification.redundancies:
         return []
@@ -120,15 +129,15 @@ def explain_redundant(classification: Classification) -> list[Prose]:
     shown = [r for r in classification.redundancies if r.combination]
     if shown:
         used = {n for r in shown for n in (r.name, *(name for name, _ in r.combination or ()))}
-        equations = listed(math(*_redundancy(classification, r)) for r in shown)
-        sentences.append(prose(*_with_symbols(classification, used), *equations, "."))
+        equations = listed(math(*_redundancy(classification, r, letter)) for r in shown)
+        sentences.append(prose(*_with_symbols(classification, used, letter), *equations, "."))
     return sentences
 
 
-def _redundancy(classification: Classification, r: Redundancy) -> tuple[sp.Expr, sp.Expr]:
+def _redundancy(classification: Classification, r: Redundancy, letter: str) -> tuple[sp.Expr, sp.Expr]:
     """ω_3 = ω_1 + 2 ω_2."""
-    terms = (c * _form_symbol(classification, name) for name, c in r.combination or ())
-    return _form_symbol(classification, r.name), sp.Add(*terms)
+    terms = (c * _form_symbol(classification, name, letter) for name, c in r.combination or ())
+    return _form_symbol(classification, r.name, letter), sp.Add(*terms)
 
 
 def explain_losses(classification: Classification) -> list[Prose]:

@@ -14,7 +14,7 @@ import sympy as sp
 
 from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
 from lagrange.displacements import possible_displacement, virtual_displacement
-from lagrange.notation import Wedge
+from lagrange.notation import FormSymbol, Wedge
 from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
 
@@ -92,11 +92,13 @@ def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str
         "name": constraint.name,
         "equation": f"{write(constraint.function)} = 0",
         "kind": "kinematic" if constraint.kinematic else "geometric",
-        "pfaffian": {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
-        | {"t": write(row.drift)},
-        "exact": c.exactness.exact,
-        "integrable": c.integrable,
     }
+    if constraint.given is not None:
+        found["given"] = f"{write(constraint.given.lhs)} = {write(constraint.given.rhs)}"
+    if c.pfaffian:
+        form = {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
+        found |= {"pfaffian": form | {"t": write(row.drift)}, "exact": c.exactness.exact}
+    found["integrable"] = c.integrable
     if c.exactness.exact:
         found["integrating_factor"] = "1"
     if c.integral is not None:
@@ -156,7 +158,7 @@ def _block(block: Block, write: Write) -> dict[str, Any]:
 
 def _equation(equation: Equation, write: Write) -> dict[str, Any]:
     """An equation; `text` can be read back. An equation between exterior forms cannot, and is called `form`."""
-    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge) for s in equation.sides)
+    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge, FormSymbol) for s in equation.sides)
     written = f" {equation.relation} ".join(write(_shown(s)) for s in equation.sides)
     found: dict[str, Any] = {"form" if of_forms else "text": written}
     if equation.label:

@@ -80,7 +80,7 @@ class Text:
 
     def number(self, number: sp.Number) -> Piece:
         """A positive integer or float."""
-        return Piece(repr(float(number)) if isinstance(number, sp.Float) else str(int(number)))
+        return Piece(f"{float(number):.6g}" if isinstance(number, sp.Float) else str(int(number)))
 
     def coefficient(self, numerator: Piece, denominator: Piece) -> Piece:
         """A number such as 1/2 in front of a product."""

@@ -1,0 +1,80 @@
+"""Possible and virtual displacements: what moving constraints add, dq = δq + w dt."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.exact import is_zero
+from lagrange.report import report
+from lagrange.solution import solve
+
+x, y, z, s, r, theta, t = sp.symbols("x y z s r theta t", real=True)
+omega, v, a, b, m = sp.symbols("omega v a b m", positive=True)
+
+
+# title: (problem, w in the order of the coordinates)
+CARRIED = {
+    "the surface of Ex. 9 moves along i": (
+        "parameters: {u: real, c: real}\ncoordinates: [x, y, z]\nfunctions: {f: [X, Y, Z]}\n"
+        "constraints: {surface: 'f(x - u*t, y, z) = c'}",
+        (sp.Symbol("u", real=True), 0, 0),
+    ),
+    "a wire that is raised": (
+        "parameters: [a, v]\ncoordinates: [x, y]\nconstraints: {wire: y = a*x^2 + v*t}",
+        (0, v),
+    ),
+    "a driven length": (
+        "parameters: [a, b, omega]\ncoordinates: [r, theta]\nconstraints: {length: r = a + b*cos(omega*t)}",
+        (-b * omega * sp.sin(omega * t), 0),
+    ),
+    "a skate on ice that moves, and a turn": (
+        "parameters: [v, omega]\ncoordinates: [x, y, theta]\n"
+        "constraints: {blade: (x' - v)*sin(theta) = y'*cos(theta), turn: theta' = omega}",
+        (v, 0, omega),
+    ),
+    "prescribed by u(t)": (
+        "coordinates: [x, y]\nfunctions: {u: [t]}\nconstraints: {point: x = u}",
+        (sp.Symbol("u'", real=True), 0),
+    ),
+    "nothing moves": ("parameters: [a]\ncoordinates: [x, y]\nconstraints: {circle: x^2 + y^2 = a^2}", (0, 0)),
+}
+
+
+@pytest.mark.parametrize(("text", "expected"), CARRIED.values(), ids=CARRIED.keys())
+def test_the_simplest_motion_that_the_constraints_force(problem, text, expected):
+    solution = solve(problem(f"title: A problem\n{text}"))
+    assert solution.carried == tuple(map(sp.sympify, expected))
+
+
+@pytest.mark.parametrize(("text", "expected"), CARRIED.values(), ids=CARRIED.keys())
+def test_it_satisfies_the_constraints(problem, text, expected):
+    """By substitution into f: along q(t) = q_0 + w t, to first order, f stays what it is."""
+    del expected
+    solution = solve(problem(f"title: A problem\n{text}"))
+    slots = solution.problem.slots
+    rule = dict(zip(slots.velocities, solution.carried, strict=True))
+    for constraint in solution.problem.constraints:
+        f = constraint.function
+        rate = f if constraint.kinematic else slots.time_derivative(f)
+        assert is_zero(rate.xreplace(rule))
+
+
+def written(problem, text: str) -> str:
+    steps = report(problem(f"title: A problem\n{text}")).derivation.steps
+    [step] = [s for s in steps if s.rule == "displacements"]
+    return str(step)
+
+
+TURNING_WIRE = "parameters: [m, omega]\ncoordinates: [s]\nparticles: {P: {mass: m, position: '[s*cos(omega*t), 0]'}}"
+
+
+def test_a_position_that_contains_t_is_said_to_move(problem):
+    assert "a possible displacement has a part beside the virtual one" in written(problem, TURNING_WIRE)
+    assert "beside the virtual one" not in written(problem, TURNING_WIRE.replace("omega*t", "omega"))
+
+
+def test_possible_and_virtual_are_called_the_same_only_where_they_are(problem):
+    for text, carried in CARRIED.values():
+        same = "possible and virtual displacements are the same" in written(problem, text)
+        assert same is not any(carried)
