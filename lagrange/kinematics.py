@@ -52,6 +52,11 @@ class Row:
         return cls(name, coefficients, sp.Add(function, *(-p for p in powers)), nonlinear=function)
 
     @property
+    def form(self) -> tuple[sp.Expr, ...]:
+        """The coefficients of all differentials, dt among them, shape (n + 1,)."""
+        return (*self.coefficients, self.drift)
+
+    @property
     def is_identity(self) -> bool:
         """Whether it is written 0 = 0."""
         return self.drift == 0 and all(a == 0 for a in self.coefficients)

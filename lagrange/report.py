@@ -75,8 +75,8 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
-        yield explain_integrability(classification, names_of(problem))
-    yield explain_classification(classification)
+        yield explain_integrability(classification, problem.slots, names_of(problem))
+    yield explain_classification(classification, names_of(problem))
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     if solution.equilibrium is not None:

@@ -31,6 +31,7 @@ from lagrange.verification import (
     check_choice,
     check_displacements,
     check_finite_forms,
+    check_hidden,
     check_integrability,
     check_motion,
     check_reactions,
@@ -120,6 +121,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         *check_integrability(classification),
         *check_finite_forms(classification, problem.slots, configuration.surface),
         *check_displacements(configuration, elimination, carried),
+        *check_hidden(classification, elimination, configuration),
     ]
     solution = Solution(
         problem,

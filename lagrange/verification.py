@@ -18,11 +18,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.classification import Classification, has_real_point
+from lagrange.classification import Classification
 from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
-from lagrange.exact import Point, Surface
+from lagrange.exact import Point, Surface, has_real_point
 from lagrange.exterior import Form, exterior_derivative, one_form, wedge
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.lagrangian import kinetic_energy, lagrange_equations
@@ -106,6 +106,22 @@ def _vanishes_beside(form: Form, around: Sequence[Row], surface: Surface) -> boo
         form = wedge(form, one_form((*row.coefficients, row.drift)))
     verdicts = [surface.is_zero(a) for a in form.values()]
     return False if False in verdicts else None if None in verdicts else True
+
+
+def check_hidden(classification: Classification, elimination: Elimination, configuration: Configuration) -> list[Check]:
+    """The hidden relations, found at random points, against the virtual displacements, solved in symbols."""
+    found = classification.hidden.found
+    if not found:
+        return []
+    columns = displacement_basis(elimination, len(configuration.slots.coordinates))
+    verdicts = [
+        configuration.surface.is_zero(sp.Add(*(a * x for a, x in zip(r.differential, column, strict=False))))
+        for r in found
+        for column in columns
+    ]
+    passed = False if False in verdicts else None if None in verdicts else True
+    how = "exact: their differentials in the solved displacements"
+    return [Check("the hidden relations hold in every virtual displacement", passed, how)]
 
 
 def check_reality(configuration: Configuration) -> list[Check]:

@@ -204,6 +204,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "particles: {P: {mass: m, position: x*i}}\n")),
     "singular-constraint": ("The derivatives of the constraint vanish where it holds, so that it binds nothing.",
         problem("constraints: {a: sin(x) = 1}")),
+    "unstated-condition": ("These constraints can be met only where one more relation holds. Add it.",
+        problem("constraints: {a: x = 0, b: \"x' = y\"}")),
     "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
         PARTICLE + "find: linearization")),
     "several-branches": ("The constraint is satisfied in several ways; a problem is about one of them.", problem(

@@ -26,14 +26,15 @@ LAYERS = {
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
-        restrictions""",
+        restrictions combinations candidates first_integrals hidden_relations""",
     "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
-    "stages": """kinematics bending constraints classification displacements coordinates linear rods newton workless principle
-        reactions friction equations comparison dynamics lagrangian spot verification equilibrium stability statics""",
+    "stages": """kinematics bending consistency rank_loss constraints classification displacements coordinates linear rods newton
+        workless principle reactions friction equations comparison dynamics lagrangian spot verification equilibrium stability
+        statics""",
     "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.statement explain.nonlinear explain.displacements
-        explain.factors explain.constraints explain.newton explain.motion explain.reactions explain.statics
-        explain.checks""",
+        explain.factors explain.systems explain.constraints explain.newton explain.motion explain.reactions
+        explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

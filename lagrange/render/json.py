@@ -14,7 +14,7 @@ import sympy as sp
 
 from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
 from lagrange.displacements import possible_displacement, virtual_displacement
-from lagrange.notation import Wedge
+from lagrange.notation import FormSymbol, Wedge
 from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
 
@@ -60,7 +60,7 @@ def as_object(report: Report) -> dict[str, Any]:
             "catastatic": classification.catastatic,
             "rank": classification.rank,
             "integrable_rank": classification.integrable_rank,
-            "hidden": [],
+            "hidden": [write(r.function) for r in classification.hidden.found],
             "redundant": list(classification.redundant),
         },
         "degrees_of_freedom": classification.degrees_of_freedom,
@@ -236,7 +236,7 @@ def _block(block: Block, write: Write) -> dict[str, Any]:
 
 def _equation(equation: Equation, write: Write) -> dict[str, Any]:
     """An equation; `text` can be read back. An equation between exterior forms cannot, and is called `form`."""
-    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge) for s in equation.sides)
+    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge, FormSymbol) for s in equation.sides)
     written = f" {equation.relation} ".join(write(_shown(s)) for s in equation.sides)
     found: dict[str, Any] = {"form" if of_forms else "text": written}
     if equation.label:
