@@ -104,11 +104,18 @@ def reference_of_solution(solution: Solution) -> Reference:
     problem = solution.problem
     signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
     scope = problem.scope
-    new = [q for c in problem.choices for q in c.coordinates]
+    angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
+    new = [*(q for c in problem.choices for q in c.coordinates), *angles]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
-        scalars={**_potential(solution), **_reactions(solution), **scope.scalars, **signs},
+        scalars={
+            **_potential(solution),
+            **_reactions(solution),
+            **{a.name: a for a in angles},
+            **scope.scalars,
+            **signs,
+        },
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **scope.vectors},
     )
@@ -148,6 +155,13 @@ def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> I
         kept = tuple(m for m in c.multipliers if m not in meant)
         only = frozenset(s.name for s in meant)
         yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
+
+
+def _angles_on_surfaces(solution: Solution) -> Iterator[sp.Symbol]:
+    """The angles with which a derivation writes forms on circles, spheres, ...: intermediate lines have them."""
+    for c in solution.classification.constraints:
+        if c.finite_form is not None and c.finite_form.restriction is not None:
+            yield from (a.symbol for a in c.finite_form.restriction.angles)
 
 
 def _potential(solution: Solution) -> dict[str, sp.Expr]:
