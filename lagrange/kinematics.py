@@ -4,6 +4,9 @@ With the coordinates q of a configuration,
 
     v = Σ (∂r/∂q_k) q_k' + ∂r/∂t ,     δr = Σ (∂r/∂q_k) δq_k   (time frozen) .
 
+A rigid body is its mass centre, a point with the mass, and a rotation (`rigid_bodies.py`). A force at another of its points r_A acts
+at the mass centre too, and has the moment (r_A − r_G) × F.
+
 The same functions serve the file's own coordinates and every choice of generalized coordinates: a choice is another
 configuration, with the positions, forces and remaining constraints written in its coordinates.
 """
@@ -17,8 +20,10 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.exact import Surface
+from lagrange.links import Damped, Stretched, damper_in, dampers_in, spring_in, stretched_springs
 from lagrange.notation import Slots, prime
-from lagrange.problem import AppliedForce, Potential, Problem
+from lagrange.problem import AppliedForce, AppliedMoment, Potential, Problem
+from lagrange.rigid_bodies import Rotation, rotation_in, rotation_of
 from lagrange.vectors import Vector
 
 
@@ -58,8 +63,17 @@ class Load:
 
 
 @dataclass(frozen=True)
+class Torque:
+    """An applied moment on a rigid body."""
+
+    name: str
+    on: str
+    vector: Vector
+
+
+@dataclass(frozen=True)
 class MassPoint:
-    """A particle and its motion. `partials`, shape (n,): the vectors ∂r/∂q_k."""
+    """A particle or mass centre and its motion. `partials`, shape (n,): the vectors ∂r/∂q_k."""
 
     name: str
     mass: sp.Expr
@@ -75,11 +89,15 @@ class Configuration:
 
     name        of the choice of generalized coordinates; empty for the file's own coordinates
     slots       the coordinates and the prescribed motions
-    points      the particles
+    points      the particles, and the mass centres of the bodies
     loads       the applied forces, weights included
-    potential   the potential energy of what is given by a potential
+    potential   the potential energy of what is given by a potential, and of the springs
     rows        the constraints that these coordinates still have to satisfy
     expressed   each old coordinate that is replaced, in the present coordinates
+    springs     the springs
+    dampers     the dampers
+    rotations   of the bodies
+    torques     the applied moments
     """
 
     name: str
@@ -89,6 +107,28 @@ class Configuration:
     potential: sp.Expr
     rows: tuple[Row, ...]
     expressed: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    springs: tuple[Stretched, ...] = ()
+    dampers: tuple[Damped, ...] = ()
+    rotations: tuple[Rotation, ...] = ()
+    torques: tuple[Torque, ...] = ()
+
+    @property
+    def particles(self) -> tuple[MassPoint, ...]:
+        """The points that are not mass centres of bodies."""
+        turning = {r.name for r in self.rotations}
+        return tuple(p for p in self.points if p.name not in turning)
+
+    def moments_on(self, body: str) -> tuple[Vector, ...]:
+        """The applied moments on a body, and those of the forces that do not act at its mass centre, about that."""
+        [centre] = (p.position for p in self.points if p.name == body)
+        arms = ((f, f.point - centre) for f in self.loads if f.on == body)
+        found = [arm.cross(f.vector) for f, arm in arms if not arm.is_zero]
+        return tuple(m for m in (*found, *(m.vector for m in self.torques if m.on == body)) if not m.is_zero)
+
+    def moment_on(self, body: str) -> Vector:
+        """Their sum."""
+        [rotation] = (r for r in self.rotations if r.name == body)
+        return sum(self.moments_on(body), Vector.zero(rotation.angular_velocity.triad))
 
     @property
     def finite_constraints(self) -> tuple[sp.Expr, ...]:
@@ -117,10 +157,10 @@ class Configuration:
 def applied_loads(problem: Problem) -> tuple[Load, ...]:
     """The weights, then the forces in the order of the file."""
     loads = []
-    for p in problem.particles:
+    for p in (*problem.particles, *problem.bodies):
         if problem.gravity is not None and p.mass != 0:
             loads.append(Load("weight", p.name, problem.gravity * p.mass, p.position))
-    positions = {p.name: p.position for p in problem.particles}
+    positions = {p.name: p.position for p in (*problem.particles, *problem.bodies)}
     for f in problem.forces:
         if isinstance(f, AppliedForce):
             loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on]))
@@ -129,14 +169,20 @@ def applied_loads(problem: Problem) -> tuple[Load, ...]:
 
 def file_configuration(problem: Problem, rows: tuple[Row, ...]) -> Configuration:
     """The system in the coordinates of the file."""
-    potential = sp.Add(*(f.energy for f in problem.forces if isinstance(f, Potential)))
+    springs = stretched_springs(problem)
+    energies = (f.energy for f in problem.forces if isinstance(f, Potential))
+    masses = (*problem.particles, *problem.bodies)
     return Configuration(
         name="",
         slots=problem.slots,
-        points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in problem.particles),
+        points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in masses),
         loads=applied_loads(problem),
-        potential=potential,
+        potential=sp.Add(*energies, *(s.energy for s in springs)),
         rows=rows,
+        springs=springs,
+        dampers=dampers_in(problem),
+        rotations=tuple(rotation_of(b, problem.slots) for b in problem.bodies),
+        torques=tuple(Torque(f.name, f.on, f.moment) for f in problem.forces if isinstance(f, AppliedMoment)),
     )
 
 
@@ -153,7 +199,21 @@ def substituted_configuration(
     rule = blank.substitution
     points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
     loads = tuple(Load(f.name, f.on, f.vector.xreplace(rule), f.point.xreplace(rule)) for f in original.loads)
-    return Configuration(name, slots, points, loads, original.potential.xreplace(rule), rows, expressed)
+    springs = tuple(spring_in(s, rule) for s in original.springs)
+    others = original.potential - sp.Add(*(s.energy for s in original.springs))
+    return Configuration(
+        name,
+        slots,
+        points,
+        loads,
+        sp.Add(others.xreplace(rule), *(s.energy for s in springs)),
+        rows,
+        expressed,
+        springs,
+        dampers=tuple(damper_in(d, rule, slots) for d in original.dampers),
+        rotations=tuple(rotation_in(r, dict(expressed), rule, slots) for r in original.rotations),
+        torques=tuple(Torque(m.name, m.on, m.vector.xreplace(rule)) for m in original.torques),
+    )
 
 
 def _moving(name: str, mass: sp.Expr, position: Vector, slots: Slots) -> MassPoint:

@@ -130,13 +130,17 @@ class AppliedMoment:
 
 @dataclass(frozen=True)
 class Spring:
-    """A linear spring of stiffness k and free length between two points."""
+    """A linear spring of stiffness k and free length between two points.
+
+    `sense` is the sign of r_2 − r_1 along a unit vector, where the file gives it.
+    """
 
     name: str
     stiffness: sp.Expr
     ends: tuple[Vector, Vector]
     length: sp.Expr
     span: Span
+    sense: int | None = None
 
 
 @dataclass(frozen=True)

@@ -13,13 +13,14 @@ import sympy as sp
 
 from lagrange.classification import Classification, classify
 from lagrange.comparison import System
+from lagrange.constant_inertia import check_constant_inertia
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.displacements import Elimination, carrying_rates, eliminate
 from lagrange.equations import EquationsOfMotion, check_inertia, equations_of_motion
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.principle import dalembert
-from lagrange.problem import AppliedForce, AppliedMoment, Choice, Damper, Find, Friction, Potential, Problem, Spring
+from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
 from lagrange.verification import (
     EXACT,
@@ -108,6 +109,7 @@ def _with_motion(solution: Solution) -> Solution:
     problem = solution.problem
     reactions = {c.name: c.reaction for c in problem.constraints}
     given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    check_constant_inertia(problem, solution.configuration)
     motion = equations_of_motion(dalembert(solution.configuration), solution.elimination)
     check_inertia(motion)
     checks = [*solution.checks, *check_motion(motion, reactions)]
@@ -148,15 +150,10 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
     return found
 
 
-_KINDS = {Friction: "friction", Spring: "the spring", Damper: "the damper", AppliedMoment: "the moment"}
-
-
 def _refuse_what_is_not_covered(problem: Problem) -> None:
-    for body in problem.bodies:
-        raise NotCoveredError(f"the rigid body `{body.name}`", body.span)
     for force in problem.forces:
-        if not isinstance(force, AppliedForce | Potential):
-            raise NotCoveredError(f"{_KINDS[type(force)]} `{force.name}`", force.span)
+        if isinstance(force, Friction):
+            raise NotCoveredError(f"friction `{force.name}`", force.span)
     if problem.speeds:
         raise NotCoveredError("a choice of quasi-velocities (`speeds`)")
     if problem.equations:

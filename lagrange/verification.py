@@ -22,7 +22,7 @@ from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
 from lagrange.exact import Point
 from lagrange.kinematics import Configuration
-from lagrange.lagrangian import kinetic_energy, lagrange_equations
+from lagrange.lagrangian import applied_power, kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
 from lagrange.sampling import agreed
 
@@ -153,7 +153,13 @@ def _conserves_reactions(configuration: Configuration) -> bool:
     """Whether reactions have no power: no constraint has a_t, and no position contains t."""
     slots = configuration.slots
     still = all(row.drift == 0 for row in configuration.rows)
-    return still and all(not _contains_time(p.position.components, slots) for p in configuration.points)
+    moved = (p.position.components for p in configuration.points)
+    turned = (r.virtual(slots.velocities) - r.angular_velocity for r in configuration.rotations)
+    return (
+        still
+        and all(not _contains_time(parts, slots) for parts in moved)
+        and all(sp.expand(c) == 0 for spin in turned for c in spin.components)
+    )
 
 
 def _contains_time(parts: tuple[sp.Expr, ...], slots: Slots) -> bool:
@@ -161,12 +167,11 @@ def _contains_time(parts: tuple[sp.Expr, ...], slots: Slots) -> bool:
 
 
 def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
-    """dT/dt = Σ F·v − Σ (∂V/∂q) q', with the accelerations that the equations of motion give."""
+    """dT/dt = Σ F·v + Σ M·ω − Σ (∂V/∂q) q' − Σ c d'², with the accelerations that the equations of motion give."""
     configuration = motion.configuration
     slots = configuration.slots
     rate = slots.time_derivative(kinetic_energy(configuration))
-    power = sp.Add(*(f.vector.fixed().dot(f.point.fixed().time_derivative(slots)) for f in configuration.loads))
-    power -= sp.Add(
+    power = applied_power(configuration) - sp.Add(
         *(configuration.potential.diff(q) * v for q, v in zip(slots.coordinates, slots.velocities, strict=True))
     )
     system = System(configuration, motion.expressions)
