@@ -1,7 +1,7 @@
 """Are the moments of inertia constant in the triad that the file gives for them?
 
 A triad that turns with Ω while the body turns with ω is not fixed in the body unless ω = Ω. Moments about its axes stay
-what they are only where the inertia does not notice: the body may turn relative to the triad about e_3 if A = B, so that
+what they are only where the inertia does not notice: the body may turn relative to it about e_3 if A = B, so that
 
     (B − C) (ω − Ω)·e_1 = 0 ,    (C − A) (ω − Ω)·e_2 = 0 ,    (A − B) (ω − Ω)·e_3 = 0 .
 
@@ -39,10 +39,12 @@ def check_constant_inertia(problem: Problem, configuration: Configuration) -> No
 
 def _refusal(body: Body) -> Diagnostic:
     a, b, c = body.inertia
-    message = f"the body `{body.name}` turns relative to its axes, and its moments of inertia about them do not stay constant"
+    message = (
+        f"the body `{body.name}` turns relative to its axes, and its moments of inertia about them do not stay constant"
+    )
     equal = a in (b, c) or b == c
     help_ = (
-        "two moments are equal: the body may turn relative to the axes about the third axis only; check `angular_velocity`"
+        "two moments are equal: it may turn relative to the axes about the third axis only; check `angular_velocity`"
         if equal
         else "give axes that are fixed in the body, so that `angular_velocity` is theirs, or two equal moments, "
         "written alike, where the body spins about the third axis"

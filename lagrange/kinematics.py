@@ -4,8 +4,8 @@ With the coordinates q of a configuration,
 
     v = Σ (∂r/∂q_k) q_k' + ∂r/∂t ,     δr = Σ (∂r/∂q_k) δq_k   (time frozen) .
 
-A rigid body is its mass centre, a point with the mass, and a rotation (`rigid_bodies.py`). A force at another of its points r_A acts
-at the mass centre too, and has the moment (r_A − r_G) × F.
+A rigid body is its mass centre, a point with the mass, and a rotation (`rigid_bodies.py`). A force at another of its
+points r_A acts at the mass centre too, and has the moment (r_A − r_G) × F.
 
 The same functions serve the file's own coordinates and every choice of generalized coordinates: a choice is another
 configuration, with the positions, forces and remaining constraints written in its coordinates.
@@ -157,10 +157,10 @@ class Configuration:
 def applied_loads(problem: Problem) -> tuple[Load, ...]:
     """The weights, then the forces in the order of the file."""
     loads = []
-    for p in (*problem.particles, *problem.bodies):
+    for p in problem.masses:
         if problem.gravity is not None and p.mass != 0:
             loads.append(Load("weight", p.name, problem.gravity * p.mass, p.position))
-    positions = {p.name: p.position for p in (*problem.particles, *problem.bodies)}
+    positions = {p.name: p.position for p in problem.masses}
     for f in problem.forces:
         if isinstance(f, AppliedForce):
             loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on]))
@@ -171,11 +171,10 @@ def file_configuration(problem: Problem, rows: tuple[Row, ...]) -> Configuration
     """The system in the coordinates of the file."""
     springs = stretched_springs(problem)
     energies = (f.energy for f in problem.forces if isinstance(f, Potential))
-    masses = (*problem.particles, *problem.bodies)
     return Configuration(
         name="",
         slots=problem.slots,
-        points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in masses),
+        points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in problem.masses),
         loads=applied_loads(problem),
         potential=sp.Add(*energies, *(s.energy for s in springs)),
         rows=rows,

@@ -2,17 +2,19 @@
 
     d/dt ∂T/∂q_k' − ∂T/∂q_k = Q_k + Σ_j λ_j a_jk ,      T = Σ m v·v / 2 + Σ (A ω_1² + B ω_2² + C ω_3²)/2
 
-Nothing here is taken from d'Alembert's principle: velocities come from positions in i, j, k, angular velocities from the
-axes of the body, ω_1 = e_2'·e_3, and dH/dt is not needed. Constant forces enter by their potential −F·r, the others by
-Q_k = Σ F·∂v/∂q_k' + M·∂ω/∂q_k', springs by the vector between their ends, dampers by the derivative of c d'²/2 by q_k'.
+Nothing here is taken from d'Alembert's principle: velocities come from positions in i, j, k, angular velocities from
+the axes of the body, ω_1 = e_2'·e_3, and dH/dt is not needed. Constant forces enter by their potential −F·r, the others
+by Q_k = Σ F·∂v/∂q_k' + M·∂ω/∂q_k', springs by the vector between their ends, dampers by the derivative of c d'²/2 by q_k'.
 
 Where the file gives ω, it may be in quasi-coordinates. Then T is no function of coordinates alone, and
 
     dH/dt·ω_k = d/dt (H·ω_k) − H·ω_k'
 
-takes the place of Lagrange's expression: the two differ by H·(ω_k' − ∂ω/∂q_k), components differentiated (Boltzmann, Hamel). A constraint on velocities is never put into T before
-differentiating: T must know every velocity that the constraint excludes, or ∂T/∂q' loses the terms that its reaction
-balances.
+takes the place of Lagrange's expression: the two differ by H·(ω_k' − ∂ω/∂q_k), components differentiated (Boltzmann,
+Hamel).
+
+A constraint on velocities is never put into T before differentiating: T must know every velocity that the constraint
+excludes, or ∂T/∂q' loses the terms that its reaction balances.
 """
 
 from __future__ import annotations
@@ -135,9 +137,7 @@ def _rate_at(load: Load, configuration: Configuration) -> Vector:
 def _of_moments(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
     """M·∂ω/∂q_k'."""
     spins = {r.name: angular_velocity(r, configuration.slots) for r in configuration.rotations}
-    return sp.Add(
-        *(m.vector.fixed().dot(spins[m.on].map(lambda c: c.diff(velocity))) for m in configuration.torques)
-    )
+    return sp.Add(*(m.vector.fixed().dot(spins[m.on].map(lambda c: c.diff(velocity))) for m in configuration.torques))
 
 
 def _of_springs(configuration: Configuration, coordinate: sp.Symbol) -> sp.Expr:

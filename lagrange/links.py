@@ -3,8 +3,8 @@
     spring   V = k (d − l)²/2 ,  a pull k (d − l) on both ends
     damper   a pull c d' on both ends, with the power −c d'²
 
-On a straight line d is |s|. There the file may say which sign s has (`sense`: of r_2 − r_1), as a drawing does; otherwise
-|s| stays, as does sign s in the force. A damper does not need to know: −c d' along the line is −c s' along s.
+On a straight line d is |s|. There the file may say which sign s has (`sense`: of r_2 − r_1), as a drawing does;
+otherwise |s| stays, as does sign s in the force. A damper does not need to know: −c d' along the line is −c s' along s.
 """
 
 from __future__ import annotations
@@ -77,9 +77,7 @@ def stretched_springs(problem: Problem) -> tuple[Stretched, ...]:
     for f in problem.forces:
         if isinstance(f, Spring):
             apart = f.ends[0] - f.ends[1]
-            length = _distance(apart)
-            if f.sense is not None and isinstance(length, sp.Abs):
-                length = -f.sense * length.args[0]
+            length = _distance(apart) if f.sense is None else -f.sense * sp.Add(*apart.components)
             found.append(Stretched(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
     return tuple(found)
 
@@ -133,7 +131,7 @@ def _rewritten(
 
 def _named(ends: tuple[Vector, Vector], problem: Problem) -> tuple[str | Vector, str | Vector]:
     """The ends, those that are particles or mass centres by name."""
-    places: Mapping[Vector, str] = {p.position: p.name for p in (*problem.bodies, *problem.particles)}
+    places: Mapping[Vector, str] = {p.position: p.name for p in problem.masses}
     first, second = (places.get(e, e) for e in ends)
     return first, second
 

@@ -4,8 +4,8 @@
 
 which, with δr = Σ (∂r/∂q_k) δq_k, is Σ D_k δq_k = 0. D_k is the inertia Σ m r''·∂r/∂q_k less the generalized force
 Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k. A rigid body, whose r is that of its mass centre, adds (dH/dt − M)·δπ to the sum, and to
-D_k (dH/dt − M)·ω_k; a damper adds c d' ∂d/∂q_k. The δq_k are free only where the coordinates are independent; otherwise A δq = 0 binds
-them. Everything is built in the ring of Fourier sums, where it comes out reduced.
+D_k (dH/dt − M)·ω_k; a damper adds c d' ∂d/∂q_k. The δq_k are free only where the coordinates are independent;
+otherwise A δq = 0 binds them. Everything is built in the ring of Fourier sums, where it comes out reduced.
 """
 
 from __future__ import annotations
@@ -63,9 +63,7 @@ def dalembert(configuration: Configuration) -> Principle:
         forces=tuple(textbook.form(q) for q in forces),
         statement=textbook.form(statement),
         accelerations={p.name: p.acceleration.map(textbook.form) for p in configuration.points if p.mass != 0},
-        momentum_rates={
-            r.name: r.momentum_rate.map(textbook.form) for r in configuration.rotations if r.has_inertia
-        },
+        momentum_rates={r.name: r.momentum_rate.map(textbook.form) for r in configuration.rotations if r.has_inertia},
         textbook=textbook,
     )
 

@@ -233,6 +233,11 @@ class Problem:
     notes: tuple[Diagnostic, ...] = ()
 
     @property
+    def masses(self) -> tuple[Particle | Body, ...]:
+        """The particles, then the bodies."""
+        return (*self.particles, *self.bodies)
+
+    @property
     def geometric(self) -> tuple[Constraint, ...]:
         """The constraints in which no velocity occurs."""
         return tuple(c for c in self.constraints if not c.kinematic)

@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 
 LAYERS = {
-    "words and symbols": "lagrange diagnostics notation vectors",
+    "words and symbols": "lagrange diagnostics notation vectors rotation",
     "exact evaluation": """elimination graph field evaluation points residues reals walls branches blocks projection
         triangular sampler exact sampling""",
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
@@ -22,14 +22,14 @@ LAYERS = {
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
         meaning vector_meaning expressions""",
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names problem
-        reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
+        reading declarations undefined_functions reference_frame orientation bodies forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability""",
-    "stages": """kinematics constraints classification displacements coordinates principle equations lagrangian
-        comparison spot verification""",
+    "stages": """links rigid_bodies kinematics constraints classification displacements coordinates principle equations lagrangian
+        comparison constant_inertia spot verification""",
     "results": "solution references answers checking",
-    "derivations": """derivation explain explain.words explain.statement explain.displacements explain.constraints
+    "derivations": """derivation explain explain.words explain.bodies explain.statement explain.displacements explain.constraints
         explain.motion explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",

@@ -8,6 +8,7 @@ import sympy as sp
 
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
 from lagrange.displacements import Elimination, carried_along, displaced, virtual_displacement
+from lagrange.explain.bodies import virtual_rotations
 from lagrange.explain.words import plural
 from lagrange.kinematics import Configuration, MassPoint, Row
 from lagrange.notation import VectorSymbol, differential, t, variation
@@ -146,9 +147,15 @@ def of_points(configuration: Configuration, elimination: Elimination) -> list[Bl
     ]  # fmt: skip
     if not lines:
         return []
-    words = (
-        "The virtual displacement of the particle is"
-        if len(lines) == 1
-        else "The virtual displacements of the particles are"
+    whose = points_called(configuration)
+    words = plural(
+        len(lines), f"The virtual displacement of the {whose} is", f"The virtual displacements of the {whose} are"
     )
-    return [prose(words), display(*lines)]
+    return [prose(words), display(*lines), *virtual_rotations(configuration, dict(zero))]
+
+
+def points_called(configuration: Configuration) -> str:
+    """`particle`, `mass centres`, ..."""
+    particles, centres = len(configuration.particles), len(configuration.rotations)
+    words = [plural(particles, "particle", "particles")] * bool(particles)
+    return " and ".join(words + [plural(centres, "mass centre", "mass centres")] * bool(centres))

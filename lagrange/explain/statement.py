@@ -8,6 +8,7 @@ from collections.abc import Iterable
 import sympy as sp
 
 from lagrange.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
+from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies
 from lagrange.kinematics import Configuration
 from lagrange.notation import VectorSymbol
 from lagrange.problem import Assumption, Coordinate, Parameter, Problem
@@ -24,7 +25,8 @@ def explain_statement(problem: Problem, configuration: Configuration) -> Step:
         body.append(prose(*_sentence(listed_pairs(words))))
     body += _symbols(problem)
     body += _frame(problem)
-    body += _positions(configuration)
+    body += triads_of_bodies(problem, configuration)
+    body += _positions(problem, configuration)
     body += _forces(configuration)
     return Step(Rule.STATEMENT, "The system", tuple(body))
 
@@ -135,12 +137,19 @@ def _frame(problem: Problem) -> list[Block]:
     return found
 
 
-def _positions(configuration: Configuration) -> list[Block]:
+def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     found: list[Block] = []
+    bodies = {b.name: b for b in problem.bodies}
+    turning = {r.name: r for r in configuration.rotations}
     for p in configuration.points:
         what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (", a massless point,",)
         position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
-        found += [prose(f"The position of {p.name}", *what, " is"), display(position)]
+        if p.name in bodies:
+            mass: tuple[Part, ...] = (" of mass ", math(p.mass)) if p.mass != 0 else (" without mass",)
+            found += [prose(f"{p.name} is a rigid body", *mass, ". The position of its mass centre is")]
+            found += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
+        else:
+            found += [prose(f"The position of {p.name}", *what, " is"), display(position)]
     return found
 
 
@@ -160,9 +169,12 @@ def _forces(configuration: Configuration) -> list[Block]:
             prose(f"{words}{p.name}{verb}", *listed(names), ","),
             display(Equation(sides, label=f"force-{p.name}")),
         ]
+    found += moments_on(configuration)
+    found += explain_links(configuration)
     if configuration.potential != 0:
+        of = "" if configuration.springs else " of the given fields"
         found += [
-            prose("The potential energy of the given fields is"),
+            prose(f"The potential energy{of} is"),
             display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
         ]
     return found
