@@ -2,8 +2,8 @@
 
 A planar body turns by an angle α about k: ω = α' k. In space the orientation is a sequence of three rotations about
 body axes (`313`: first about e_3, then about the new e_1, then about the new e_3), or the file gives a triad for the
-inertia and the angular velocity (`rotation.py`). A body adds vectors to the language: its position, its angular velocity
-and its axes, in components of a triad in which they are short (`orientation.py`).
+inertia and the angular velocity (`rotation.py`). A body adds vectors to the language: its position, its angular
+velocity and its axes, in components of a triad in which they are short (`orientation.py`).
 """
 
 from __future__ import annotations

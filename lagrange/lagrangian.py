@@ -4,7 +4,7 @@
 
 Nothing here is taken from d'Alembert's principle: velocities come from positions in i, j, k, angular velocities from
 the axes of the body, ω_1 = e_2'·e_3, and dH/dt is not needed. Constant forces enter by their potential −F·r, the others
-by Q_k = Σ F·∂v/∂q_k' + M·∂ω/∂q_k', springs by the vector between their ends, dampers by the derivative of c d'²/2 by q_k'.
+by Q_k = Σ F·∂v/∂q_k' + M·∂ω/∂q_k', springs by the vector between their ends, dampers by −∂/∂q_k' of c d'²/2.
 
 Where the file gives ω, it may be in quasi-coordinates. Then T is no function of coordinates alone, and
 

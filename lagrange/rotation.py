@@ -1,8 +1,8 @@
 """Triads that turn with a body, and their angular velocity.
 
 A rotation by an angle α about an axis n turns at the rate α' n. In a sequence of rotations about body axes (`313`:
-first about e_3, then about the new e_1, then about the new e_3) the axis n_k of rotation k is where the rotations before
-it have turned it, and rotation k itself leaves it there. So with R_k the matrices of the rotations,
+first about e_3, then about the new e_1, then about the new e_3) the axis n_k of rotation k is where the rotations
+before it have turned it, and rotation k itself leaves it there. So with R_k the matrices of the rotations,
 
     ω = Σ a_k' n_k ,      n_k = R_1 ... R_{k-1} e = R_1 ... R_k e  (in i, j, k) ,
 
