@@ -21,7 +21,7 @@ from lagrange.nodes import Sequence as ListNode
 from lagrange.notation import Sign
 from lagrange.problem import Answers, Choice, Constraint
 from lagrange.reading import Reader, Reading
-from lagrange.sections import Section, entries_of, items_of, mapping_of, scalar_of
+from lagrange.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
 
 CLASSES = ("holonomic", "nonholonomic", "scleronomic", "rheonomic", "catastatic", "acatastatic")
 _OPPOSITES = (("holonomic", "nonholonomic"), ("scleronomic", "rheonomic"), ("catastatic", "acatastatic"))
@@ -95,6 +95,9 @@ class AnswerReader:
         """Nested lists are alternatives; a flat list is one system."""
         what = "`equilibrium`"
         if isinstance(node, ListNode) and any(isinstance(item, ListNode) for item in node.items):
+            if not all(isinstance(item, ListNode) for item in node.items):
+                help_ = "write `[a, b]` for one system, `[[a], [b]]` for alternatives"
+                self.findings.report(wrong_kind(node, f"{what} mixes equations with lists of equations", help_))
             return tuple(self.equations(item, what) for item in node.items)
         flat = self.equations(node, what)
         return (flat,) if flat else ()
@@ -142,6 +145,8 @@ class AnswerReader:
         known = [c for names in self.components.values() for c in names]
         if name in known or (_whole(name) in self.components and not self.components[_whole(name)]):
             return [name]
+        if self.reading.names.has_failed(scalar.text):
+            return []
         help_ = suggestion(name, [*self.components, *known], "constraints")
         raise ProblemError(
             Diagnostic("unknown-name", f"`{scalar.text}` is not a constraint of this file", scalar.span, help=help_)

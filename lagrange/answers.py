@@ -16,7 +16,7 @@ import sympy as sp
 from lagrange.comparison import Comparison, Standing, System, compare
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.exact import DivisionByZeroError, is_zero
-from lagrange.notation import base
+from lagrange.notation import CONSTANT, Slots, base
 from lagrange.references import Candidate, Reading, Reference, read_answer
 
 MAX_EQUATIONS = 12
@@ -78,7 +78,8 @@ def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerV
         )
     if len(answer) > MAX_EQUATIONS:
         message = f"an answer may have {MAX_EQUATIONS} equations, and this one has {len(answer)}"
-        raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole))
+        help_ = "leave out those that follow from the others"
+        raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole, help=help_))
     readings = [read_answer(f, reference.scope) for f in answer]
     tried = [_tried(readings, candidate, reference) for candidate in reference.candidates]
     applicable = [v for v in tried if v is not None]
@@ -106,7 +107,11 @@ def _tried(readings: Sequence[Reading], candidate: Candidate, reference: Referen
     used = {base(s).name for r in readings for e in r.components for s in e.free_symbols}
     if not used & reference.moving <= candidate.known:
         return None
-    components = [[configuration.rewritten(e) for e in r.components] for r in readings if r.error is None]
+    components = [
+        [_without_constant(configuration.rewritten(e), configuration.slots) for e in r.components]
+        for r in readings
+        if r.error is None
+    ]
     flat = [e for es in components for e in es]
     system = candidate.system
     if reference.values:
@@ -120,6 +125,14 @@ def _tried(readings: Sequence[Reading], candidate: Candidate, reference: Referen
     return _verdict(readings, result, candidate.choice)
 
 
+def _without_constant(equation: sp.Expr, slots: Slots) -> sp.Expr:
+    """A finite relation x − R φ = const as one between velocities; what has velocities already stays as it is."""
+    if CONSTANT not in equation.free_symbols or equation.free_symbols & {*slots.velocities, *slots.accelerations}:
+        return equation
+    rate = slots.time_derivative(equation)
+    return equation if CONSTANT in rate.free_symbols else rate
+
+
 def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> System:
     """The system with the numbers that the file gives to parameters."""
     configuration = system.configuration
@@ -130,6 +143,7 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
             coefficients=tuple(c.xreplace(values) for c in row.coefficients),
             drift=row.drift.xreplace(values),
             finite=None if row.finite is None else row.finite.xreplace(values),
+            nonlinear=None if row.nonlinear is None else row.nonlinear.xreplace(values),
         )
         for row in configuration.rows
     )

@@ -119,13 +119,12 @@ class AtomParser(TokenStream):
         """A function and the product that follows it."""
         self._enter(token)
         start = self._here.start
-        sign = self._signs()
+        sign = self._sign_of_argument(token)
         factors: list[Tree] = []
         while self._continues_argument(factors, token):
             factors.append(self._factor_without_sign())
         if not factors:
-            help_ = f"write `{token.text}(...)`"
-            raise self._mistake("no-argument", f"`{token.text}` has no argument", token, help_)
+            raise self._no_argument(token)
         self._depth -= 1
         tree: Tree = factors[0]
         if len(factors) > 1:
@@ -135,6 +134,22 @@ class AtomParser(TokenStream):
         call = Call(token.text, (tree,), token.start, self._last_end, token.end)
         self._note_surprise(token, factors, call)
         return call
+
+    def _sign_of_argument(self, function: Token) -> int:
+        """A minus that touches the argument belongs to it (`sin -x`); one that stands apart does not (`sin - x`)."""
+        if not (self._is("+") or self._is("-")):
+            return 1
+        sign, behind = self._here, self._ahead(1)
+        if sign.text == "+" or behind.start != sign.end or behind.kind is Kind.END:
+            raise self._no_argument(function)
+        self._step()
+        return -1
+
+    def _no_argument(self, function: Token) -> ProblemError:
+        help_ = f"write `{function.text}(...)`"
+        if self._is("-"):
+            help_ += f", or `{function.text}(-...)` if the minus belongs to the argument"
+        return self._mistake("no-argument", f"`{function.text}` has no argument", function, help_)
 
     def _continues_argument(self, factors: list[Tree], function: Token) -> bool:
         token = self._here
@@ -161,8 +176,12 @@ class AtomParser(TokenStream):
         last, help_ = factors[-1], f"write `{token.text}(...)` around what belongs to it"
         symbols = [f for f in factors if not isinstance(f, Number)]
         time = isinstance(last, Name) and last.text == "t"
-        if isinstance(last, (Primed, Power)) or (len(symbols) > 1 and not time):
-            reading = f"{token.text}({self._text(call.arguments[0].start, call.end)})"
+        argument = call.arguments[0]
+        root_of_product = token.text == "sqrt" and len(factors) > 1
+        negative = isinstance(argument, Sum)
+        if isinstance(last, (Primed, Power)) or root_of_product or negative or (len(symbols) > 1 and not time):
+            function = "sqrt" if token.tight else self._text(token.start, argument.start)
+            reading = f"{function}({self._text(argument.start, call.end)})"
             self._read_as(token.start, call.end, reading, help_)
         elif self._is("(") or (self._is("/") and not token.tight) or (token.tight and self._here.kind is Kind.NAME):
             message = f"the argument of `{token.text}` ends before the `{self._here.text}`"
@@ -176,16 +195,22 @@ class AtomParser(TokenStream):
         self._enter(opening)
         self._step()
         self._in_bars = in_bars
+        self._not_empty_behind(opening)
+        return opening, bars
+
+    def _not_empty_behind(self, opening: Token) -> None:
+        """Something stands between a bracket, or a comma, and the bracket that closes."""
         if self._here.kind is Kind.OPERATOR and self._here.text in (")", "]"):
             message = f"nothing stands behind this `{opening.text}`"
             raise self._mistake("empty-brackets", message, opening, "write an expression there")
-        return opening, bars
 
     def _list(self, closing: str) -> tuple[Tree, ...]:
         opening, bars = self._open()
         items = [self._sum()]
         while self._is(","):
+            comma = self._here
             self._step()
+            self._not_empty_behind(comma)
             items.append(self._sum())
         self._close(closing, opening, bars)
         return tuple(items)

@@ -95,6 +95,9 @@ def mass_of(node: Node | None, name: str, reading: Reading) -> sp.Expr:
 
 
 def _inertia(node: Node, reading: Reading) -> tuple[sp.Expr, ...]:
+    if isinstance(node, Scalar) and node.text.lstrip().startswith("["):
+        message = "`inertia` is a list here, and not a text"
+        raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]` without quotes"))
     if not isinstance(node, ListNode):
         return (constant(node, "a moment of inertia", reading),)
     if len(node.items) != 3:

@@ -4,7 +4,8 @@ The operations that a text asks for are carried out one by one. Each is charged 
 of about 0.1 ms, and a text has so many of them to spend: SymPy takes milliseconds for a new sin(...), for
 |...| a time that grows with what stands inside, and a derivative is estimated before it is taken. Each result
 is measured: its size and depth, the length of its numbers, the height of its powers. So whatever a text says,
-reading it takes a bounded time, and what has been read is small enough for the rest of the program.
+reading it takes a bounded time, and what has been read is small enough for the rest of the program. The texts
+of one file share a purse besides.
 """
 
 from __future__ import annotations
@@ -21,6 +22,7 @@ from lagrange.notation import Slots, prime, t
 from lagrange.vectors import Components, Vector
 
 MAX_WORK = 6_000
+MAX_WORK_OF_FILE = 60_000
 MAX_SIZE = 12_000
 MAX_LAYERS = 70
 MAX_TERMS = 20_000
@@ -39,11 +41,22 @@ _FUNCTIONS: dict[str, Any] = {
 }  # fmt: skip
 
 
-class Arithmetic:
-    """The operations of one text. All of them raise RefusedError."""
+class Purse:
+    """The work that all texts of one file may cost together."""
 
-    def __init__(self, slots: Slots) -> None:
+    def __init__(self) -> None:
+        self.left = float(MAX_WORK_OF_FILE)
+
+
+class Arithmetic:
+    """The operations of one text. All of them raise RefusedError.
+
+    purse   what the text may cost together with others, where it is one of many
+    """
+
+    def __init__(self, slots: Slots, purse: Purse | None = None) -> None:
         self._slots = slots
+        self._purse = purse
         self._spent = 0.0
         self._measures = Measures()
         self._constants = Constants()
@@ -68,7 +81,9 @@ class Arithmetic:
             divisor_or_zero = sp.expand(divisor)
         else:
             divisor_or_zero = divisor
-        return self.power(divisor if divisor_or_zero != 0 else sp.S.Zero, sp.S.NegativeOne)
+        if divisor_or_zero == 0:
+            raise RefusedError("division-by-zero", "this divides by zero", "`{}` is exactly 0")
+        return self.power(divisor, sp.S.NegativeOne)
 
     def power(self, base: sp.Expr, exponent: sp.Expr) -> sp.Expr:
         """a^b."""
@@ -107,6 +122,12 @@ class Arithmetic:
         """The total time derivative."""
         self._before_rate(vector.components)
         return self.checked_vector(vector.time_derivative(self._slots).map(_between_jumps))
+
+    def change_of_vector(self, vector: Vector, rates: Mapping[sp.Symbol, sp.Expr]) -> Vector:
+        """Σ (∂a/∂s) rate(s), over the symbols that change."""
+        self._spend_on_derivative(vector.components, set(rates))
+        changed = vector.change(lambda symbol: rates.get(symbol, sp.S.Zero))
+        return self.checked_vector(changed.map(_between_jumps))
 
     def sum_of_vectors(self, vectors: Sequence[Vector]) -> Vector:
         """a + b + ..., those of one triad added first."""
@@ -147,7 +168,7 @@ class Arithmetic:
         if not measure.is_finite:
             raise not_finite()
         if not measure.is_real:
-            raise not_real("what stands under the root is negative")
+            raise not_real("a negative number has no roots, and whole numbers as exponents only")
         if measure.bits > MAX_BITS:
             raise RefusedError("number-too-large", "`{}` is too large a number", "declare a parameter in its place")
         if measure.power > MAX_NESTED_EXPONENT or measure.denominator > MAX_DENOMINATOR:
@@ -193,6 +214,11 @@ class Arithmetic:
             message = "this takes too long to work out"
             help_ = "write it shorter, with fewer different functions and derivatives"
             raise RefusedError("expression-too-large", message, help_)
+        if self._purse is not None:
+            self._purse.left -= units
+            if self._purse.left < 0:
+                message = "all of the file up to here takes too long to work out"
+                raise RefusedError("expression-too-large", message, "make two problems of it, or write it shorter")
 
     # -- helpers ---------------------------------------------------------------------------------------------
 
@@ -252,7 +278,7 @@ def _power_of_zero(exponent: sp.Expr) -> sp.Expr:
     if exponent.is_positive:
         return sp.S.Zero
     if exponent.is_negative:
-        raise RefusedError("division-by-zero", "this divides by zero", "`{}` is exactly 0")
+        raise RefusedError("division-by-zero", "`{}` divides by zero", "0 has positive numbers as exponents only")
     raise RefusedError("not-finite", "`{}` has no value", "0 has positive numbers as exponents only")
 
 

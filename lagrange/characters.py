@@ -82,6 +82,8 @@ _CURES = {
     "°": "angles are in radians: `30*pi/180`",
     "!": "there are no factorials; write the number",
     "—": "a minus is written `-`",
+    "±": "declare a sign: `parameters: {sigma: sign}` is +1 or -1",
+    "∓": "declare a sign: `parameters: {sigma: sign}` is +1 or -1",
     "∛": "write `x^(1/3)`",
     "∜": "write `x^(1/4)`",
     "∞": "numbers are finite",

@@ -3,7 +3,8 @@
     m r² sin²θ φ'' + 2 m r r' φ' sin²θ + 2 m r² θ' φ' sin θ cos θ  =  m r sin θ (r φ'' sin θ + ...) :
 
 m is a positive parameter and cannot vanish; r sin θ can, so that dividing by it excludes the axis, which has to be
-said. Velocities and accelerations are never divided by. Equations are taken in textbook form (`textbook.py`).
+said. Velocities and accelerations are never divided by; as denominators they are multiplied out. Equations are taken
+in textbook form (`textbook.py`).
 """
 
 from __future__ import annotations
@@ -98,7 +99,7 @@ def common_factor(expression: sp.Expr) -> Factor:
     for factor in dict.fromkeys(f for d in leading for f in d):
         common[factor] = min(common.get(factor, sp.S.Zero), *(d.get(factor, sp.S.Zero) for d in leading))
     number = common_number(term.number for term in terms)
-    return Factor(sp.Rational(number), tuple((f, e) for f, e in common.items() if e and not is_slot(f)))
+    return Factor(sp.Rational(number), tuple((f, e) for f, e in common.items() if e and not (e > 0 and is_slot(f))))
 
 
 def as_term(product: sp.Expr) -> Term:

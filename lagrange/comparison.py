@@ -21,7 +21,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.exact import Point
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.sampling import agreed
 
 
@@ -76,9 +76,8 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
     """
     expressions = (*answer, *system.equations, *system.accelerated_constraints)
     symbols = symbols_of(expressions)
-    surface = system.configuration.surface
     return agreed(
-        surface,
+        system.configuration.states,
         lambda p: _compared(state(p, system.configuration, symbols), answer, system, free),
         expressions,
     )
@@ -90,13 +89,15 @@ def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
 
 
 def state(point: Point, configuration: Configuration, symbols: Iterable[sp.Symbol]) -> Point:
-    """The point with velocities that satisfy A q' + a_t = 0 and are random otherwise.
+    """The point of `configuration.states` with velocities that satisfy A q' + a_t = 0 and are random otherwise.
 
     All `symbols` have their values afterwards, so that points made from it share them.
     """
     slots, rows = configuration.slots, configuration.rows
     for s in symbols:
         point.input(s)
+    if not is_pfaffian(rows):
+        return point  # its velocities satisfy the constraints already
     velocities: list[Any] = [point.random() for _ in slots.velocities]
     if rows:
         a = [point.values(r.coefficients) for r in rows]

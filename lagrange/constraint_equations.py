@@ -3,6 +3,10 @@
 A constraint may be written in differentials, `sin(theta)*d(x) - cos(theta)*d(y) = 0`; divided by dt it is one in
 velocities. A vector equation counts as its components, `no_slip.1`, `no_slip.2`, ... What restricts nothing is refused,
 and so is a reaction whose name means something else.
+
+A constraint that is not linear in the velocities is taken apart (`reduction`): (x' − y')² = 0 is x' − y' = 0, and
+x'² + y'² = 0 is x' = 0 with y' = 0, two constraints. Where it comes to alternatives it is refused: a system is one of
+them.
 """
 
 from __future__ import annotations
@@ -11,14 +15,17 @@ from collections.abc import Set
 
 import sympy as sp
 
+from lagrange.alternatives import Alternative, Alternatives, is_affine
 from lagrange.diagnostics import Diagnostic, ProblemError, Span
 from lagrange.exact import DivisionByZeroError
 from lagrange.nodes import Mapping, Node, Scalar
-from lagrange.notation import differential, multiplier, prime, t
-from lagrange.problem import Constraint
+from lagrange.notation import Slots, differential, multiplier, prime, t
+from lagrange.problem import Constraint, Given
 from lagrange.reading import Reading
+from lagrange.reduction import alternatives
 from lagrange.sections import Section, entries_of, scalar_of
 from lagrange.symbols import CONSTRAINT
+from lagrange.tidying import tidied
 from lagrange.vectors import Vector
 
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
@@ -62,7 +69,7 @@ def _equations(
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         triad = (lhs - rhs).triad
         pairs = zip(lhs.along(triad).components, rhs.along(triad).components, strict=True)
-        sides = [(f".{n}", a, b) for n, (a, b) in enumerate(pairs, start=1) if a - b != 0]
+        sides = [(f".{n}", a, b) for n, (a, b) in enumerate(pairs, start=1) if not _is_identity(a, b, reading)]
     else:
         sides = [("", lhs, rhs)]
     if not sides:
@@ -70,9 +77,20 @@ def _equations(
     found = []
     for ending, a, b in sides:
         left, right, kinematic = _restricting(name + ending, *_divided_by_dt(a, b, scalar, reading), scalar, reading)
-        symbol = _reaction(name, ending, reaction, place, reading)
-        found.append(Constraint(name + ending, left, right, kinematic, symbol, scalar.span, note))
+        parts, given = _taken_apart(name + ending, left, right, kinematic, scalar, reading)
+        for number, (f, g, moves) in enumerate(parts, start=1):
+            part = ending if len(parts) == 1 else f"{ending}.{number}"
+            symbol = _reaction(name, part, reaction, place, reading)
+            found.append(Constraint(name + part, tidied(f), tidied(g), moves, symbol, scalar.span, note, given))
     return tuple(found)
+
+
+def _is_identity(lhs: sp.Expr, rhs: sp.Expr, reading: Reading) -> bool:
+    """Whether a component holds of itself, as 0 = 0 across the plane."""
+    try:
+        return lhs - rhs == 0 or reading.is_zero(lhs - rhs) is True
+    except DivisionByZeroError:
+        return False  # which is said of it where it is read
 
 
 def _reaction(name: str, ending: str, reaction: str | None, place: Span, reading: Reading) -> sp.Symbol:
@@ -100,6 +118,67 @@ def _restricting(
         message = f"the constraint `{name}` divides by what is exactly zero"
         raise ProblemError(Diagnostic("division-by-zero", message, scalar.span, help="correct the divisor")) from None
     return lhs, rhs, bool(velocities)
+
+
+def _taken_apart(
+    name: str, lhs: sp.Expr, rhs: sp.Expr, kinematic: bool, scalar: Scalar, reading: Reading
+) -> tuple[list[tuple[sp.Expr, sp.Expr, bool]], Given | None]:
+    """Both sides of each constraint that this one comes to, with whether a velocity occurs, and what the file has.
+
+    The latter is None where it is the constraint itself. Raises ProblemError where it comes to alternatives, or to
+    nothing that can be.
+    """
+    slots, function = reading.scope.slots, lhs - rhs
+    if not kinematic or is_affine(function, slots) or not reading.may_reduce(function):
+        return [(lhs, rhs, kinematic)], None
+    try:
+        found = alternatives(function, slots)
+    except DivisionByZeroError:
+        message = f"the constraint `{name}` divides by what is exactly zero"
+        raise ProblemError(Diagnostic("division-by-zero", message, scalar.span, help="correct the divisor")) from None
+    if len(found.members) != 1 or found.endless:
+        raise ProblemError(_not_one(name, found, scalar.span, slots))
+    [only] = found.members
+    if only.forms == (function,):
+        return [(lhs, rhs, kinematic)], None
+    parts = [(f, sp.S.Zero, not f.free_symbols.isdisjoint(slots.velocities)) for f in only.forms]
+    return parts, Given(lhs, rhs, only.steps)
+
+
+_MOST_SHOWN = 4
+
+
+def _not_one(name: str, found: Alternatives, span: Span, slots: Slots) -> Diagnostic:
+    """A constraint that nothing satisfies, or one of several branches."""
+    if not found.members:
+        message = f"`{name}` cannot be satisfied"
+        help_ = "no real velocity satisfies it; correct or remove it"
+        return Diagnostic("contradictory-constraints", message, span, help=help_)
+    count = "infinitely many" if found.endless else str(len(found.members))
+    message = f"the constraint `{name}` leaves {count} alternatives"
+    shown = [_written(a, slots) for a in found.members[:_MOST_SHOWN]]
+    more = "" if len(found.members) <= _MOST_SHOWN and not found.endless else ", ..."
+    help_ = f"a system is one of them; write {' or '.join(shown)}{more}"
+    signs = {e for a in found.members for step in a.steps for e, relation in step.conditions if relation == "≥"}
+    if signs:
+        help_ += f", which is real where {' and '.join(sorted(f'`{_text(e, slots)}`' for e in signs))} is not negative"
+    return Diagnostic("several-branches", message, span, help=help_)
+
+
+def _written(alternative: Alternative, slots: Slots) -> str:
+    """An alternative in the language of problem files."""
+    return " with ".join(f"`{_text(f, slots)} = 0`" for f in alternative.forms)
+
+
+def _text(expression: sp.Expr, slots: Slots) -> str:
+    """An expression in the language of problem files, the terms with velocities first: `x' - c*y'`."""
+    places = {v: n for n, v in enumerate(slots.velocities)}
+
+    def first(term: sp.Expr) -> int:
+        return min((places[s] for s in term.free_symbols if s in places), default=len(places))
+
+    terms = map(str, sorted(sp.Add.make_args(expression), key=first))
+    return " + ".join(terms).replace("+ -", "- ").replace("**", "^").replace("Abs(", "abs(")
 
 
 def _restricts_nothing(name: str, span: Span) -> Diagnostic:

@@ -3,6 +3,11 @@
     geometric   f(q, t) = 0          a_i = ∂f/∂q_i     a_t = ∂f/∂t
     kinematic   φ(q, q', t) = 0      a_i = ∂φ/∂q_i'    a_t = φ at q' = 0     (φ linear in q')
 
+Where φ is not linear in q', there is no differential form, and nothing of what follows: a_i are Chetaev's coefficients
+of δq_i (`kinematics.Row`), it is no finite relation where the admitted velocities bend (`bending`), it depends on time
+when ∂φ/∂t ≠ 0 where φ = 0, and it is catastatic when the motion itself is a virtual displacement, Σ (∂φ/∂q_i') q_i' = 0
+where φ = 0, as a_t = 0 says of a form. Otherwise:
+
 ω = Σ a_i dq_i + a_t dt is exact if its partial derivatives agree in pairs, and then ω = dF: the constraint is the
 finite relation F = const. A form that is not exact may still be integrable; Frobenius' condition ω ∧ dω = 0, with dt
 among the differentials, decides. It is taken where the geometric constraints hold.
@@ -15,15 +20,16 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.diagnostics import NotCoveredError
+from lagrange.bending import Bending, bending, bending_rank
 from lagrange.exact import Surface
 from lagrange.exterior import Form, one_form, wedge
 from lagrange.integrability import Exactness, exactness, frobenius_form, is_integrable
-from lagrange.kinematics import Row
+from lagrange.kinematics import Row, admitted_states
 from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
 from lagrange.textbook import textbook_form
+from lagrange.tidying import in_differences, tidied
 
 
 @dataclass(frozen=True)
@@ -48,6 +54,7 @@ class ConstraintAnalysis:
     depends_on_time  t occurs: in the finite relation if it is one, in the form otherwise
     catastatic       a_t = 0
     contains_time    t or a prescribed motion is written in the constraint
+    bending          a direction in which it bends, where it is not linear in the velocities
     """
 
     constraint: Constraint
@@ -59,10 +66,16 @@ class ConstraintAnalysis:
     depends_on_time: bool | None
     catastatic: bool | None
     contains_time: bool
+    bending: Bending | None = None
+
+    @property
+    def pfaffian(self) -> bool:
+        """Whether it is linear in the velocities, and has a differential form."""
+        return self.row.nonlinear is None
 
 
-def pfaffian_form(constraint: Constraint, slots: Slots) -> Row:
-    """The differential form of a constraint. Raises NotCoveredError where it is not linear in the velocities."""
+def constraint_row(constraint: Constraint, slots: Slots) -> Row:
+    """The differential form of a constraint, or Chetaev's coefficients where it is not linear in the velocities."""
     f = constraint.function
     if not constraint.kinematic:
         gradient = tuple(textbook_form(f.diff(q)) for q in slots.coordinates)
@@ -70,9 +83,8 @@ def pfaffian_form(constraint: Constraint, slots: Slots) -> Row:
     at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
     coefficients = tuple(_coefficient(f, v, slots) for v in slots.velocities)
     if any(c is None for c in coefficients):
-        what = f"the constraint `{constraint.name}`, which is not linear in the velocities,"
-        raise NotCoveredError(what, constraint.span)
-    return Row(constraint.name, tuple(c for c in coefficients if c is not None), f.xreplace(at_rest))
+        return Row.by_chetaev(constraint.name, f, slots)
+    return Row(constraint.name, tuple(tidied(c) for c in coefficients if c is not None), tidied(f.xreplace(at_rest)))
 
 
 def _coefficient(f: sp.Expr, velocity: sp.Symbol, slots: Slots) -> sp.Expr | None:
@@ -88,6 +100,8 @@ def analysis(
     constraint: Constraint, row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots
 ) -> ConstraintAnalysis:
     """What a constraint is. `geometric` are the rows of the geometric constraints, `surface` is where they hold."""
+    if row.nonlinear is not None:
+        return _of_nonlinear(constraint, row, row.nonlinear, geometric, slots)
     form, variables = (*row.coefficients, row.drift), (*slots.coordinates, t)
     pairs = exactness(form, variables, slots)
     integral = _integral(row, pairs.exact, slots)
@@ -109,6 +123,36 @@ def analysis(
     )
 
 
+def _of_nonlinear(
+    constraint: Constraint, row: Row, function: sp.Expr, geometric: Sequence[Row], slots: Slots
+) -> ConstraintAnalysis:
+    """What a constraint is that is not linear in the velocities, on its own with the geometric constraints."""
+    rows = [*geometric, row]
+    states = admitted_states(rows, slots)
+    integrable = _is_integrable(rows, slots, states)
+    # t occurs in φ = 0 if ∂φ/∂t ≠ 0 there, and in a finite relation F with dF = a dq + a_t dt if a_t ≠ 0
+    still = states.is_zero(row.drift if integrable else slots.frozen_derivative(function))
+    return ConstraintAnalysis(
+        constraint=constraint,
+        row=row,
+        exactness=Exactness((), None),
+        integrable=integrable,
+        integral=None,
+        frobenius=(),
+        depends_on_time=None if still is None or integrable is None else not still,
+        catastatic=states.is_zero(row.drift),
+        contains_time=_contains_time(constraint.function, slots),
+        bending=bending(row, slots, states) if integrable is False and not geometric else None,
+    )
+
+
+def _is_integrable(rows: Sequence[Row], slots: Slots, states: Surface) -> bool | None:
+    """Whether the last row, which is not Pfaffian, is a finite relation where the others, which are finite, hold."""
+    if states.rank([r.coefficients for r in rows]) == len(slots.coordinates):
+        return True  # q' is a function of q and t, and so q one of t
+    return False if bending_rank(rows, slots, states) else None
+
+
 def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots) -> tuple[FrobeniusComponent, ...]:
     """ω ∧ dω ∧ df_1 ∧ ..., its components where the geometric constraints hold."""
     variables = (*slots.coordinates, t)
@@ -120,12 +164,12 @@ def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slot
         form = wedge(form, one_form((*other.coefficients, other.drift)))
     found = []
     for indices, coefficient in sorted(form.items()):
-        tidied = textbook_form(coefficient)
-        if tidied == 0:
+        short = in_differences(textbook_form(coefficient), slots.coordinates)
+        if short == 0:
             continue
-        zero = surface.is_zero(tidied)
+        zero = surface.is_zero(short)
         nonzero = None if zero is None else not zero
-        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), tidied, nonzero))
+        found.append(FrobeniusComponent(tuple(variables[i] for i in indices), short, nonzero))
     return tuple(found)
 
 

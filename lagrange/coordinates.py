@@ -21,7 +21,7 @@ import sympy as sp
 from lagrange.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.exact import is_zero
 from lagrange.kinematics import Configuration, Row, substituted_configuration
-from lagrange.notation import Sign, Slots
+from lagrange.notation import Sign, Slots, prime
 from lagrange.problem import Choice
 from lagrange.textbook import textbook_form
 
@@ -98,7 +98,10 @@ def _pulled_back(
     slots: Slots,
 ) -> Row:
     """The row in the new coordinates."""
-    rule = dict(expressed)
+    rule: dict[sp.Basic, sp.Basic] = dict(expressed)
+    if row.nonlinear is not None:
+        rates = {prime(q): slots.time_derivative(e) for q, e in expressed.items()}
+        return Row.by_chetaev(row.name, textbook_form(row.nonlinear.xreplace(rule | rates)), slots)
     a = [c.xreplace(rule) for c in row.coefficients]
     coefficients = tuple(
         textbook_form(sp.Add(*(a[k] * jacobian[k, s] for k in range(len(old)) if jacobian[k, s] != 0)))
@@ -154,7 +157,7 @@ def _check_independent(result: GeneralizedCoordinates, original: Configuration) 
         help_ = f"when these {chosen} change, the old coordinates change in {found} directions only; leave {spare} out"
         raise ProblemError(Diagnostic("dependent-coordinates", message, choice.span, help=help_))
     rows = [list(r.coefficients) for r in original.rows if r.name in result.satisfied]
-    satisfied = original.surface.rank(rows)
+    satisfied = original.states.rank(rows)
     if satisfied is None:
         raise UndecidedError("the rank of the constraints", choice.span)
     needed = len(original.slots.coordinates) - satisfied

@@ -51,6 +51,9 @@ def _declared(
         entries = list(node.entries)
     elif isinstance(node, ListNode):
         entries = [(item, None) for item in node.items]
+        if not entries and key == "coordinates":
+            help_ = "list what moves, as `coordinates: [x, y]`"
+            names.findings.report(Diagnostic("empty-value", "`coordinates` is an empty list", node.span, help=help_))
     else:
         names.fail_all(node)
         names.findings.report(wrong_kind(node, f"`{key}` is a list of names", f"write `{key}: {_as_list(node)}`"))
@@ -125,8 +128,10 @@ def _assumption(scalar: Scalar) -> Assumption:
         return Assumption(scalar.text)
     message = f"`{scalar.text}` is not an assumption"
     listed = ", ".join(f"`{a}`" for a in Assumption)
-    near = nearest(scalar.text, [*Assumption])
+    near = None if scalar.text == "negative" else nearest(scalar.text, [*Assumption])
     help_ = f"did you mean `{near}`?" if near else f"write {listed}; what a parameter is goes into `meaning`"
+    if scalar.text == "negative":
+        help_ = "name its positive size, and write a minus where it is used; or write `real`"
     raise ProblemError(Diagnostic("unknown-assumption", message, scalar.span, help=help_))
 
 
@@ -135,7 +140,7 @@ def _number(scalar: Scalar, assume: Assumption | None) -> sp.Rational:
     try:
         number = read_scalar(scalar.fragment, Scope())
     except ProblemError as error:
-        if error.diagnostics[0].code != "unknown-symbol":
+        if error.diagnostics[0].code not in _NO_NUMBER:
             raise
         number = None
     if number is None or not number.is_Rational:
@@ -153,6 +158,9 @@ def _number(scalar: Scalar, assume: Assumption | None) -> sp.Rational:
         raise ProblemError(Diagnostic("value-against-assumption", message, scalar.span, help=help_))
     return number
 
+
+_NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "missing-operator", "vector-for-scalar")
+"""What is wrong with a text that was not meant as an expression: `12:30`, `~`, `3 m`."""
 
 _SAID = {
     Assumption.POSITIVE: "positive",

@@ -7,7 +7,9 @@ A w + a_t = 0, the possible displacements are
     dq = δq + w dt ,     dr = δr + (Σ (∂r/∂q_k) w_k + ∂r/∂t) dt :
 
 w dt is what the moving constraints force on the system. Solving A δq = 0 for m of the δq leaves n − m independent
-ones; each pivot that is divided by must not vanish, and is stated.
+ones; each pivot that is divided by must not vanish, and is stated. Where a constraint φ = 0 is not linear in the
+velocities, the difference of two possible displacements satisfies nothing linear, and Σ ∂φ/∂q' δq = 0 is Chetaev's
+rule, a postulate (N. G. Chetaev, On Gauss's principle, 1932).
 
 Shapes: A (m, n), a_t (m,), w (n,).
 """
@@ -20,15 +22,22 @@ from dataclasses import dataclass
 import sympy as sp
 
 from lagrange.exact import Surface
-from lagrange.kinematics import MassPoint, Row
+from lagrange.kinematics import MassPoint, Row, is_pfaffian
+from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
+from lagrange.tidying import in_differences
 from lagrange.vectors import Vector
 
 MOST_FACTORED = 8
 """Symbols of a minor that is still factored."""
 MOST_DRIFTS = 8
 """Eliminations that are tried for a simple drift."""
+LONGEST_FACTORED = 20
+"""Operations of a quotient that is still factored."""
+
+MOST_TERMS = 200
+"""Terms, all multiplied out, of an expression that is still reduced or factored."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +69,9 @@ class Elimination:
 
 
 def possible_displacement(row: Row, slots: Slots) -> sp.Expr:
-    """Σ a_i dq_i + a_t dt."""
+    """Σ a_i dq_i + a_t dt; of a constraint that is not linear in the velocities φ, with dq_i = q_i' dt."""
+    if row.nonlinear is not None:
+        return row.nonlinear
     terms = (a * differential(q) for a, q in zip(row.coefficients, slots.coordinates, strict=True))
     return sp.Add(*terms, row.drift * differential(t))
 
@@ -92,9 +103,10 @@ def _moved(point: MassPoint, by: Sequence[sp.Expr]) -> Vector:
 def carrying_rates(rows: Sequence[Row], elimination: Elimination, size: int, surface: Surface) -> tuple[sp.Expr, ...]:
     """The simplest w found with A w + a_t = 0, shape (n,): all zero where no constraint moves.
 
-    w is not unique; of those that set all coordinates but m to rest, the one written most simply is taken.
+    w is not unique; of those that set all coordinates but m to rest, the one written most simply is taken. There is no
+    w where a constraint is not linear in the velocities.
     """
-    if not any(elimination.drift):
+    if not is_pfaffian(rows) or not any(elimination.drift):
         return (sp.S.Zero,) * size
     moving = {k for row in rows if row.drift != 0 for k, a in enumerate(row.coefficients) if a != 0}
     others = sorted(moving - set(elimination.dependent))[:MOST_DRIFTS]
@@ -127,7 +139,7 @@ def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collectio
             unused.append(r)
             continue
         pivot = row[column]
-        minor = sp.cancel(minor * pivot)
+        minor = _cancelled(minor * pivot)
         matrix[r] = [_tidy(entry / pivot) for entry in row]
         for other in range(len(matrix)):
             factor = matrix[other][column]
@@ -138,8 +150,8 @@ def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collectio
         pivot_of[r] = column
     dependent = tuple(pivot_of.values())
     independent = tuple(k for k in range(size) if k not in dependent)
-    solution = tuple(tuple(-matrix[r][k] for k in independent) for r in pivot_of)
-    drift = tuple(-matrix[r][size] for r in pivot_of)
+    solution = tuple(tuple(_factored(-matrix[r][k]) for k in independent) for r in pivot_of)
+    drift = tuple(_factored(-matrix[r][size]) for r in pivot_of)
     return Elimination(independent, dependent, solution, drift, _varying_factors(_tidy(minor)), tuple(unused))
 
 
@@ -154,18 +166,39 @@ def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[in
 
 def _varying_factors(minor: sp.Expr) -> tuple[sp.Expr, ...]:
     """The factors of the minor that can vanish, each once, constant ones dropped: of 2 l x² it is x."""
-    numerator, _ = sp.fraction(sp.factor(minor) if len(minor.free_symbols) <= MOST_FACTORED else minor)
+    small = len(minor.free_symbols) <= MOST_FACTORED and _is_short(minor)
+    numerator, _ = sp.fraction(sp.factor(minor) if small else minor)
     bases = (f.as_base_exp()[0] for f in sp.Mul.make_args(numerator))
     varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
     return tuple(dict.fromkeys(varying))
+
+
+def _factored(quotient: sp.Expr) -> sp.Expr:
+    """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
+    if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
+        return quotient
+    if quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
+        return quotient
+    factors = sp.factor(quotient)
+    shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
+    return in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name)))
+
+
+def _is_short(expression: sp.Expr) -> bool:
+    """Whether multiplying out takes little time: (x + y + z + w)^20 has 1771 terms."""
+    return Measures().of(expression).widest <= MOST_TERMS
+
+
+def _cancelled(expression: sp.Expr) -> sp.Expr:
+    return sp.cancel(expression) if _is_short(expression) else expression
 
 
 def _tidy(entry: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms, and with sin² + cos² put together."""
     if entry.is_number or entry.is_Symbol:
         return entry
-    reduced = sp.cancel(entry)
-    if not reduced.has(sp.sin, sp.cos, sp.tan):
+    reduced = _cancelled(entry)
+    if not reduced.has(sp.sin, sp.cos, sp.tan) or not _is_short(reduced):
         return reduced
     tidied = textbook_form(reduced)
     return tidied if tidied.count_ops() <= reduced.count_ops() else reduced

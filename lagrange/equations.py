@@ -113,7 +113,7 @@ def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
     matrix = [[e.diff(a) for a in slots.accelerations] for e in result.expressions]
     matrix += [list(row.coefficients) for row in configuration.rows]
     try:
-        kernels = configuration.surface.sampled(
+        kernels = configuration.states.sampled(
             lambda p: p.nullspace([p.values(row) for row in matrix], len(slots.coordinates)), 2
         )
     except (NoPointError, UnsupportedError):

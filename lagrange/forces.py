@@ -51,6 +51,8 @@ def _force(name: str, key: Scalar, node: Node, reading: Reading) -> Force:
     keys = _KINDS[kinds[0]][0] if kinds else tuple(dict.fromkeys(k for keys, _ in _KINDS.values() for k in keys))
     section = Section(mapping, what, keys, reading.findings)
     kind = kinds[0] if kinds else next((k for k in _KINDS if section.has(k)), None)
+    if kind is None and section.strange:
+        raise ProblemError(())  # the key may have been meant to say it, and has been reported
     if kind is None:
         listed = ", ".join(f"`{k}`" for k in _KINDS)
         message = f"{what} does not say what acts"
@@ -92,6 +94,8 @@ class _Entry:
         name = canonical(scalar.text, known)
         if name in known:
             return name
+        if self.reading.names.has_failed(scalar.text):
+            raise ProblemError(())
         message = f"`{scalar.text}` is not {kind} of this file"
         raise ProblemError(Diagnostic("unknown-name", message, scalar.span, help=suggestion(name, known, kinds)))
 
@@ -117,6 +121,8 @@ class _Entry:
             name = canonical(node.text, points)
             if name in points:
                 return self.position(name)
+            if self.reading.names.has_failed(node.text):
+                raise ProblemError(())
             if names_in(node.text) == (name,) and not self.reading.is_known(name):
                 known = (*points, *self.reading.scope.vectors)
                 message = f"`{node.text}` is neither a particle or body nor a vector of this file"

@@ -13,7 +13,7 @@ configuration, with the positions, forces and remaining constraints written in i
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -29,17 +29,31 @@ from lagrange.vectors import Vector
 
 @dataclass(frozen=True)
 class Row:
-    """One constraint as a Pfaffian form Σ a_i dq_i + a_t dt = 0 in the coordinates of a configuration.
+    """One constraint in the coordinates of a configuration: what it asks of displacements.
+
+    A Pfaffian form Σ a_i dq_i + a_t dt = 0 has a_i and a_t that depend on q and t. Where a constraint φ(q, q', t) = 0
+    is not linear in the velocities, a_i = ∂φ/∂q_i' depend on them too, Σ a_i δq_i = 0 is Chetaev's rule, and
+
+        a_t = φ − Σ a_i q_i'        so that Σ a_i q_i' + a_t = φ, as in a Pfaffian form.
 
     coefficients  shape (n,)
     drift         a_t
     finite        f(q, t), where the constraint is the finite relation f = 0; None for a constraint on velocities
+    nonlinear     φ, where it is not linear in the velocities
     """
 
     name: str
     coefficients: tuple[sp.Expr, ...]
     drift: sp.Expr
     finite: sp.Expr | None = None
+    nonlinear: sp.Expr | None = None
+
+    @classmethod
+    def by_chetaev(cls, name: str, function: sp.Expr, slots: Slots) -> Row:
+        """The row of a constraint φ(q, q', t) = 0 that is not linear in the velocities."""
+        coefficients = tuple(function.diff(v) for v in slots.velocities)
+        powers = (a * v for a, v in zip(coefficients, slots.velocities, strict=True))
+        return cls(name, coefficients, sp.Add(function, *(-p for p in powers)), nonlinear=function)
 
     @property
     def is_identity(self) -> bool:
@@ -47,9 +61,25 @@ class Row:
         return self.drift == 0 and all(a == 0 for a in self.coefficients)
 
     def velocity_form(self, slots: Slots) -> sp.Expr:
-        """Σ a_i q_i' + a_t."""
+        """Σ a_i q_i' + a_t, or φ."""
+        if self.nonlinear is not None:
+            return self.nonlinear
         terms = (a * v for a, v in zip(self.coefficients, slots.velocities, strict=True))
         return sp.Add(*terms, self.drift)
+
+
+def is_pfaffian(rows: Iterable[Row]) -> bool:
+    """Whether all constraints are linear in the velocities."""
+    return all(r.nonlinear is None for r in rows)
+
+
+def admitted_states(rows: Sequence[Row], slots: Slots) -> Surface:
+    """The generic points (q, q', t) where the finite relations hold and the velocities satisfy all rows.
+
+    Forms that depend on velocities have their ranks there.
+    """
+    finite = [r.finite for r in rows if r.finite is not None]
+    return Surface([*finite, *(r.velocity_form(slots) for r in rows)], (*slots.coordinates, *slots.velocities))
 
 
 @dataclass(frozen=True)
@@ -139,6 +169,11 @@ class Configuration:
     def surface(self) -> Surface:
         """The generic points where the finite relations hold."""
         return Surface(self.finite_constraints, self.slots.coordinates)
+
+    @cached_property
+    def states(self) -> Surface:
+        """Where forms have their ranks: the surface, with `admitted_states` where forms depend on velocities."""
+        return self.surface if is_pfaffian(self.rows) else admitted_states(self.rows, self.slots)
 
     def rewritten(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file's coordinates, velocities and accelerations in the present ones."""

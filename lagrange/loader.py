@@ -24,6 +24,7 @@ from lagrange.expressions import Scope
 from lagrange.findings import EnoughError, Findings
 from lagrange.forces import read_forces, read_gravity
 from lagrange.nodes import Node, Scalar
+from lagrange.notation import CONSTANT
 from lagrange.particles import read_things
 from lagrange.problem import Choice, Constraint, Find, Problem
 from lagrange.reading import Reading
@@ -93,7 +94,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
     frame = read_frame(root.section("frame"), reading)
     things = read_things(root, reading)
     constraints = read_constraints(root.section("constraints"), reading)
-    gravity = read_gravity(root.section("gravity"), reading)
+    gravity = read_gravity(root.get("gravity"), reading)
     forces = read_forces(root.section("forces"), reading)
     speeds = read_speeds(root.section("speeds"), reading)
     choices = read_choices(root.section("generalized_coordinates"), reading)
@@ -110,6 +111,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
         frame=frame,
         parameters=parameters,
         functions=functions.undefined,
+        abbreviations=things.abbreviations,
         particles=things.particles,
         bodies=things.bodies,
         constraints=constraints,
@@ -122,7 +124,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
         answers=answers.answers(root.section("answers")),
     )
     _check_whole(problem, root, findings)
-    return replace(problem, find=_find(root.section("find"), problem, findings))
+    return replace(problem, find=_find(root.get("find"), problem, findings))
 
 
 def _required(root: Section, key: str, example: str) -> Node:
@@ -166,6 +168,9 @@ def _question(node: Node) -> Find:
     scalar = scalar_of(node, "`find`")
     if scalar.text not in set(Find):
         help_ = suggestion(scalar.text, [*Find], "questions")
+        several = [q for q in Find if q.value in scalar.text.lower()]
+        if len(several) > 1:
+            help_ = f"several questions are a list: `find: [{', '.join(several)}]`"
         message = f"`{scalar.text}` is not something to find"
         raise ProblemError(Diagnostic("unknown-question", message, scalar.span, help=help_))
     return Find(scalar.text)
@@ -180,10 +185,11 @@ def _suggested(problem: Problem) -> Find:
 
 
 def _scope_of_answers(scope: Scope, constraints: tuple[Constraint, ...], choices: tuple[Choice, ...]) -> Scope:
-    """The scope of the finished problem: reactions, and the coordinates of the choices, are known there."""
+    """The scope of the finished problem: reactions, the coordinates of the choices and `const` are known there."""
     old = scope.slots.coordinates
     new: dict[str, sp.Expr] = {q.name: q for c in choices for q in c.coordinates if q not in old}
-    return replace(scope, scalars={**scope.scalars, **{c.reaction.name: c.reaction for c in constraints}, **new})
+    reactions = {c.reaction.name: c.reaction for c in constraints}
+    return replace(scope, scalars={CONSTANT.name: CONSTANT, **scope.scalars, **reactions, **new})
 
 
 def _check_whole(problem: Problem, root: Section, findings: Findings) -> None:

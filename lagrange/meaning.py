@@ -11,7 +11,7 @@ from abc import ABC, abstractmethod
 
 import sympy as sp
 
-from lagrange.bounded import HIGHEST_PRESCRIBED_RATE, MAX_NESTED_EXPONENT, Arithmetic
+from lagrange.bounded import HIGHEST_PRESCRIBED_RATE, MAX_EXPONENT, MAX_NESTED_EXPONENT, Arithmetic
 from lagrange.diagnostics import Fragment, ProblemError
 from lagrange.lexicon import FUNCTIONS, Role
 from lagrange.notation import Unspecified, base, differential, t, variation
@@ -44,7 +44,7 @@ class ScalarMeaning(Remarks, ABC):
     def __init__(self, fragment: Fragment, scope: Scope, names: frozenset[str]) -> None:
         super().__init__(fragment, scope)
         self.names = names
-        self.arithmetic = Arithmetic(scope.slots)
+        self.arithmetic = Arithmetic(scope.slots, scope.purse)
         self._nested: dict[int, float] = {}
 
     @abstractmethod
@@ -150,6 +150,8 @@ class ScalarMeaning(Remarks, ABC):
     def _power(self, tree: Power) -> sp.Expr:
         if self._nested_exponent(tree) > MAX_NESTED_EXPONENT:
             message = f"nested exponents multiply to more than {MAX_NESTED_EXPONENT}"
+            if isinstance(tree.exponent, Number) and sp.Rational(tree.exponent.text) > MAX_EXPONENT:
+                message = f"numbers in an exponent may be up to {MAX_EXPONENT}"
             raise self.mistake("exponent-too-large", message, tree, "is this the power that is meant?")
         if self.is_vector(tree.base):
             help_ = "write `dot(a, a)` for its square"

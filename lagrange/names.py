@@ -89,6 +89,7 @@ class Names:
         else:
             return found[0].text
         self.fail_all(scalar)
+        self.fail(scalar.text)
         self.findings.report(Diagnostic("bad-name", message, scalar.span, help=help_))
         return None
 
@@ -102,7 +103,7 @@ class Names:
             self._failed.update(names_in(scalar.text))
 
     def has_failed(self, name: str) -> bool:
-        """Whether the declaration of a name has failed."""
+        """Whether the declaration of a name, or of a text that is no name, has failed."""
         return name in self._failed
 
     def uses_failed(self, text: str) -> bool:
@@ -159,11 +160,12 @@ def _spellings(token: Token) -> tuple[str, ...]:
 
 
 def derivatives_in(text: str) -> tuple[tuple[str, int], ...]:
-    """The names in a text, each with the number of primes behind it."""
+    """The names in a text, each with how often it may be differentiated there."""
     found = _tokens(text)
     following = [*found[1:], None]
+    everywhere = min(2, sum(token.text in ("d", "delta", "diff") for token in found))
     return tuple(
-        (token.text, after.count if after is not None and after.kind is Kind.PRIMES else 0)
+        (token.text, everywhere + (after.count if after is not None and after.kind is Kind.PRIMES else 0))
         for token, after in zip(found, following, strict=False)
         if token.kind is Kind.NAME
     )
@@ -186,6 +188,8 @@ def _misspelling(text: str, found: list[Token], what: str) -> tuple[str, str]:
     if not text.strip():
         return f"the name of {what} is missing", _SPELLING
     kinds = [token.kind for token in found]
+    if "=" in text:
+        return f"`{text}` has no name", "every entry is `name: ...`, and a comma begins the next one"
     if len(found) > 1 and set(kinds) == {Kind.NAME}:
         listed = ", ".join(token.text for token in found)
         return f"`{text}` is not one name", f"several names are separated by commas: `[{listed}]`"

@@ -17,8 +17,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 from sympy.core.symbol import Str
+from sympy.printing.str import StrPrinter
 
 t = sp.Symbol("t", real=True)
+
+CONSTANT = sp.Symbol("const", real=True)
+"""The value that a finite relation keeps: x − R φ = const."""
 
 
 class Sign(sp.Symbol):
@@ -92,6 +96,13 @@ class Unspecified(sp.Expr):
     def arguments(self) -> tuple[sp.Expr, ...]:
         """Where it is taken."""
         return tuple(self.args[3:])
+
+    def _sympystr(self, printer: StrPrinter) -> str:
+        text = f"{self.name}({', '.join(map(printer.doprint, self.arguments))})"
+        for name, order in zip(self.argument_names, self.orders, strict=True):
+            for _ in range(order):
+                text = f"diff({text}, {name})"
+        return text
 
     def partial(self, index: int) -> Unspecified:
         """The partial derivative by argument `index`."""

@@ -6,17 +6,21 @@ is read once, after those whose names it uses; entries that are defined by one a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial
+
+import sympy as sp
 
 from lagrange.bodies import BodyBeingRead, mass_of, names_of_turning
 from lagrange.diagnostics import Diagnostic, ProblemError
 from lagrange.names import names_in
-from lagrange.nodes import Mapping, Node, Scalar, scalars
+from lagrange.nodes import Mapping as MappingNode
+from lagrange.nodes import Node, Scalar, scalars
 from lagrange.problem import Body, Particle
 from lagrange.reading import Reading
 from lagrange.sections import Section, entries_of, mapping_of
+from lagrange.tidying import tidied
 from lagrange.vectors import Vector
 
 _PARTICLE = "P: {mass: m, position: x*i + y*j}"
@@ -29,6 +33,7 @@ class Things:
 
     particles: tuple[Particle, ...]
     bodies: tuple[Body, ...]
+    abbreviations: Mapping[str, sp.Expr | Vector]
 
 
 @dataclass(frozen=True)
@@ -45,7 +50,12 @@ def read_things(root: Section, reading: Reading) -> Things:
     """The abbreviations go into the scope, particles and bodies are returned."""
     particles: dict[str, Particle] = {}
     bodies: dict[str, Body] = {}
-    entries = [*_abbreviations(root, reading), *_particles(root, reading, particles), *_bodies(root, reading, bodies)]
+    short: dict[str, sp.Expr | Vector] = {}
+    entries = [
+        *_abbreviations(root, reading, short),
+        *_particles(root, reading, particles),
+        *_bodies(root, reading, bodies),
+    ]
     for entry in _in_order(entries, reading):
         try:
             entry.read()
@@ -53,7 +63,9 @@ def read_things(root: Section, reading: Reading) -> Things:
             reading.findings.report_all(error.diagnostics)
             reading.names.fail(*entry.gives)
     known = reading.things.known()
-    return Things(tuple(particles[n] for n in known if n in particles), tuple(bodies[n] for n in known if n in bodies))
+    return Things(
+        tuple(particles[n] for n in known if n in particles), tuple(bodies[n] for n in known if n in bodies), short
+    )
 
 
 def _entries(root: Section, key: str, example: str, reading: Reading) -> tuple[tuple[Scalar, Node], ...]:
@@ -66,19 +78,21 @@ def _entries(root: Section, key: str, example: str, reading: Reading) -> tuple[t
     return entries or ()
 
 
-def _abbreviations(root: Section, reading: Reading) -> Iterator[_Entry]:
+def _abbreviations(root: Section, reading: Reading, found: dict[str, sp.Expr | Vector]) -> Iterator[_Entry]:
     for key, node in _entries(root, "let", 'n: "sin(theta)*i - cos(theta)*j"', reading):
         name = reading.names.declare(key, "an abbreviation")
         if name is not None:
-            yield _Entry(key, (name,), _uses(node), partial(_read_abbreviation, name, node, reading))
+            yield _Entry(key, (name,), _uses(node), partial(_read_abbreviation, name, node, reading, found))
 
 
-def _read_abbreviation(name: str, node: Node, reading: Reading) -> None:
+def _read_abbreviation(name: str, node: Node, reading: Reading, found: dict[str, sp.Expr | Vector]) -> None:
     value = reading.value(node, f"`{name}`")
     if isinstance(value, Vector):
+        value = value.map(tidied)
         reading.add_vectors({name: value})
     else:
         reading.add_scalars({name: value})
+    found[name] = value
 
 
 def _particles(root: Section, reading: Reading, found: dict[str, Particle]) -> Iterator[_Entry]:
@@ -140,7 +154,7 @@ def _complete(body: BodyBeingRead, reading: Reading, found: dict[str, Body]) -> 
 
 def _parted(node: Node) -> tuple[frozenset[str], frozenset[str]]:
     """The names that the position of a body uses, and those that the rest of it uses."""
-    if not isinstance(node, Mapping):
+    if not isinstance(node, MappingNode):
         return frozenset(), _uses(node)
     uses = [(key.text == "position", _uses(value)) for key, value in node.entries]
     place, rest = ([names for is_place, names in uses if is_place == wanted] for wanted in (True, False))

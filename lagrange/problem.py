@@ -14,6 +14,7 @@ from enum import StrEnum
 
 import sympy as sp
 
+from lagrange.alternatives import Reduction
 from lagrange.diagnostics import Diagnostic, Fragment, Span
 from lagrange.expressions import FunctionDeclaration, Scope
 from lagrange.notation import Slots
@@ -87,10 +88,20 @@ class Body:
 
 
 @dataclass(frozen=True)
+class Given:
+    """A constraint as the file has it, and how it comes to what is used instead: (x' − y')² = 0, x' − y' = 0."""
+
+    lhs: sp.Expr
+    rhs: sp.Expr
+    steps: tuple[Reduction, ...]
+
+
+@dataclass(frozen=True)
 class Constraint:
     """f(q, q', t) = 0, where f is the left side minus the right side.
 
-    `kinematic` is true where a velocity occurs. `reaction` is what its multiplier is called.
+    `kinematic` is true where a velocity occurs. `reaction` is what its multiplier is called. `given` is what the file
+    has, where that is not linear in the velocities and f = 0 says the same; one may come to several constraints.
     """
 
     name: str
@@ -100,6 +111,7 @@ class Constraint:
     reaction: sp.Symbol
     span: Span
     note: str = ""
+    given: Given | None = None
 
     @property
     def function(self) -> sp.Expr:
@@ -219,6 +231,7 @@ class Problem:
     frame: Triad | None = None
     parameters: tuple[Parameter, ...] = ()
     functions: tuple[FunctionDeclaration, ...] = ()
+    abbreviations: Mapping[str, sp.Expr | Vector] = field(default_factory=dict)
     particles: tuple[Particle, ...] = ()
     bodies: tuple[Body, ...] = ()
     constraints: tuple[Constraint, ...] = ()

@@ -14,7 +14,8 @@ from typing import TypeVar
 
 import sympy as sp
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Span
+from lagrange.bounded import Purse
+from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError, Span
 from lagrange.exact import is_zero
 from lagrange.expressions import EquationRead, Scope, Value, read_equation, read_scalar, read_value, read_vector
 from lagrange.findings import Findings
@@ -28,9 +29,11 @@ from lagrange.sections import items_of, scalar_of, wrong_kind
 from lagrange.symbols import ANYTHING, POSITION, Allowed, Quantity, first_refused
 from lagrange.tokens import Kind, tokens
 from lagrange.vectors import Vector
+from lagrange.yaml_text import ScalarText
 
 MAX_WRITTEN_OUT = 1_000_000
 MOST_TESTED = 400
+MOST_REDUCED = 150
 
 T = TypeVar("T", bound=sp.Expr | Vector | EquationRead)
 Reader = Callable[[Fragment, Scope, list[Diagnostic]], T]
@@ -52,11 +55,13 @@ class Reading:
         self.forces = Namespace(self.names)
         self.choices = Namespace(self.names)
         self.scope = Scope()
+        self.purse = Purse()
         self.unknowns: tuple[sp.Symbol, ...] = ()
         self.values: dict[sp.Symbol, sp.Rational] = {}
         self.points: dict[str, Vector | None] = {}
         self.bodies: list[str] = []
         self._tested = 0
+        self._reduced = 0
         self._written_out = 0
         self._sizes: dict[str, int] = {}
 
@@ -89,7 +94,8 @@ class Reading:
     def _components(self, node: ListNode, what: str, allowed: Allowed) -> Vector:
         items = items_of(node, what, "[x, y]")
         if len(items) not in (2, 3):
-            raise ProblemError(wrong_kind(node, f"{what} has {len(items)} components", "give two or three"))
+            message = f"{what} has {len(items)} component{'s' if len(items) != 1 else ''}"
+            raise ProblemError(wrong_kind(node, message, "give two or three"))
         parts = [self.findings.attempt(lambda i=i: self.scalar(i, what, allowed)) for i in items]  # type: ignore[misc]
         if None in parts:
             raise ProblemError(())
@@ -108,6 +114,12 @@ class Reading:
         length = size(expression)
         self._tested += length
         return is_zero(expression) if length <= MOST_TESTED and self._tested <= 5 * MOST_TESTED else None
+
+    def may_reduce(self, expression: sp.Expr) -> bool:
+        """Whether a constraint is small enough to be taken apart, after those that were."""
+        length = size(expression)
+        self._reduced += length
+        return length <= MOST_REDUCED and self._reduced <= 10 * MOST_REDUCED
 
     # -- scope -------------------------------------------------------------------------------------------------------
 
@@ -132,17 +144,20 @@ class Reading:
     def read_quietly(self, reader: Reader[T], fragment: Fragment, scope: Scope, notes: list[Diagnostic]) -> T:
         """What a reader of expressions makes of a text; `notes` takes what is to be said of the reading.
 
-        Raises ProblemError, without a word where a name is used whose declaration has failed.
+        Raises ProblemError, without a word where a name is used whose declaration has failed, or the purse is empty.
         """
-        if self.names.uses_failed(fragment.text):
+        if self.names.uses_failed(fragment.text) or self.purse.left < 0:
             raise ProblemError(())
+        self.findings.report_all(_halved_primes(fragment))
         self._charge(fragment)
-        return reader(fragment, scope, notes)
+        return reader(fragment, replace(scope, purse=self.purse), notes)
 
     def _charge(self, fragment: Fragment) -> None:
         """Counts what abbreviations amount to wherever they are used: a derivative is four times as large, or so."""
         if not self._sizes:
             return
+        if self._written_out > MAX_WRITTEN_OUT:
+            raise ProblemError(())  # it has been said
         self._written_out += sum(self._sizes.get(name, 0) * 4**order for name, order in derivatives_in(fragment.text))
         if self._written_out > MAX_WRITTEN_OUT:
             message = "the abbreviations and positions of this file, written out where they are used, are too large"
@@ -179,6 +194,22 @@ def _refusal(symbol: sp.Symbol, found: Quantity, what: str, fragment: Fragment, 
     if allowed.code == "not-constant":
         return Diagnostic(allowed.code, f"{what} must be constant, and {named} varies", place, help=allowed.help)
     return Diagnostic(allowed.code, f"{what} contains {named}", place, help=allowed.help)
+
+
+def _halved_primes(fragment: Fragment) -> list[Diagnostic]:
+    """`'x'' = 0'`: in single quotes YAML takes two apostrophes for one. Nothing is said where four stand for two."""
+    if not isinstance(fragment, ScalarText) or fragment.style != "'":
+        return []
+    try:
+        primes = [token for token in tokens(fragment)[0] if token.kind is Kind.PRIMES]
+    except ProblemError:
+        return []
+    if not primes or any(token.count > 1 for token in primes):
+        return []
+    message = "YAML takes two apostrophes for one in single quotes: this is a first derivative"
+    span = fragment.span(primes[0].start, primes[0].end)
+    help_ = "put the value in double quotes, where primes are read as they are written"
+    return [Diagnostic("read-as", message, span, help=help_, level=Level.NOTE)]
 
 
 def place_of(symbol: sp.Symbol, fragment: Fragment) -> Span:

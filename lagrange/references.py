@@ -15,7 +15,7 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.comparison import System
-from lagrange.constraints import pfaffian_form
+from lagrange.constraints import constraint_row
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
@@ -132,7 +132,7 @@ def _lengths(solution: Solution) -> dict[str, sp.Expr]:
 
 def reference_of_equations(problem: Problem) -> Reference:
     """The reference system that a file gives outright under `equations`."""
-    rows = tuple(pfaffian_form(c, problem.slots) for c in problem.constraints)
+    rows = tuple(constraint_row(c, problem.slots) for c in problem.constraints)
     configuration = file_configuration(problem, rows)
     expressions: list[sp.Expr] = []
     errors: list[Diagnostic] = []

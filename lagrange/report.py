@@ -69,7 +69,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
-        yield explain_integrability(classification)
+        yield explain_integrability(classification, names_of(problem))
     yield explain_classification(classification)
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried)
@@ -81,6 +81,13 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
         if c.motion is not None:
             yield explain_motion_in_choice(c.coordinates, c.motion, problem)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
+
+
+def names_of(problem: Problem) -> frozenset[str]:
+    """What the problem has names for: its symbols, vectors and functions."""
+    scope = problem.scope
+    symbols = (*problem.slots.coordinates, *problem.slots.prescribed)
+    return frozenset({*scope.scalars, *scope.vectors, *scope.functions, *(s.name for s in symbols)})
 
 
 def _shortcomings(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Diagnostic]:

@@ -14,6 +14,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.bounded import Purse
 from lagrange.characters import VARIANTS
 from lagrange.lexicon import FUNCTIONS, OPERATIONS, Role
 from lagrange.notation import Slots, t
@@ -52,12 +53,13 @@ class FunctionDeclaration:
 
 @dataclass(frozen=True)
 class Scope:
-    """What is declared: the only names that have a meaning."""
+    """What is declared: the only names that have a meaning. `purse` is what reading in it may cost."""
 
     scalars: Mapping[str, sp.Expr] = field(default_factory=dict)
     slots: Slots = field(default_factory=lambda: Slots(()))
     functions: Mapping[str, FunctionDeclaration] = field(default_factory=dict)
     vectors: Mapping[str, Vector] = field(default_factory=dict)
+    purse: Purse | None = field(default=None, compare=False, repr=False)
 
     def scalar(self, name: str) -> sp.Expr | None:
         """The scalar that a name means, if it means one."""

@@ -84,7 +84,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
     _refuse_what_is_not_covered(problem)
     classification = classify(problem)
     configuration = file_configuration(problem, classification.rows)
-    elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.surface)
+    elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.states)
     carried = carrying_rates(configuration.rows, elimination, len(problem.coordinates), configuration.surface)
     chosen = [generalized_coordinates(c, configuration) for c in _choices(problem, choice)]
     checks = [
@@ -118,7 +118,7 @@ def _with_motion(solution: Solution) -> Solution:
         configuration = c.coordinates.configuration
         coordinates = configuration.slots.coordinates
         first = [coordinates.index(q) for q in c.coordinates.through_rates]
-        elimination = eliminate(configuration.rows, len(coordinates), configuration.surface, first)
+        elimination = eliminate(configuration.rows, len(coordinates), configuration.states, first)
         there = equations_of_motion(dalembert(configuration), elimination)
         checks += check_displacements(configuration, elimination)
         checks += check_motion(there, reactions)

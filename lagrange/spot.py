@@ -21,7 +21,7 @@ from lagrange.coordinates import solved_constraints
 from lagrange.elimination import row_reduced
 from lagrange.evaluation import Graph
 from lagrange.exact import InadmissibleError, ZeroDivisorError
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.notation import Sign, Unspecified, t
 from lagrange.reals import RealPoint, Reals
 
@@ -63,7 +63,7 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
     others = [s for s in sorted(used - moving, key=lambda s: s.name, reverse=True) if not isinstance(s, Sign)]
     numbers = count(1 + trial)
-    values |= {s: sp.S.One for s in used if isinstance(s, Sign)}
+    values |= {s: sp.S.One for s in sorted(used, key=lambda s: s.name) if isinstance(s, Sign)}
     parameters = {s: given.get(s) or _parameter_value(s, numbers) for s in others}
     values |= reversed(parameters.items())
     positions = _positions(configuration, values, trial)
@@ -134,6 +134,8 @@ def _velocities(
 ) -> dict[sp.Basic, sp.Expr]:
     """Velocities 1, 2, ... for as many as are free, and those that the constraints give."""
     velocities = configuration.slots.velocities
+    if not is_pfaffian(configuration.rows):
+        return _admitted(configuration, values, trial)
     point = _point(values)
     rows = [point.values((*row.coefficients, row.drift)) for row in configuration.rows]
     reduced, pivots = row_reduced(point.arithmetic, rows)
@@ -144,6 +146,17 @@ def _velocities(
     found: dict[sp.Basic, sp.Expr] = {velocities[k]: sp.Integer(n) for k, n in chosen.items()}
     for k, row in zip(pivots, reduced, strict=True):
         found[velocities[k]] = _recognised(-row[-1] - sum(row[i] * n for i, n in chosen.items()))
+    return found
+
+
+def _admitted(configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int) -> dict[sp.Basic, sp.Expr]:
+    """Velocities that satisfy constraints not linear in them."""
+    slots = configuration.slots
+    rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
+    start = {v: sp.Rational(3, 5) * (n + trial) for n, v in enumerate(slots.velocities, start=1)}
+    found = _by_newton(rows, start)
+    if found is None:
+        raise ValueError("no velocities")
     return found
 
 

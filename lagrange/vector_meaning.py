@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import sympy as sp
 
+from lagrange.bounded import HIGHEST_PRESCRIBED_RATE
 from lagrange.meaning import DIFFERENTIALS, ScalarMeaning
-from lagrange.notation import differential, t, variation
+from lagrange.notation import differential, prime, t, variation
 from lagrange.scope import UNITS
 from lagrange.trees import Call, Components, Name, Primed, Product, Sum, Tree
 from lagrange.vectors import Vector
@@ -66,7 +67,7 @@ class Meaning(ScalarMeaning):
             case Call(name="diff", arguments=(inner, _)) if self._can_be_vector(inner):
                 return self._differentiated(tree)
             case Call(arguments=(inner,)) if tree.name in DIFFERENTIALS and self.is_vector(tree):
-                return self._virtual_rotation(tree) or self._displacement(tree.name, self.vector(inner))
+                return self._virtual_rotation(tree) or self._displacement(tree, self.vector(inner))
         return self._zero_or_mistake(self.scalar(tree), tree, "a scalar")
 
     def _virtual_rotation(self, tree: Tree) -> Vector | None:
@@ -76,12 +77,18 @@ class Meaning(ScalarMeaning):
                 return self.scope.vectors.get(f"delta({text})")
         return None
 
-    def _displacement(self, name: str, vector: Vector) -> Vector:
+    def _displacement(self, call: Call, vector: Vector) -> Vector:
         """d(a) = Σ (∂a/∂q) dq + (∂a/∂t) dt, and delta(a), where time is frozen."""
-        slots = self.scope.slots
-        make = differential if name == "d" else variation
-        total = sum((vector.partial(q) * make(q) for q in slots.coordinates), Vector.zero(vector.triad))
-        return total if name == "delta" else total + vector.frozen_derivative(slots) * differential(t)
+        slots, dt = self.scope.slots, differential(t)
+        make = differential if call.name == "d" else variation
+        rates: dict[sp.Symbol, sp.Expr] = {q: make(q) for q in slots.coordinates}
+        if call.name == "d":
+            moving = (
+                prime(u, order) if order else u for u in slots.prescribed for order in range(HIGHEST_PRESCRIBED_RATE)
+            )
+            rates |= {t: dt} | {u: prime(u) * dt for u in moving}
+        with self.blaming(call):
+            return self.arithmetic.change_of_vector(vector, rates)
 
     def _named_vector(self, name: Name) -> Vector:
         vector = self.scope.vector(name.text)

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.notation import Slots, UnitVector, prime, t
+from lagrange.notation import Slots, UnitVector, derivative, prime, t
 
 Components = tuple[sp.Expr, sp.Expr, sp.Expr]
 
@@ -147,6 +147,14 @@ class Vector:
             if q in moving:
                 rate = sp.S.One if q == t else prime(q)
                 changed = changed + Vector(_cross(w, self.components), self.triad) * rate
+        return changed
+
+    def change(self, rate: Callable[[sp.Symbol], sp.Expr]) -> Vector:
+        """Its change where every symbol changes by `rate`: Σ (∂a_n/∂s) rate(s) e_n + Σ rate(q_k) ω_k × a."""
+        changed = self.map(lambda c: derivative(c, rate))
+        for q, w in self.triad.turning:
+            if rate(q) != 0:
+                changed = changed + Vector(_cross(w, self.components), self.triad) * rate(q)
         return changed
 
     def xreplace(self, rule: dict[sp.Basic, sp.Basic]) -> Vector:

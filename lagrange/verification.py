@@ -21,7 +21,7 @@ from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
 from lagrange.exact import Point
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.lagrangian import applied_power, kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
 from lagrange.sampling import agreed
@@ -55,7 +55,7 @@ def check_integrability(classification: Classification) -> list[Check]:
     """Frobenius' form, worked out in symbols, against the verdict on the constraint, which is found with jets."""
     found = []
     for c in classification.constraints:
-        if c.row.finite is None and not c.exactness.exact and c.integrable is not None:
+        if c.pfaffian and c.row.finite is None and not c.exactness.exact and c.integrable is not None:
             verdicts = [k.nonzero for k in c.frobenius]
             vanishes = False if True in verdicts else None if None in verdicts else True
             passed = None if vanishes is None else vanishes == c.integrable
@@ -65,11 +65,15 @@ def check_integrability(classification: Classification) -> list[Check]:
 
 
 def check_reality(configuration: Configuration) -> list[Check]:
-    """Whether some real configuration satisfies the geometric constraints: x² + y² = −1 has none."""
-    if not configuration.finite_constraints:
+    """Whether some real configuration satisfies the constraints: x² + y² = −1 has none.
+
+    Where they are not linear in the velocities, real velocities are asked for too.
+    """
+    pfaffian = is_pfaffian(configuration.rows)
+    if pfaffian and not configuration.finite_constraints:
         return []
-    name = "a real configuration satisfies the constraints"
-    if has_real_point(configuration.surface):
+    name = f"a real {'configuration' if pfaffian else 'state'} satisfies the constraints"
+    if has_real_point(configuration.states):
         return [Check(name, True, "one was found, to sixty digits")]
     return [Check(name, None, "none was found")]
 
@@ -130,7 +134,7 @@ def _displacements_hold(configuration: Configuration, elimination: Elimination) 
     """A N = 0, where the columns of N are the solved displacements."""
     columns = displacement_basis(elimination, len(configuration.slots.coordinates))
     verdicts = [
-        configuration.surface.is_zero(sp.Add(*(a * x for a, x in zip(row.coefficients, column, strict=True))))
+        configuration.states.is_zero(sp.Add(*(a * x for a, x in zip(row.coefficients, column, strict=True))))
         for row in configuration.rows
         for column in columns
     ]
@@ -150,16 +154,17 @@ def displacement_basis(elimination: Elimination, size: int) -> list[list[sp.Expr
 
 
 def _conserves_reactions(configuration: Configuration) -> bool:
-    """Whether reactions have no power: no constraint has a_t, and no position contains t."""
+    """Whether reactions have no power: no constraint has an a_t where it holds, and no position contains t."""
     slots = configuration.slots
-    still = all(row.drift == 0 for row in configuration.rows)
-    moved = (p.position.components for p in configuration.points)
+    still = all(row.drift == 0 or _no_drift(row, configuration) for row in configuration.rows)
+    moved = (p.position.frozen_derivative(slots) for p in configuration.points)
     turned = (r.virtual(slots.velocities) - r.angular_velocity for r in configuration.rotations)
-    return (
-        still
-        and all(not _contains_time(parts, slots) for parts in moved)
-        and all(sp.expand(c) == 0 for spin in turned for c in spin.components)
-    )
+    return still and all(v.is_zero for v in moved) and all(sp.expand(c) == 0 for w in turned for c in w.components)
+
+
+def _no_drift(row: Row, configuration: Configuration) -> bool:
+    """Whether a_t is zero where a constraint that is not Pfaffian holds: x'² + y'² − z'² has a_t = −φ."""
+    return row.nonlinear is not None and configuration.states.is_zero(row.drift) is True
 
 
 def _contains_time(parts: tuple[sp.Expr, ...], slots: Slots) -> bool:
@@ -184,7 +189,7 @@ def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
         accelerated = with_accelerations(moving, system)
         return accelerated is not None and accelerated.is_zero(rate - power)
 
-    return agreed(configuration.surface, holds, expressions)
+    return agreed(configuration.states, holds, expressions)
 
 
 def with_accelerations(point: Point, system: System) -> Point | None:

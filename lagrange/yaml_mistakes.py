@@ -155,9 +155,18 @@ def _no_key(p: _Place) -> _Mistake:
             f"the value ends at the {'quote' if before[-1] == chr(34) else 'apostrophe'} before this",
             f"{_QUOTES_HELP}: primes go into double quotes, \"theta'' = 0\"",
         )
+    if before.endswith(("]", "}")) and p.text[p.line_start : p.at].strip():
+        return _behind_bracket(p, before)
     if re.search(r"[:,\[{-] *\*[^\s,]*$", before):
         return _Mistake(len(before) - len(before.split()[-1]), "a value cannot begin with `*`", _QUOTES_HELP)
     return _Mistake(p.at, "this line is indented differently from those it belongs to", "indent them equally")
+
+
+def _behind_bracket(p: _Place, before: str) -> _Mistake:
+    """`[x]]`, and `[x, y] = ...`, which YAML takes for a list with something behind it."""
+    if p.char in "]}":
+        return _Mistake(p.at, f"this `{p.char}` closes nothing", "remove it, or open it before")
+    return _Mistake(p.at, f"the value ends at the `{before[-1]}` before this", _QUOTES_HELP)
 
 
 def _outdented(p: _Place) -> _Mistake:

@@ -8,14 +8,27 @@ energies written by hand.
 from __future__ import annotations
 
 import sympy as sp
-from second_route import Rigid, Route, constants, kane_of_bodies, lagrange, literature, moving, newton, newton_euler, rotation, t
+from second_route import (
+    Rigid,
+    Route,
+    constants,
+    kane_of_bodies,
+    lagrange,
+    literature,
+    moving,
+    newton_euler,
+    rotation,
+    t,
+)
 from sympy import cos, sin, sqrt
 from textbook_systems import HOLONOMIC, NONHOLONOMIC, Textbook, d, speed2
 
 # -- in the plane ----------------------------------------------------------------------------------------------------
 
 
-def flat(mass: sp.Expr, at: tuple[sp.Expr, ...], inertia: sp.Expr, angle: sp.Expr, **acting: tuple[sp.Expr, ...]) -> Rigid:
+def flat(
+    mass: sp.Expr, at: tuple[sp.Expr, ...], inertia: sp.Expr, angle: sp.Expr, **acting: tuple[sp.Expr, ...]
+) -> Rigid:
     """A body that turns about z."""
     return Rigid(mass, (*at, 0), rotation("z", angle), (0, 0, inertia), **acting)
 
@@ -101,9 +114,9 @@ def pushed_plate() -> tuple[Route, ...]:
     x, y, theta = moving("x y theta")
     m, inertia, force, a, b, c, moment = constants("m I_G F a b c M_0")
     book = (
-        m * d(x, 2) - force * cos(theta) - force * x + c * d(x),
-        m * d(y, 2) - force * sin(theta) + c * d(y),
-        inertia * d(theta, 2) + force * b - force * x * y - moment + c * d(theta),
+        m * d(x, 2) - force * (cos(theta) - 2 * sin(theta)) - force * x + c * d(x),
+        m * d(y, 2) - force * (sin(theta) + 2 * cos(theta)) + c * d(y),
+        inertia * d(theta, 2) + force * (b - 2 * a) - force * x * y - moment + c * d(theta),
     )
     return (literature("x y theta", book),)
 
@@ -247,6 +260,14 @@ def driven_plate() -> tuple[Route, ...]:
     return (newton_euler("theta", [Rigid(m, at, turned, (a, b, c), force=(0, 0, -m * g))]),)
 
 
+def driven_wheel() -> tuple[Route, ...]:
+    (theta,) = moving("theta")
+    a, c, m, g, l, turn = constants("A C m g l Omega")
+    turned = rotation("z", theta) * rotation("x", sp.pi / 2) * rotation("z", turn * t)
+    wheel = Rigid(m, (l * cos(theta), l * sin(theta), 0), turned, (a, a, c), force=(m * g, 0, 0))
+    return (newton_euler("theta", [wheel]),)
+
+
 # -- springs and dampers ---------------------------------------------------------------------------------------------
 
 
@@ -311,6 +332,7 @@ BODIES: dict[str, Textbook] = {
         ball_on_turntable, "nonholonomic scleronomic acatastatic", 3, 0, ("rolling.1", "rolling.2")
     ),
     "driven_plate": Textbook(driven_plate, "holonomic rheonomic catastatic", 1, 0),
+    "driven_wheel": Textbook(driven_wheel, "holonomic rheonomic catastatic", 1, 0),
     "spring_pendulum": Textbook(spring_pendulum, HOLONOMIC, 2, 0),
     "damped_oscillator": Textbook(damped_oscillator, HOLONOMIC, 1, 0),
     "three_springs": Textbook(three_springs, HOLONOMIC, 2, 0),

@@ -186,10 +186,12 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "generalized_coordinates: {line: {coordinates: [s], substitute: {x: s, y: s}}}")),
     "no-inertia": ("Something moves without mass; the equations do not determine its acceleration.", problem(
         "particles: {P: {mass: m, position: x*i}}\n")),
-    "singular-constraint": ("The differential of the constraint vanishes where it holds.",
+    "singular-constraint": ("The derivatives of the constraint vanish where it holds, so that it binds nothing.",
         problem("constraints: {a: sin(x) = 1}")),
     "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
-        "constraints: {speed: \"x'^2 + y'^2 = 1\"}")),
+        PARTICLE + "find: linearization")),
+    "several-branches": ("The constraint is satisfied in several ways; a problem is about one of them.", problem(
+        "constraints: {wedge: \"x'^2 = l^2*y'^2\"}")),
     "undecided": ("The question could not be settled, and nothing is guessed. Exit status 3.", None),
     "check-failed": ("A check of the solution did not hold. Exit status 3. Please report it.", None),
     "answer-differs": ("What `answers` says is not what is derived. Exit status 3.", problem(

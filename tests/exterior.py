@@ -102,13 +102,13 @@ def flag_by_brackets(
     fields = [list(v) for v in sp.Matrix([list(f) for f in forms]).nullspace(simplify=False)]
     free = {*variables}.union(*(sp.sympify(a).free_symbols for f in forms for a in f))
     point = real_point((), (), list(free), seed)
-    ranks = [len(variables) - _rank(fields, point)]
+    ranks = [len(variables) - rank(fields, point)]
     while ranks[-1]:
         brackets = [_bracket(a, b, variables) for a, b in combinations(fields, 2)]
         for new in brackets:
-            if _rank([*fields, new], point) > _rank(fields, point):
+            if rank([*fields, new], point) > rank(fields, point):
                 fields = [*fields, new]
-        ranks.append(len(variables) - _rank(fields, point))
+        ranks.append(len(variables) - rank(fields, point))
         if ranks[-1] == ranks[-2]:
             return tuple(ranks[:-1])
     return tuple(ranks)
@@ -121,7 +121,7 @@ def _bracket(a: Sequence[sp.Expr], b: Sequence[sp.Expr], variables: Sequence[sp.
     ]
 
 
-def _rank(rows: Sequence[Sequence[sp.Expr]], point: Mapping[sp.Symbol, sp.Expr]) -> int:
+def rank(rows: Sequence[Sequence[sp.Expr]], point: Mapping[sp.Symbol, sp.Expr]) -> int:
     with mp.workdps(DIGITS):
         numbers = mp.matrix([[mp.mpf(str(sp.N(e.xreplace(point), DIGITS))) for e in row] for row in rows])
         singular = mp.svd_r(numbers, compute_uv=False)

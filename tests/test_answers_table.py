@@ -539,6 +539,36 @@ def test_the_shape_of_json() -> None:
     assert equation["text"] == TABLE["16"][1]
 
 
+WHEEL = """
+title: Wheel on a slope
+parameters: [m, R, g, alpha]
+coordinates: [x, phi]
+particles: {P: {mass: m, position: x*i}, Q: {mass: m, position: "[R*cos(phi), R*sin(phi)]"}}
+constraints: {rolling: x' = R*phi'}
+gravity: g*sin(alpha)*i
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "expected"),
+    [
+        ("x - R*phi = const", INCOMPLETE),
+        ("phi = x/R + const", INCOMPLETE),
+        ("x - 2*R*phi = const", WRONG),
+        ("x - R*phi = 3", WRONG),  # holds for one motion only
+        ("x*const = R*phi", WRONG),
+        ("phi' = const", WRONG),
+        ("x = const", WRONG),
+    ],
+)
+def test_an_integrated_constraint_with_its_constant(answer: str, expected: str) -> None:
+    """x − R φ keeps a value that nobody knows: the relation restates the constraint, and is not asked for."""
+    checked = check_answer(read_problem(Source("wheel", WHEEL)), (Fragment.of(answer),))
+    assert checked.verdict.value == expected
+    if expected == INCOMPLETE:
+        assert checked.equations.equations[0].remarks == ("it restates a constraint",)
+
+
 # -- what the program prints is its own right answer -------------------------------------------------------------------
 
 

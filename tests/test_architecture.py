@@ -18,19 +18,20 @@ LAYERS = {
     "exact evaluation": """elimination graph field evaluation points residues reals walls branches blocks projection
         triangular sampler exact sampling""",
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
-        differentiation trigonometry common_factor textbook""",
+        differentiation trigonometry common_factor textbook tidying""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
         meaning vector_meaning expressions""",
-    "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names problem
-        reading declarations undefined_functions reference_frame orientation bodies forces constraint_equations answer_key choices
+    "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
+        velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
+        forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability""",
-    "stages": """links rigid_bodies kinematics constraints classification displacements coordinates principle equations lagrangian
+    "stages": """links rigid_bodies kinematics bending constraints classification displacements coordinates principle equations lagrangian
         comparison constant_inertia spot verification""",
     "results": "solution references answers checking",
-    "derivations": """derivation explain explain.words explain.bodies explain.statement explain.displacements explain.constraints
-        explain.motion explain.checks""",
+    "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear explain.displacements
+        explain.constraints explain.motion explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

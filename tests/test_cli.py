@@ -387,7 +387,7 @@ def test_list() -> None:
     assert everything.exit_code == 0
     assert [line.split()[0] for line in everything.stdout.splitlines()] == list(library.entries())
     assert "Ideal pendulum (Chapter 6, Ex. 11)" in everything.stdout
-    one = run("list", "ICE", "skate")
+    one = run("list", "ICE", "sideways", "chapter6/")
     assert [line.split()[0] for line in one.stdout.splitlines()] == [f"chapter6/{SKATE}"]
     none = run("list", "xyzzy")
     assert (none.exit_code, none.stdout) == (0, "")

@@ -5,9 +5,12 @@ from __future__ import annotations
 import pytest
 from conftest import PROBLEMS
 
-from lagrange.derivation import CheckMark, Derivation, Display, Part, Prose, Ref, Rule, Table
+from lagrange.derivation import CheckMark, Derivation, Display, Math, Part, Prose, Ref, Rule, Step, Table
+from lagrange.explain.words import in_words, spoken
 from lagrange.loader import load
-from lagrange.report import report
+from lagrange.notation import Wedge
+from lagrange.render.mathematics import unicode
+from lagrange.report import names_of, report
 
 SHIPPED = sorted(PROBLEMS.rglob("*.yaml"))
 
@@ -61,3 +64,90 @@ def test_steps_come_in_the_order_of_the_textbook(path: object) -> None:
     assert steps[0].rule is Rule.STATEMENT
     assert steps[-1].rule is Rule.CHECKS
     assert all(s.title and s.body for s in steps)
+
+
+def mathematics(step: Step) -> list[object]:
+    """All that is written in formulas in a step."""
+    found: list[object] = []
+    for block in step.body:
+        if isinstance(block, Display):
+            found += [side for e in block.equations for side in e.sides]
+        if isinstance(block, Prose):
+            found += [side for p in block.parts if isinstance(p, Math) for side in p.sides]
+    return found
+
+
+def words(step: Step) -> str:
+    """The sentences of a step, with the formulas in the text."""
+    texts = []
+    for block in step.body:
+        if isinstance(block, Prose):
+            texts += [
+                p if isinstance(p, str) else unicode(p.sides[0]) if isinstance(p, Math) else "" for p in block.parts
+            ]
+    return "".join(texts)
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda p: p.stem)
+def test_a_form_has_a_name_that_nothing_else_has(path: object) -> None:
+    result = report(load(path))  # type: ignore[arg-type]
+    taken = names_of(result.solution.problem)
+    for step in result.derivation.steps:
+        products = [e for m in mathematics(step) if hasattr(m, "atoms") for e in m.atoms(Wedge)]
+        names = {str(s) for e in products for s in e.args if "(" not in str(s)}
+        assert not names & taken
+
+
+def test_the_ball_rolls_with_omega_and_its_forms_are_called_otherwise() -> None:
+    steps = report(load(PROBLEMS / "constraints" / "rolling-ball.yaml")).derivation.steps
+    [integrability] = [s for s in steps if s.rule is Rule.INTEGRABILITY]
+    assert "eta" in {str(s) for m in mathematics(integrability) for s in m.free_symbols}
+
+
+def test_frobenius_theorem_is_explained_once() -> None:
+    """A disc has two constraints that are not integrable, a car with a trailer three."""
+    for name, count in (("upright-disc", 2), ("car-with-trailer", 3)):
+        steps = report(load(PROBLEMS / "constraints" / f"{name}.yaml")).derivation.steps
+        [integrability] = [s for s in steps if s.rule is Rule.INTEGRABILITY]
+        text = words(integrability)
+        assert text.count("By Frobenius' theorem one does") == 1
+        assert text.count("is not exact either") == count - 1
+        products = [e for m in mathematics(integrability) for e in m.atoms(Wedge)]
+        assert len({str(e) for e in products if len(e.args) == 3}) == count
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("chapter6/ex07-constant-coefficients", "Time occurs in the finite form of the constraint rates"),
+        ("constraints/rocking-plane", "Time occurs in the constraint plane"),
+        ("constraints/steered-blade", "Time occurs in the constraint blade"),
+        ("constraints/rolling-ball", "no slip 1 and no slip 2"),
+    ],
+)
+def test_how_time_enters(name: str, said: str) -> None:
+    steps = report(load(PROBLEMS / f"{name}.yaml")).derivation.steps
+    [classification] = [s for s in steps if s.rule is Rule.CLASSIFICATION]
+    assert said in words(classification)
+
+
+def test_where_nothing_is_free() -> None:
+    steps = report(load(PROBLEMS / "constraints" / "servo.yaml")).derivation.steps
+    [freedom] = [s for s in steps if s.rule is Rule.DEGREES_OF_FREEDOM]
+    assert "the constraints alone determine where the system is" in words(freedom)
+
+
+def test_the_statement_says_what_the_file_writes_for_short() -> None:
+    statement = report(load(PROBLEMS / "chapter6" / "ex05-ice-skate.yaml")).derivation.steps[0]
+    [line] = [e for b in statement.body if isinstance(b, Display) for e in b.equations]
+    assert [unicode(s) for s in line.sides] == ["n", "sin θ i − cos θ j"]
+    forces = report(load(PROBLEMS / "chapter6" / "ex02-fixed-surface.yaml")).derivation.steps[0]
+    assert "F_x, F_y and F_z are unspecified functions of x, y, z, ẋ, ẏ, ż and t." in words(forces)
+
+
+def test_numbers_and_names_in_words() -> None:
+    assert [in_words(n, "relation") for n in (0, 1, 2, 13)] == [
+        "no relation", "one relation", "two relations", "13 relations",
+    ]  # fmt: skip
+    assert spoken("upper_rod") == "upper rod"
+    assert spoken("no_slip.2") == "no slip 2"

@@ -196,7 +196,15 @@ FACTORS = [
     (r * sin(th) * (D(th, 2) - g), "r sin θ (θ̈ − g)"),
     ((x * d(x) + y * d(y)) * lam, "λ_rod (x dx + y dy)"),
     (lam * cos(th), "λ_rod cos θ"),
-    (f.partial(0) * lam, "λ_rod (∂f/∂X)"),
+    (f.partial(0) * lam, "λ_rod ∂f/∂X"),
+    (f.partial(0) * d(x), "∂f/∂X dx"),
+    (-u * f.partial(0) * d(t), "−u ∂f/∂X dt"),
+    (f.partial(0) * D(x, 2), "(∂f/∂X) ẍ"),
+    (f.partial(0) * f.partial(1) * d(x), "(∂f/∂X) (∂f/∂Y) dx"),
+    (f.partial(0) ** 2 * d(x), "(∂f/∂X)² dx"),
+    (f.partial(1) / f.partial(0) * delta(y), "[(∂f/∂Y)/(∂f/∂X)] δy"),
+    (u * f.partial(1) / f.partial(0), "u (∂f/∂Y)/(∂f/∂X)"),
+    (Partial(-m * (x - y), t), "∂[−m (x − y)]/∂t"),
     (P * sin(th), "P sin θ"),
     (2 * P * x, "2x P"),
     (m * g * i, "m g i"),
@@ -395,6 +403,34 @@ def test_an_undefined_function_with_several_lists_of_arguments_shows_them():
     assert writer.plain(f.partial(0)) == "diff(f, X)"
     assert writer.plain(both).startswith("diff(f(")
     assert writer.plain(f.partial(0)) == "diff(f, X)"
+
+
+def test_an_index_of_a_number_and_a_letter_is_written_as_one():
+    assert unicode(sp.Symbol("a_1t")) == "a₁ₜ"
+    assert latex(sp.Symbol("a_1t")) == "a_{1t}"
+    assert unicode(sp.Symbol("a_1q")) == "a_1q"  # there is no small q below the line
+
+
+def test_latex_does_not_stack_fractions_of_slopes():
+    slope = f.partial(1) / f.partial(0)
+    assert latex(-slope * delta(y)) == r"-\frac{\partial f / \partial Y}{\partial f / \partial X} \, \delta y"
+    assert latex(u * slope) == r"\frac{u \frac{\partial f}{\partial Y}}{\partial f / \partial X}"
+    assert latex(Partial(f.partial(0), y)) == r"\frac{\partial}{\partial y} \frac{\partial f}{\partial X}"
+    assert latex(Partial(x / l - y, y)) == r"\frac{\partial}{\partial y} \left( \frac{x}{l} - y \right)"
+
+
+def test_a_long_list_of_arguments_that_the_declaration_has_is_not_repeated():
+    names = ("x", "y", "x'", "t")
+    force = Unspecified.of("F_x", names, x, y, D(x), t)
+    assert unicode(m * D(x, 2) - force, N) == "m ẍ − F_x"
+    assert latex(force, N) == "F_{x}"
+    assert text(force, N) == "F_x(x, y, x', t)"
+    assert unicode(force.partial(2), N) == "∂F_x/∂ẋ"
+    elsewhere = Unspecified.of("F_x", names, x, 2 * y, D(x), t)
+    assert unicode(elsewhere, N) == "F_x(x, 2y, ẋ, t)"
+    assert unicode(force + elsewhere, N) == "F_x(x, 2y, ẋ, t) + F_x(x, y, ẋ, t)"
+    short = Unspecified.of("F_x", names[:3], x, y, D(x))
+    assert unicode(short, N) == "F_x(x, y, ẋ)"
 
 
 def test_everything_may_be_left_out_of_the_notation():

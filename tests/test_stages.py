@@ -141,12 +141,6 @@ def test_what_is_not_covered_is_refused_and_never_guessed(problem: Read, more: s
     assert what in str(caught.value)
 
 
-def test_nonlinear_velocity_constraints_are_refused_for_now(problem: Read) -> None:
-    text = "title: T\ncoordinates: [x, y]\nconstraints: {speed: \"x'^2 + y'^2 = 1\"}\n"
-    with pytest.raises(NotCoveredError, match="not linear in the velocities"):
-        solve(problem(text))
-
-
 def test_pivots_are_stated(problem: Read) -> None:
     solution = solve(problem(PENDULUM))
     x, y = sp.symbols("x y", real=True)

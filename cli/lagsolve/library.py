@@ -17,7 +17,8 @@ def root() -> Path:
 def entries() -> dict[str, Path]:
     """name -> file of every shipped problem; the name is `chapter6/ex11-ideal-pendulum`."""
     base = root()
-    return {p.relative_to(base).with_suffix("").as_posix(): p for p in sorted(base.rglob("*.yaml"))}
+    named = {p.relative_to(base).with_suffix("").as_posix(): p for p in base.rglob("*.yaml")}
+    return dict(sorted(named.items()))
 
 
 def named(name: str) -> dict[str, Path]:

@@ -55,7 +55,7 @@ def explain_rotation(body: Body, rotation: Rotation) -> list[Block]:
 
 def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
     if not rotation.has_inertia:
-        return (*_turns(body), f" {body.name} has no moment of inertia.")
+        return (*_turns(body), " It has no moment of inertia.")
     if body.angle is not None:
         moment = math(body.inertia[0])
         return (*_turns(body), " Its moment of inertia about the axis through the mass centre is ", moment, ".")
@@ -79,7 +79,7 @@ def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
 def _turns(body: Body) -> tuple[Part, ...]:
     """By which angles."""
     if body.angle is not None:
-        return (f"{body.name} is turned by ", math(body.angle), ".")
+        return ("It is turned by ", math(body.angle), ".")
     if not body.sequence:
         return ()
     steps: list[Part] = []
@@ -87,7 +87,7 @@ def _turns(body: Body) -> tuple[Part, ...]:
         new = "the new " if n else "its "
         steps += [("" if n == 0 else " and then " if n == 2 else ", ") + "by ", math(angle)]
         steps.append(f" about {new}{ORDINALS[int(axis) - 1]} axis")
-    return (f"{body.name} is turned ", *steps, ".")
+    return ("It is turned ", *steps, ".")
 
 
 def moments_on(configuration: Configuration) -> list[Block]:

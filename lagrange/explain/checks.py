@@ -49,7 +49,7 @@ def _where(places: Sequence[str]) -> str:
 
 def _answers(answers: Sequence[tuple[str, str]]) -> list[Block]:
     """The file's answers: one line for those that agree, one for each that does not."""
-    good = [spoken(name) for name, verdict in answers if verdict == "equivalent"]
+    good = [_called(name) for name, verdict in answers if verdict == "equivalent"]
     found: list[Block] = []
     if good:
         names = "".join(str(p) for p in listed(good))
@@ -57,8 +57,13 @@ def _answers(answers: Sequence[tuple[str, str]]) -> list[Block]:
     for name, verdict in answers:
         if verdict != "equivalent":
             passed = None if verdict == "undecided" else False
-            found.append(CheckMark((f"the textbook's {spoken(name)}",), passed, f"compared with the file: {verdict}"))
+            found.append(CheckMark((f"the textbook's {_called(name)}",), passed, f"compared with the file: {verdict}"))
     return found
+
+
+def _called(answer: str) -> str:
+    """A key of the file's answers in running text."""
+    return "integrability" if answer == "integrable" else spoken(answer)
 
 
 def _assignments(values: Mapping[sp.Symbol, sp.Expr]) -> tuple[Part, ...]:

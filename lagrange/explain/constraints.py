@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
+from itertools import groupby
 
 import sympy as sp
 
@@ -26,12 +27,13 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import possible_displacement
-from lagrange.explain.words import brief, counted, plural, spoken
+from lagrange.explain.nonlinear import explain_bending, explain_reduction, together, without_form
+from lagrange.explain.words import brief, counted, in_words, plural, spoken
 from lagrange.integrability import Comparison
-from lagrange.notation import Partial, Slots, Wedge, differential, t
+from lagrange.notation import CONSTANT, Partial, Slots, Wedge, differential, t
 
-OMEGA = sp.Symbol("omega", real=True)
-CONSTANT = sp.Symbol("const", real=True)
+LETTERS = ("omega", "eta", "chi", "zeta", "xi")
+"""What a form may be called; the first that the problem does not use."""
 SHOWN_PAIRS = 3
 
 
@@ -40,12 +42,17 @@ def explain_constraints(classification: Classification) -> Step:
     constraints = classification.constraints
     if not constraints:
         return Step(Rule.CONSTRAINT, "Constraints", (prose("There are none: the coordinates are free."),))
-    lines = []
-    for c in constraints:
-        note = f": {c.constraint.note}" if c.constraint.note else ""
-        sides = (c.constraint.lhs, c.constraint.rhs)
-        lines.append(Equation(sides, label=f"constraint-{c.row.name}", condition=(f"({spoken(c.row.name)}{note})",)))
-    body: list[Block] = [display(*lines)]
+    body: list[Block] = []
+    for given, group in groupby(constraints, key=lambda c: c.constraint.given):
+        members = list(group)
+        lines = []
+        for c in members:
+            note = f": {c.constraint.note}" if c.constraint.note else ""
+            sides = (c.constraint.lhs, c.constraint.rhs)
+            label = f"constraint-{c.row.name}"
+            lines.append(Equation(sides, label=label, condition=(f"({spoken(c.row.name)}{note})",)))
+        body += explain_reduction(given, len(members)) if given is not None else []
+        body.append(display(*lines))
     sentences = []
     for kinematic, why, kind in (
         (False, "No velocity occurs in ", "geometric"),
@@ -67,7 +74,10 @@ def explain_constraints(classification: Classification) -> Step:
 
 def explain_forms(classification: Classification, slots: Slots) -> Step:
     """The differential forms, and the table of their coefficients."""
-    constraints = classification.constraints
+    constraints = [c for c in classification.constraints if c.pfaffian]
+    others = [c for c in classification.constraints if not c.pfaffian]
+    if not constraints:
+        return Step(Rule.PFAFFIAN_FORM, "Differential form", tuple(without_form(others)))
     lines = (
         Equation((possible_displacement(c.row, slots), sp.S.Zero), label=f"form-{c.row.name}") for c in constraints
     )
@@ -80,9 +90,10 @@ def explain_forms(classification: Classification, slots: Slots) -> Step:
         ways += [", and " if ways else "", *listed(kinematic), " multiplied by ", math(differential(t))]
     one = len(constraints) == 1
     body: list[Block] = [
-        prose(*ways, " is" if one else " are"),
+        prose(*ways, " is" if one else ", are" if geometric and kinematic else " are"),
         display(*lines),
         _coefficients(constraints, slots),
+        *without_form(others),
     ]
     return Step(Rule.PFAFFIAN_FORM, "Differential form" if one else "Differential forms", tuple(body))
 
@@ -100,14 +111,25 @@ def _coefficients(constraints: Sequence[ConstraintAnalysis], slots: Slots) -> Ta
     return Table(tuple(header), tuple(rows))
 
 
-def explain_integrability(classification: Classification) -> Step:
-    """Exactness by pairs, finite forms, Frobenius, and the system as a whole."""
+def explain_integrability(classification: Classification, taken: Collection[str] = ()) -> Step:
+    """Exactness by pairs, finite forms, Frobenius, and the system as a whole. `taken`: names that the problem has."""
+    letter = next((n for n in LETTERS if not any(name.startswith(n) for name in taken)), LETTERS[0])
     finite = [c for c in classification.constraints if c.row.finite is not None]
     independent = [c for c in finite if c.row.name not in classification.redundant]
     body = _explain_finite(finite)
+    explained = False
     for c in classification.constraints:
-        if c.row.finite is None:
-            body += _explain_exact(c) if c.exactness.exact else _explain_not_exact(c, independent)
+        if c.row.finite is not None:
+            continue
+        if not c.pfaffian:
+            body += explain_bending(c)
+        elif c.exactness.exact:
+            body += _explain_exact(c)
+        elif explained and c.exactness.differing:
+            body += _explain_likewise(c, independent, letter)
+        else:
+            body += _explain_not_exact(c, independent, letter)
+            explained = bool(c.exactness.differing)
     body += _explain_together(classification)
     return Step(Rule.INTEGRABILITY, "Integrability", tuple(body))
 
@@ -157,7 +179,7 @@ def _explain_exact(c: ConstraintAnalysis) -> list[Block]:
     return [prose(*words, "The constraint is the finite relation"), display(finite)]
 
 
-def _explain_not_exact(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnalysis]) -> list[Block]:
+def _explain_not_exact(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnalysis], letter: str) -> list[Block]:
     """The pairs that differ, and Frobenius' condition."""
     label = f"form-{c.row.name}"
     differing = c.exactness.differing
@@ -174,33 +196,65 @@ def _explain_not_exact(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnal
     if len(differing) > SHOWN_PAIRS:
         found += [prose(*_unequal(p), detail=Detail.FULL) for p in differing[SHOWN_PAIRS:]]
         found.append(prose(f"and so on in {len(differing) - SHOWN_PAIRS} more pairs."))
-    return [*found, *_explain_frobenius(c, label, geometric)]
+    return [*found, *_explain_frobenius(c, label, geometric, letter)]
 
 
-def _explain_frobenius(c: ConstraintAnalysis, label: str, geometric: Sequence[ConstraintAnalysis]) -> list[Block]:
-    others = [sp.Symbol(f"omega_{n}", real=True) for n in range(1, len(geometric) + 1)]
-    product = Wedge(OMEGA, differential(OMEGA), *others)
-    forms: list[Part] = [math(OMEGA), " for the form ", Ref(label)]
+def _explain_likewise(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnalysis], letter: str) -> list[Block]:
+    """The same for a later constraint, when the theorem has been said."""
+    label = f"form-{c.row.name}"
+    first, *others = c.exactness.differing
+    found: list[Block] = [prose(Ref(label), " is not exact either: ", *_unequal(first), ".")]
+    found += [prose(*_unequal(p), detail=Detail.FULL) for p in others]
+    form, product = _forms(geometric, letter)
+    question = prose("With ", math(form), " for the form ", Ref(label), " now, ")
+    where = _where(geometric)
+    end = prose(f"This is not zero{where}: ", Ref(label), " is not integrable.")
+    return [*found, *_verdict(c, product, question, end, where)]
+
+
+def _forms(geometric: Sequence[ConstraintAnalysis], letter: str) -> tuple[sp.Symbol, Wedge]:
+    """ω, and ω ∧ dω ∧ ω₁ ∧ ... with the forms of the geometric constraints."""
+    form = sp.Symbol(letter, real=True)
+    others = [sp.Symbol(f"{letter}_{n}", real=True) for n in range(1, len(geometric) + 1)]
+    return form, Wedge(form, differential(form), *others)
+
+
+def _explain_frobenius(
+    c: ConstraintAnalysis, label: str, geometric: Sequence[ConstraintAnalysis], letter: str
+) -> list[Block]:
+    form, product = _forms(geometric, letter)
+    others = product.args[2:]
+    forms: list[Part] = [math(form), " for the form ", Ref(label)]
     for n, (symbol, g) in enumerate(zip(others, geometric, strict=True), start=1):
         forms += [" and " if n == len(others) else ", ", math(symbol), " for ", Ref(f"form-{g.row.name}")]
-    where = " where the geometric constraints hold" if geometric else ""
+    given = f",{_where(geometric)}," if geometric else ""
     question = prose(
         "It is not exact. That alone does not settle it: a factor might still make it exact. By Frobenius' theorem one "
-        f"does{where} only if, with ", *forms, ", ", math(product, sp.S.Zero), ".",
+        f"does{given} just when, with ", *forms, ", ", math(product, sp.S.Zero), ". Here ",
     )  # fmt: skip
-    if c.integrable is None:
-        return [question, prose("Whether that is so could not be decided.")]
-    if c.integrable:
-        words = f"That is so{where}: an integrating factor exists, and the constraint is a finite relation in disguise."
-        return [paragraph(question, prose(words))]
-    nonzero = [k for k in c.frobenius if k.nonzero]
-    more: tuple[Part, ...] = (f"and {counted(len(nonzero) - 1, 'more component')}",) if len(nonzero) > 1 else ()
-    shown = Equation((product, *map(_component, nonzero[:1])), label=f"frobenius-{c.row.name}", condition=more)
+    where = _where(geometric)
     end = prose(
         f"This is not zero{where}: no factor exists at all, and no relation between the coordinates is hidden in the "
         "constraint. It is ", Term("not integrable"), ".",
     )  # fmt: skip
-    return [paragraph(question, prose("Here")), display(shown), end]
+    return _verdict(c, product, question, end, where)
+
+
+def _where(geometric: Sequence[ConstraintAnalysis]) -> str:
+    return " where the geometric constraints hold" if geometric else ""
+
+
+def _verdict(c: ConstraintAnalysis, product: Wedge, begin: Prose, end: Prose, where: str) -> list[Block]:
+    """What the product is, and what follows; `begin` leads to it, `end` is said where it does not vanish."""
+    if c.integrable is None:
+        return [prose(*begin.parts, "it could not be decided whether ", math(product, sp.S.Zero), ".")]
+    if c.integrable:
+        words = ": an integrating factor exists, and the constraint is a finite relation in disguise."
+        return [prose(*begin.parts, math(product, sp.S.Zero), where, words)]
+    nonzero = [k for k in c.frobenius if k.nonzero]
+    more: tuple[Part, ...] = (f"and {in_words(len(nonzero) - 1, 'more component')}",) if len(nonzero) > 1 else ()
+    shown = Equation((product, *map(_component, nonzero[:1])), label=f"frobenius-{c.row.name}", condition=more)
+    return [begin, display(shown), end]
 
 
 def _component(c: FrobeniusComponent) -> sp.Expr:
@@ -209,7 +263,7 @@ def _component(c: FrobeniusComponent) -> sp.Expr:
 
 def _unequal(p: Comparison) -> tuple[Part, ...]:
     (q, r), (a, b), (left, right) = p.variables, p.coefficients, p.derivatives
-    return math(Partial(a, r), left), " ≠ ", math(right, Partial(b, q))
+    return math(Partial(a, r), left), " ≠\u00a0", math(right, Partial(b, q))
 
 
 def _equal(p: Comparison) -> Part:
@@ -221,6 +275,8 @@ def _explain_together(classification: Classification) -> list[Block]:
     """The derived systems, where they add something."""
     if len(classification.constraints) < 2 or all(c.row.finite is not None for c in classification.constraints):
         return []
+    if not all(c.pfaffian for c in classification.constraints):
+        return together(classification)
     flag = classification.flag
     if flag.integrable_rank is None:
         return [prose("How many finite relations the constraints hold together could not be decided.")]
@@ -279,40 +335,63 @@ def _time(classification: Classification) -> Prose:
     if classification.scleronomic:
         words = "Time occurs neither in the constraints nor in the positions: it is "
         if classification.catastatic is False:
-            return prose(
-                words,
-                Term("scleronomic"),
-                ", though not catastatic, because a term without velocities remains.",
+            linear = all(c.pfaffian or c.catastatic for c in classification.constraints)
+            rest = (
+                "a term without velocities remains" if linear else "the motion is not among the virtual displacements"
             )
+            return prose(words, Term("scleronomic"), f", though not catastatic, because {rest}.")
         return prose(words, Term("scleronomic"), ".")
-    timed = [spoken(c.row.name) for c in classification.constraints if c.depends_on_time]
+    timed = [c for c in classification.constraints if c.depends_on_time]
+    seen = [c for c in timed if c.contains_time]
+    if seen:
+        words = plural(len(seen), "Time occurs in the constraint ", "Time occurs in the constraints ")
+        return prose(words, *listed(spoken(c.row.name) for c in seen), ": it is ", Term("rheonomic"), ".")
     if timed:
-        words = plural(len(timed), "Time occurs in the constraint ", "Time occurs in the constraints ")
-        return prose(words, *listed(timed),
-                     ": it is ", Term("rheonomic"), ".")  # fmt: skip
-    return prose("Time occurs in the position of ", *listed(classification.moving), ": it is ", Term("rheonomic"), ".")
+        words = plural(len(timed), "Time occurs in the finite form of the constraint ",
+                       "Time occurs in the finite forms of the constraints ")  # fmt: skip
+        return prose(words, *listed(spoken(c.row.name) for c in timed), ": it is ", Term("rheonomic"), ".")
+    what = plural(len(classification.moving), "the position of ", "the positions of ")
+    where: list[Part] = [what, *listed(classification.moving)] if classification.moving else []
+    if classification.driven:
+        where += [" and " if where else "", "the orientation of ", *listed(classification.driven)]
+    return prose("Time occurs in ", *where, ": it is ", Term("rheonomic"), ".")
+
+
+def _difference(finite: int) -> str:
+    """What makes the two counts differ; `finite` is the number of finite relations in the constraints."""
+    if not finite:
+        return (
+            "The difference is what the kinematic constraints do: they restrict the velocities at each position, and "
+            "not the positions."
+        )
+    which, beyond = plural(finite, "which restricts", "which restrict"), plural(finite, "it", "them")
+    return (
+        f"The constraints come to {in_words(finite, 'finite relation')}, {which} the positions; what they demand "
+        f"beyond {beyond} restricts only the velocities at each position."
+    )
 
 
 def explain_freedom(classification: Classification) -> Step:
     """Both counts, and what their difference means."""
     n, rank, freedom = classification.coordinates, classification.rank, classification.degrees_of_freedom
+    pfaffian = all(c.pfaffian for c in classification.constraints)
     difference = f"{counted(n, 'coordinate')} − {counted(rank, 'independent constraint')} = "
     sentences = [
         prose(
             difference,
             Term(f"{counted(freedom, 'degree')} of freedom"),
-            ", the number of independent virtual displacements.",
+            ", the number of independent virtual displacements" + ("." if pfaffian else ", by Chetaev's rule."),
         )
     ]
     dimension = classification.configuration_dimension
     if dimension is None:
         sentences.append(prose("The dimension of the configurations that can be reached could not be decided."))
+    elif dimension == freedom == 0:
+        sentences.append(prose("No displacement is left: the constraints alone determine where the system is."))
     elif dimension == freedom:
         sentences.append(prose(f"The configurations that can be reached have dimension {dimension} as well: "
                           "nothing is restricted in the velocities alone."))  # fmt: skip
     else:
-        sentences.append(
-            prose(f"The configurations that can be reached have dimension {dimension}. The difference is what the "
-                  "kinematic constraints do: they restrict the velocities at each position, and not the positions.")
-        )  # fmt: skip
+        sentences.append(prose(f"The configurations that can be reached have dimension {dimension}. "
+                               + _difference(n - dimension)))  # fmt: skip
     return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences)),))

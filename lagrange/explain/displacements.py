@@ -9,8 +9,9 @@ import sympy as sp
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
 from lagrange.displacements import Elimination, carried_along, displaced, virtual_displacement
 from lagrange.explain.bodies import virtual_rotations
+from lagrange.explain.nonlinear import by_chetaev
 from lagrange.explain.words import plural
-from lagrange.kinematics import Configuration, MassPoint, Row
+from lagrange.kinematics import Configuration, MassPoint, Row, is_pfaffian
 from lagrange.notation import VectorSymbol, differential, t, variation
 
 LONGEST = 40
@@ -24,8 +25,9 @@ def explain_displacements(configuration: Configuration, elimination: Elimination
         body = [prose(words), *of_points(configuration, elimination), *_by_time(configuration)]
         return Step(Rule.DISPLACEMENTS, "Virtual displacements", tuple(body))
     body = [*_subtracted(configuration)]
-    if not any(r.drift != 0 for r in configuration.rows):
+    if is_pfaffian(configuration.rows) and not any(r.drift != 0 for r in configuration.rows):
         body.append(prose("There is no term with ", math(differential(t)), ": ", *_same(configuration)))
+    body += by_chetaev(configuration)
     body += solved_displacements(elimination, configuration)
     body += of_points(configuration, elimination)
     body += _drift(configuration, carried) if any(carried) else _by_time(configuration)
@@ -34,7 +36,10 @@ def explain_displacements(configuration: Configuration, elimination: Elimination
 
 def _subtracted(configuration: Configuration) -> list[Block]:
     """Two possible displacements subtracted."""
-    slots, rows = configuration.slots, configuration.rows
+    slots = configuration.slots
+    rows = [r for r in configuration.rows if r.nonlinear is None]
+    if not rows:
+        return []
     forms = listed(Ref(f"form-{r.name}") for r in rows)
     dt = math(differential(t))
     moving = any(r.drift != 0 for r in rows)

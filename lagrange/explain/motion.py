@@ -26,7 +26,7 @@ from lagrange.equations import EquationsOfMotion
 from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.notation import Dot, VectorSymbol, variation
 from lagrange.problem import Problem
 
@@ -61,8 +61,9 @@ def _workless(configuration: Configuration, problem: Problem) -> list[Block]:
         prose(
             "The constraint is kept by a reaction. " if one else "The constraints are kept by reactions. ",
             "It is ideal" if one else "They are ideal",
-            ": its components are the coefficients of its form, times an unknown " if one
-            else ": the components of each are the coefficients of its form, times an unknown ",
+            (": its components are the coefficients " if one else ": the components of each are the coefficients ")
+            + ("of its form, times an unknown " if is_pfaffian(configuration.rows)
+               else "of the virtual displacements in its condition, times an unknown "),
             *multipliers, ". So " + ("its" if one else "their") + " virtual work is zero by ", *zero, ":",
         ),
         display(Equation((work, ZERO), label="workless")),

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
 from lagrange.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
 from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies
+from lagrange.explain.words import plural
 from lagrange.kinematics import Configuration
 from lagrange.notation import VectorSymbol
 from lagrange.problem import Assumption, Coordinate, Parameter, Problem
@@ -24,8 +25,10 @@ def explain_statement(problem: Problem, configuration: Configuration) -> Step:
         words = [(UNITS[name], f" points {word}") for name, word in problem.axes.items()]
         body.append(prose(*_sentence(listed_pairs(words))))
     body += _symbols(problem)
+    body += _functions(problem)
     body += _frame(problem)
     body += triads_of_bodies(problem, configuration)
+    body += _abbreviations(problem)
     body += _positions(problem, configuration)
     body += _forces(configuration)
     return Step(Rule.STATEMENT, "The system", tuple(body))
@@ -47,9 +50,13 @@ def _sentence(parts: Iterable[Part]) -> tuple[Part, ...]:
 
 
 def _symbols(problem: Problem) -> list[Block]:
-    """A table of the symbols where the file says what they mean, a sentence where it does not."""
-    rows: list[Coordinate | Parameter] = [*problem.coordinates, *problem.parameters]
-    if any(x.meaning or x.unit for x in rows):
+    """A table of the symbols where the file says what they mean, sentences where it does not."""
+    groups: list[Sequence[Coordinate | Parameter]] = [problem.coordinates, problem.parameters]
+    said = [any(x.meaning or x.unit for x in group) for group in groups]
+    found: list[Block] = [*_listed("coordinate", problem.coordinates)] if not said[0] else []
+    found += _listed("parameter", problem.parameters) if not said[1] else []
+    rows = [x for group, has in zip(groups, said, strict=True) if has for x in group]
+    if rows:
         with_units = any(x.unit for x in rows)
         header: tuple[Part, ...] = ("symbol", "meaning", "unit") if with_units else ("symbol", "meaning")
         cells: list[tuple[Part, ...]] = []
@@ -57,15 +64,16 @@ def _symbols(problem: Problem) -> list[Block]:
             kind = "parameter" if isinstance(x, Parameter) else "coordinate"
             row: tuple[Part, ...] = (math(x.symbol), x.meaning or kind)
             cells.append((*row, raised(x.unit)) if with_units else row)
-        return [Table(header, tuple(cells)), *_assumptions(problem)]
-    found: list[Block] = []
-    coordinates = listed(math(c.symbol) for c in problem.coordinates)
-    several = len(problem.coordinates) > 1
-    found.append(prose("The coordinates are " if several else "The coordinate is ", *coordinates, "."))
-    if problem.parameters:
-        names = listed(math(p.symbol) for p in problem.parameters)
-        found.append(prose("The parameters are " if len(problem.parameters) > 1 else "The parameter is ", *names, "."))
+        found.append(Table(header, tuple(cells)))
     return [*found, *_assumptions(problem)]
+
+
+def _listed(what: str, members: Sequence[Coordinate | Parameter]) -> list[Block]:
+    """`The coordinates are x and y.`"""
+    if not members:
+        return []
+    words = plural(len(members), f"The {what} is ", f"The {what}s are ")
+    return [prose(words, *listed(math(x.symbol) for x in members), ".")]
 
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -105,25 +113,38 @@ def _assumptions(problem: Problem) -> list[Block]:
     return [prose(*clauses, ".")]
 
 
-def _frame(problem: Problem) -> list[Block]:
+def _functions(problem: Problem) -> list[Block]:
+    """The prescribed motions; the undefined functions, those of the same arguments together."""
     found: list[Block] = []
-    if problem.slots.prescribed:
-        names = listed(math(u) for u in problem.slots.prescribed)
-        what = (
-            " is a prescribed function of time."
-            if len(problem.slots.prescribed) == 1
-            else " are prescribed functions of time."
-        )
-        found.append(prose(*names, what))
-    found += [
-        prose(
-            math(sp.Symbol(f.name)),
-            " is an unspecified function of ",
-            *listed(math(sp.Symbol(a)) for a in f.arguments),
-            ".",
-        )
-        for f in problem.functions
-    ]
+    prescribed = problem.slots.prescribed
+    if prescribed:
+        words = plural(len(prescribed), " is a prescribed function of time.", " are prescribed functions of time.")
+        found.append(prose(*listed(math(u) for u in prescribed), words))
+    for arguments in dict.fromkeys(f.arguments for f in problem.functions):
+        members = [f.name for f in problem.functions if f.arguments == arguments]
+        words = plural(len(members), " is an unspecified function of ", " are unspecified functions of ")
+        found.append(prose(*_names(members), words, *_names(arguments), "."))
+    return found
+
+
+def _names(names: Iterable[str]) -> tuple[Part, ...]:
+    return listed(math(sp.Symbol(n)) for n in names)
+
+
+def _abbreviations(problem: Problem) -> list[Block]:
+    """What the file writes for short: unit vectors, angular velocities."""
+    if not problem.abbreviations:
+        return []
+    lines = (
+        Equation((VectorSymbol(name) if isinstance(value, Vector) else sp.Symbol(name), value))
+        for name, value in problem.abbreviations.items()
+    )
+    return [prose("For short, write"), display(*lines)]
+
+
+def _frame(problem: Problem) -> list[Block]:
+    """The unit vectors that turn."""
+    found: list[Block] = []
     triad = problem.frame
     if triad is not None and triad.directions is not None:
         found.append(prose("The unit vectors of the frame turn with the coordinates:"))
@@ -138,15 +159,17 @@ def _frame(problem: Problem) -> list[Block]:
 
 
 def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
+    """Where the particles are. That a point has no mass is worth saying only where others have some."""
     found: list[Block] = []
+    massless = ", a massless point," if any(p.mass != 0 for p in configuration.points) else ""
     bodies = {b.name: b for b in problem.bodies}
     turning = {r.name: r for r in configuration.rotations}
     for p in configuration.points:
-        what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (", a massless point,",)
+        what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (massless,)
         position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
         if p.name in bodies:
-            mass: tuple[Part, ...] = (" of mass ", math(p.mass)) if p.mass != 0 else (" without mass",)
-            found += [prose(f"{p.name} is a rigid body", *mass, ". The position of its mass centre is")]
+            mass: tuple[Part, ...] = ("the mass ", math(p.mass)) if p.mass != 0 else ("no mass",)
+            found += [prose(f"The rigid body {p.name} has ", *mass, ". The position of its mass centre is")]
             found += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
         else:
             found += [prose(f"The position of {p.name}", *what, " is"), display(position)]

@@ -8,8 +8,8 @@ from lagrange.derivation import Detail, Prose
 
 
 def spoken(name: str) -> str:
-    """A name of the file in running text: `upper_rod` is upper rod."""
-    return name.replace("_", " ").strip()
+    """A name of the file in running text: `upper_rod` is upper rod, `no_slip.2` is no slip 2."""
+    return name.replace("_", " ").replace(".", " ").strip()
 
 
 def brief(block: Prose) -> Prose:
@@ -20,6 +20,15 @@ def brief(block: Prose) -> Prose:
 def plural(number: int, one: str, more: str) -> str:
     """The word for one, or for more."""
     return one if number == 1 else more
+
+
+_WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
+
+
+def in_words(number: int, what: str) -> str:
+    """`one relation`, `two relations`, `no relation`."""
+    word = _WORDS[number] if number < len(_WORDS) else str(number)
+    return f"{word} {what}{'s' if number > 1 else ''}"
 
 
 def counted(number: int, what: str) -> str:

@@ -92,11 +92,13 @@ def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str
         "name": constraint.name,
         "equation": f"{write(constraint.function)} = 0",
         "kind": "kinematic" if constraint.kinematic else "geometric",
-        "pfaffian": {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
-        | {"t": write(row.drift)},
-        "exact": c.exactness.exact,
-        "integrable": c.integrable,
     }
+    if constraint.given is not None:
+        found["given"] = f"{write(constraint.given.lhs)} = {write(constraint.given.rhs)}"
+    if c.pfaffian:
+        form = {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
+        found |= {"pfaffian": form | {"t": write(row.drift)}, "exact": c.exactness.exact}
+    found["integrable"] = c.integrable
     if c.exactness.exact:
         found["integrating_factor"] = "1"
     if c.integral is not None:

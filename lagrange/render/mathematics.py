@@ -13,6 +13,7 @@ may be broken (`styles`).
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from itertools import pairwise
 
 import sympy as sp
@@ -33,6 +34,8 @@ __all__ = ["LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "late
 
 TEXT, UNICODE, LATEX, WIDE_LATEX = Text(), Unicode(), Latex(), WideLatex()
 NOTHING = Notation()
+LONGEST_LIST = 3
+"""Arguments of an undefined function that are written wherever it stands."""
 _STILL = {Kind.PARAMETER, Kind.SIGN}
 _PLACES = {Kind.COORDINATE, *_STILL}
 
@@ -151,7 +154,7 @@ class Writer:
     def _term(self, parts: Product) -> Piece:
         above, below = self.order.factors(parts.above), self.order.factors(parts.below)
         if not below and not parts.divisors:
-            piece = self._product(parts.numbers, above)
+            piece = self._product(parts.numbers, above, whole=True)
         elif not self.style.by_hand:
             piece = self.style.fraction(self._product(parts.numbers, above), self._product(parts.divisors, below))
         elif not below and (len(above) > 1 or (above and not _is_letter(above[0]))):
@@ -192,17 +195,35 @@ class Writer:
         whole = isinstance(base, sp.Symbol | sp.Add) and exponent.is_Integer
         return bool(whole) and self.order.kinds(base) <= kinds
 
-    def _product(self, numbers: list[sp.Number], factors: list[Factor]) -> Piece:
+    def _product(self, numbers: list[sp.Number], factors: list[Factor], whole: bool = False) -> Piece:
         pieces = [self.style.number(n) for n in numbers]
         if len(pieces) > 1:
             pieces = [Piece(self.style.between_numbers.join(p.code for p in pieces), Level.PRODUCT)]
-        pieces += self._factors(factors)
+        pieces += self._unmistakable(factors) if whole and len(pieces) + len(factors) > 1 else self._factors(factors)
+        if whole and len(pieces) > 1 and isinstance(factors[-1][0], Wedge) and BREAK in pieces[-2].code:
+            return self._broken_before(pieces)
         if not pieces:
             return self.style.number(sp.S.One)
         return pieces[0] if len(pieces) == 1 else self._joined(pieces)
 
     def _factors(self, factors: list[Factor]) -> list[Piece]:
         return [self._power(base, exponent) for base, exponent in factors]
+
+    def _unmistakable(self, factors: list[Factor]) -> list[Piece]:
+        """The factors of a whole term: ∂f/∂X dx and u ∂f/∂X are read rightly without brackets, (∂f/∂X) x' is not."""
+        pieces = self._factors(factors)
+        slopes = [n for n, (base, _) in enumerate(factors) if isinstance(base, Unspecified) and any(base.orders)]
+        if len(slopes) == 1 and factors[slopes[0]][1] == 1:
+            [n] = slopes
+            if all(self.order.kinds(base) == {Kind.DIFFERENTIAL} for base, _ in factors[n + 1 :]):
+                pieces[n] = replace(pieces[n], level=Level.PRODUCT)
+        return pieces
+
+    def _broken_before(self, pieces: list[Piece]) -> Piece:
+        """A product that may be broken before its last factor: (a long sum) dx ∧ dy ∧ dz."""
+        *front, last = pieces
+        ahead = self._joined(front).code if len(front) > 1 else self._inside(front[0], Level.DIVISION)
+        return Piece(f"{START}{ahead}{BREAK}{self.style.between(front[-1], last)}{last.code}{END}", Level.PRODUCT)
 
     def _joined(self, pieces: list[Piece]) -> Piece:
         codes = [pieces[0].code if pieces[0].level is Level.PRODUCT else self._inside(pieces[0], Level.DIVISION)]
@@ -269,9 +290,16 @@ class Writer:
         head = self.style.name(function.name)
         codes = [self._argument(a).code for a in function.arguments]
         variables = [n for n, k in zip(function.argument_names, function.orders, strict=True) for _ in range(k)]
+        if not variables and self.style.by_hand and self._is_known(function):
+            return head
         if not variables:
             return Piece(head.code + self.style.arguments(codes))
         return self.style.partial(head, variables, codes if function.name in self._ambiguous else ())
+
+    def _is_known(self, function: Unspecified) -> bool:
+        """Whether its long list of arguments is the declared one, said once for all: F_x(x, y, x', t) is F_x."""
+        declared = tuple(str(a) for a in function.arguments) == function.argument_names
+        return declared and len(function.arguments) > LONGEST_LIST and function.name not in self._ambiguous
 
 
 def _ambiguous(expressions: Iterable[sp.Basic]) -> frozenset[str]:

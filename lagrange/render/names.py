@@ -72,10 +72,12 @@ GREEK: dict[str, tuple[str, str]] = {
 }
 
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+SMALL = dict(zip("aehijklmnoprstuvx", "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 _DOTS = ("", "\u0307", "\u0308")
 _OPERATED = re.compile(r"(d|delta)\((.+)\)\Z")
+_MIXED = re.compile(r"(\d+)([aehijklmnoprstuvx])\Z")  # a_1t
 _NUMBERED = re.compile(r"([^\W\d_]+)(\d+)\Z")
 
 
@@ -146,6 +148,8 @@ def _letter(word: str) -> str:
 
 
 def _unicode_index(index: str) -> str:
+    if mixed := _MIXED.match(index):
+        return mixed[1].translate(SUBSCRIPTS) + SMALL[mixed[2]]
     return index.translate(SUBSCRIPTS) if index.isdigit() else "_" + unicode_name(Name.of(index))
 
 
@@ -164,6 +168,8 @@ def _latex_letter(word: str, bold: bool) -> str:
 
 
 def _latex_index(index: str) -> str:
+    if _MIXED.match(index):
+        return index
     inner = Name.of(index)
     if index.isdigit() or (inner.is_letter and all(i.isdigit() or len(i) == 1 for i in inner.indices)):
         return index if index.isdigit() else latex_name(inner)

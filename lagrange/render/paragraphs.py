@@ -31,10 +31,10 @@ class Words:
         return " ".join(word.plain for word in self.words)
 
     def text(self, text: str, style: str = "") -> Words:
-        """Adds running text."""
-        for piece in re.split(r"(\s+)", text):
+        """Adds running text. A no-break space is no place to break a line."""
+        for piece in re.split(r"([^\S\u00a0]+)", text):
             if piece and not piece.isspace():
-                self._add(Text(piece, style))
+                self._add(Text(piece.replace("\u00a0", " "), style))
             elif piece:
                 self._open = False
         return self

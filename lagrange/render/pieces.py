@@ -41,7 +41,7 @@ class Piece:
 
 
 def brackets(code: str, brace: str = "{") -> tuple[str, str]:
-    """Round brackets; around a sum that has some, square ones, then braces."""
-    if not code.startswith(START) or "(" not in code:
+    """Round brackets; around a sum, or a beginning with a bracket, that has some, square ones, then braces."""
+    if not code.startswith((START, "(", "−", "-")) or "(" not in code:
         return "(", ")"
     return ("{", "}") if "[" in code and brace not in code else ("[", "]")

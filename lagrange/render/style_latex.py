@@ -2,6 +2,7 @@ r"""How LaTeX spells mathematics, as typed by hand: `\ddot{\theta} + \frac{g}{l}
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
@@ -15,6 +16,7 @@ from lagrange.render.styles import FUNCTIONS
 LONG = 120  # characters of LaTeX that are about a third of a line
 
 
+_SLOPE = re.compile(r"\\frac\{(\\partial (?:[^{}]|\{\w+\})+)\}\{(\\partial (?:[^{}]|\{\w+\})+)\}")
 _SET_OFF = (r"\mathrm{d}", r"\delta ", r"\mathbf{e}", r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}")
 
 
@@ -71,7 +73,7 @@ class Latex(Unicode):
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         """A fraction."""
-        return Piece(rf"\frac{{{plain(numerator.code)}}}{{{plain(denominator.code)}}}", Level.PRODUCT)
+        return Piece(rf"\frac{{{_flat(numerator)}}}{{{_flat(denominator)}}}", Level.PRODUCT)
 
     def power(self, base: str, exponent: Piece) -> Piece:
         """A power of what needs no brackets."""
@@ -101,6 +103,11 @@ class Latex(Unicode):
 
     def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
         """A partial derivative."""
+        if is_tall(inner.code) and not at:
+            body = inner.code if inner.level >= Level.PRODUCT else self.bracketed(inner.code)
+            below = self._differentials(r"\partial", " ", Piece(""), variables)[1]
+            raised = self.power(r"\partial", Piece(str(len(variables)))).code if len(variables) > 1 else r"\partial"
+            return Piece(rf"\frac{{{raised}}}{{{below}}} {body}", Level.PRODUCT)
         above, below = self._differentials(r"\partial", " ", inner, variables)
         code = rf"\frac{{{plain(above)}}}{{{below}}}"
         return Piece(code + (self.arguments(at) if at else ""), Level.PRODUCT)
@@ -141,6 +148,13 @@ class WideLatex(Latex):
         if len(inner.code) < LONG:
             return super().root(inner)
         return Piece(self.bracketed(inner.code) + "^{1/2}", Level.POWER)
+
+
+def _flat(piece: Piece) -> str:
+    r"""The code above or below a fraction line: a lone ∂f/∂x is `\partial f / \partial x` there."""
+    code = plain(piece.code)
+    found = _SLOPE.fullmatch(code)
+    return f"{found[1]} / {found[2]}" if found else code
 
 
 def is_tall(code: str) -> bool:

@@ -1,0 +1,59 @@
+"""What multiplying out has spoilt: sin² + cos², and differences of coordinates.
+
+A file says `cross(omega, r)` or `dot(r', n)`; the components come out with sin²φ sin θ + cos²φ sin θ, or with
+sin θ sin(θ + φ) + cos θ cos(θ + φ), which nobody would write. An expression with such products is put into textbook
+form, and that is kept where it is shorter. What has no such products stays as the file has it.
+
+A function of x₂ − x₁ alone does not change when both grow alike, ∂e/∂x₁ + ∂e/∂x₂ = 0; then e is e(0, x₂ − x₁).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import combinations
+
+import sympy as sp
+
+from lagrange.textbook import textbook_form
+
+LONGEST = 300
+"""Operations of an expression that is still tidied."""
+
+LONGEST_IN_DIFFERENCES = 60
+"""Operations of an expression in which differences are looked for."""
+
+
+def tidied(expression: sp.Expr) -> sp.Expr:
+    """The expression, shorter where sin² + cos² = 1 or cos(a − b) = cos a cos b + sin a sin b makes it so."""
+    if _degree(expression, sp.sin) < 2 or _degree(expression, sp.cos) < 2 or expression.count_ops() > LONGEST:
+        return expression
+    form = textbook_form(expression)
+    return form if form.count_ops() < expression.count_ops() else expression
+
+
+def _degree(expression: sp.Expr, function: type[sp.Function]) -> int:
+    """How many sines, or cosines, are multiplied in one term, at most."""
+    if isinstance(expression, function):
+        return 1
+    if expression.is_Add:
+        return max(_degree(term, function) for term in expression.args)
+    if expression.is_Mul:
+        return sum(_degree(f, function) for f in expression.args)
+    if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:
+        return int(expression.exp) * _degree(expression.base, function)
+    return 0
+
+
+def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.Expr:
+    """x₁² − 2x₁ x₂ + x₂² as (x₂ − x₁)², factored, where that is shorter. Rational functions of the coordinates only."""
+    used = [q for q in coordinates if q in expression.free_symbols]
+    if expression.count_ops() > LONGEST_IN_DIFFERENCES or not expression.is_rational_function(*used):
+        return expression
+    rest, differences = expression, {}
+    for a, b in combinations(used, 2):
+        if {a, b} <= rest.free_symbols and sp.cancel(rest.diff(a) + rest.diff(b)) == 0:
+            difference = sp.Dummy(real=True)
+            rest = rest.xreplace({a: sp.S.Zero, b: difference})
+            differences[difference] = b - a
+    found = sp.factor(rest).xreplace(differences) if differences else expression
+    return found if found.count_ops() < expression.count_ops() else expression

@@ -1,0 +1,63 @@
+"""Products of sines and cosines put together, and what is left as it is."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+from sympy import cos, sin
+
+from lagrange.tidying import LONGEST, in_differences, tidied
+
+a, b, x, y = sp.symbols("a b x y", real=True)
+v, w = sp.symbols("x' y'", real=True)
+R = sp.Symbol("R", positive=True)
+
+
+@pytest.mark.parametrize(
+    ("written", "tidy"),
+    [
+        (R * sin(a) ** 2 * sin(b) + R * cos(a) ** 2 * sin(b), R * sin(b)),
+        (cos(a) * (w + R * v * cos(a)) - sin(a) * (x - R * v * sin(a)), w * cos(a) - x * sin(a) + R * v),
+        (sin(a) * sin(a + b) + cos(a) * cos(a + b), cos(b)),
+        (sin(a) * cos(b) * v + cos(a) * sin(b) * v, sin(a) * cos(b) * v + cos(a) * sin(b) * v),
+    ],
+)
+def test_put_together(written: sp.Expr, tidy: sp.Expr) -> None:
+    assert tidied(written) == tidy
+
+
+@pytest.mark.parametrize(
+    "written",
+    [
+        sin(a) * (x + R * y) - cos(a) * (y - R * x),
+        (3 * x * y + y**2) * v,
+        x * (x + y) - y * (x - y),
+        sin(a) ** 2 * v + R * w,
+        sin(a) * sin(b) * v + cos(a) * cos(b) * w,
+        2 * sin(a) ** 2 * cos(a) ** 2 * v,
+    ],
+)
+def test_left_as_written(written: sp.Expr) -> None:
+    assert tidied(written) == written
+
+
+def test_what_is_long_is_left_alone() -> None:
+    written = sp.Add(*(sp.Symbol(f"c{n}") * (sin(a) ** 2 + cos(a) ** 2) for n in range(LONGEST)))
+    assert tidied(written) == written
+    assert tidied(sp.Add(*written.args[:5])).count_ops() == 4
+
+
+@pytest.mark.parametrize(
+    ("written", "short"),
+    [
+        (8 * x * (x - 2 * y) + 8 * y**2, 8 * (y - x) ** 2),
+        (x**2 - 2 * x * y + y**2 + a**2 - 2 * a * b + b**2, (b - a) ** 2 + (y - x) ** 2),
+        ((x**2 - 2 * x * y + y**2 + a**2) / (x - y) ** 2, (a**2 + (y - x) ** 2) / (y - x) ** 2),
+        (R * (x**2 + y**2), R * (x**2 + y**2)),
+        (x - y, x - y),
+        (2 * x - 2 * y, 2 * x - 2 * y),
+        (cos(x) * y**2, cos(x) * y**2),
+    ],
+)
+def test_in_differences(written: sp.Expr, short: sp.Expr) -> None:
+    assert in_differences(written, (a, b, x, y)) == short
