@@ -159,7 +159,9 @@ def _with_axes(body: Body, section: Section, reading: Reading) -> Body:
     _check_triad((a, b, c), node, reading)
     spin_node = section.required("angular_velocity", body.span, "theta'*k")
     spin = reading.vector(spin_node, f"the angular velocity of `{body.name}`", RATE)
-    return replace(body, axes=(a, b, c), angular_velocity=spin)
+    names = tuple(item.text for item in items if isinstance(item, Scalar) and item.text in reading.scope.vectors)
+    called = names if len(set(names)) == 3 else ()
+    return replace(body, axes=(a, b, c), axes_called=called, angular_velocity=spin)
 
 
 def _check_triad(axes: tuple[Vector, Vector, Vector], node: Node, reading: Reading) -> None:

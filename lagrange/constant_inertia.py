@@ -49,7 +49,7 @@ def _refusal(body: Body) -> Diagnostic:
         else "give axes that are fixed in the body, so that `angular_velocity` is theirs, or two equal moments, "
         "written alike, where the body spins about the third axis"
     )
-    return Diagnostic("axes", message, body.span, help=help_)
+    return Diagnostic("varying-inertia", message, body.span, help=help_)
 
 
 def _vanish(parts: tuple[sp.Expr, ...], configuration: Configuration) -> bool | None:

@@ -172,7 +172,7 @@ def _spring(f: _Entry) -> Force:
     if sense is not None and sum(c != 0 for c in (ends[1] - ends[0]).components) != 1:
         message = f"the ends of the spring `{f.name}` are not on a line along a unit vector"
         help_ = "leave `sense` out: it is the sign of the second end's coordinate less the first's, on such a line"
-        raise ProblemError(Diagnostic("unknown-sense", message, f.span, help=help_))
+        raise ProblemError(Diagnostic("sense-off-line", message, f.span, help=help_))
     return Spring(f.name, stiffness, ends, length, f.span, sense)
 
 

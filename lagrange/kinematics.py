@@ -24,6 +24,7 @@ from lagrange.links import Damped, Stretched, damper_in, dampers_in, spring_in, 
 from lagrange.notation import Slots, prime
 from lagrange.problem import AppliedForce, AppliedMoment, Potential, Problem
 from lagrange.rigid_bodies import Rotation, rotation_in, rotation_of
+from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
 
@@ -156,9 +157,15 @@ class Configuration:
         return tuple(m for m in (*found, *(m.vector for m in self.torques if m.on == body)) if not m.is_zero)
 
     def moment_on(self, body: str) -> Vector:
-        """Their sum."""
+        """Their sum, along the axes that the angular momentum is along."""
         [rotation] = (r for r in self.rotations if r.name == body)
-        return sum(self.moments_on(body), Vector.zero(rotation.angular_velocity.triad))
+        triad = rotation.angular_velocity.triad
+        return sum(self.moments_on(body), Vector.zero(triad)).along(triad).map(textbook_form)
+
+    def is_pinned(self, point: MassPoint) -> bool:
+        """Whether a point is the mass centre of a body, and stays where it is."""
+        fixed = all(v.is_zero for v in (*point.partials, point.velocity))
+        return fixed and any(r.name == point.name for r in self.rotations)
 
     @property
     def finite_constraints(self) -> tuple[sp.Expr, ...]:

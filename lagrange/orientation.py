@@ -89,10 +89,10 @@ def _by_rotations(body: Body, slots: Slots) -> Orientation:
 def _given(body: Body, spin: Vector, slots: Slots) -> Orientation:
     first, second, third = body.axes
     names = axis_names(body.name)
-    axes = (first, second, third)
-    triad = triad_along(names, axes, slots, textbook_form)
+    one, two, three = body.axes_called or names
+    triad = triad_along((one, two, three), (first, second, third), slots, textbook_form)
     a, b, c = body.inertia
-    vectors = dict(zip(names, axes, strict=True))
+    vectors = {name: _unit(triad, n) for n, name in enumerate(names)}
     fixed = (first.fixed(), second.fixed(), third.fixed())
     return Orientation(fixed, triad, spin.along(triad).map(textbook_form), (a, b, c), vectors)
 

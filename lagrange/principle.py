@@ -62,7 +62,11 @@ def dalembert(configuration: Configuration) -> Principle:
         coefficients=coefficients,
         forces=tuple(textbook.form(q) for q in forces),
         statement=textbook.form(statement),
-        accelerations={p.name: p.acceleration.map(textbook.form) for p in configuration.points if p.mass != 0},
+        accelerations={
+            p.name: p.acceleration.map(textbook.form)
+            for p in configuration.points
+            if p.mass != 0 and not configuration.is_pinned(p)
+        },
         momentum_rates={r.name: r.momentum_rate.map(textbook.form) for r in configuration.rotations if r.has_inertia},
         textbook=textbook,
     )

@@ -72,7 +72,8 @@ class Particle:
 @dataclass(frozen=True)
 class Body:
     """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: three principal
-    moments and either an Euler sequence with its angles, or a triad with the angular velocity.
+    moments and either an Euler sequence with its angles, or a triad with the angular velocity. `axes_called` are the
+    names that the file has for the vectors of that triad.
     """
 
     name: str
@@ -84,6 +85,7 @@ class Body:
     sequence: str = ""
     angles: tuple[sp.Expr, ...] = ()
     axes: tuple[Vector, ...] = ()
+    axes_called: tuple[str, ...] = ()
     angular_velocity: Vector | None = None
 
 

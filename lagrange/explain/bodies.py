@@ -7,7 +7,7 @@ from collections.abc import Iterable, Iterator
 import sympy as sp
 
 from lagrange.derivation import Block, Equation, Part, display, listed, math, prose
-from lagrange.explain.words import plural
+from lagrange.explain.words import plural, spoken
 from lagrange.kinematics import Configuration
 from lagrange.links import Damped, Stretched
 from lagrange.notation import Dot, VectorSymbol, prime, variation
@@ -30,7 +30,8 @@ def triads_of_bodies(problem: Problem, configuration: Configuration) -> list[Blo
     lines: dict[str, Equation] = {}
     for triad in dict.fromkeys((*positions, *turning)):
         if triad not in (FIXED, problem.frame):
-            lines |= {unit.name: Equation((unit, v)) for unit, v in _directions(triad) if unit.name not in UNITS}
+            known = {*UNITS, *problem.abbreviations}
+            lines |= {unit.name: Equation((unit, v)) for unit, v in _directions(triad) if unit.name not in known}
     if not lines:
         return []
     return [prose("The unit vectors that turn with the bodies are"), display(*lines.values())]
@@ -79,7 +80,7 @@ def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
 def _turns(body: Body) -> tuple[Part, ...]:
     """By which angles."""
     if body.angle is not None:
-        return ("It is turned by ", math(body.angle), ".")
+        return ("It is turned by the angle ", math(body.angle), ".")
     if not body.sequence:
         return ()
     steps: list[Part] = []
@@ -102,13 +103,8 @@ def moments_on(configuration: Configuration) -> list[Block]:
         )
         words = "The moment of the applied forces" if away else "The applied moment"
         also = ", applied moments included," if away and any(m.on == r.name for m in configuration.torques) else ""
-        total, triad = configuration.moment_on(r.name), r.angular_velocity.triad
-        shown = total.along(triad)
-        sides = (VectorSymbol(f"M_{r.name}"), total, shown) if shown != total else (VectorSymbol(f"M_{r.name}"), total)
-        found += [
-            prose(f"{words} on {r.name} about its mass centre{also} is"),
-            display(Equation(sides, label=f"moment-{r.name}")),
-        ]
+        moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")
+        found += [prose(f"{words} on {r.name} about its mass centre{also} is"), display(moment)]
     return found
 
 
@@ -119,7 +115,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
         length = sp.Symbol(f"d_{s.name}", real=True)
         free: tuple[Part, ...] = (" and of free length ", math(s.length)) if s.length != 0 else ()
         found += [
-            prose(f"The spring {s.name}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
+            prose(f"The {_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
                   ". Its length, and the force with which it pulls its ends together, are"),
             display(Equation((length, s.distance), label=f"length-{s.name}"),
                     Equation((s.stiffness * (length - s.length), s.pull), label=f"pull-{s.name}")),
@@ -127,12 +123,17 @@ def explain_links(configuration: Configuration) -> list[Block]:
     for d in configuration.dampers:
         length = sp.Symbol(f"d_{d.name}", real=True)
         found += [
-            prose(f"The damper {d.name}, of coefficient ", math(d.coefficient), ",", *_joins(d),
+            prose(f"The {_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
                   ". Its length, and the force with which it pulls its ends together, are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
                     Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip
     return found
+
+
+def _called(name: str, kind: str) -> str:
+    """`spring left`, or `spring` where that is its name."""
+    return kind if spoken(name) == kind else f"{kind} {spoken(name)}"
 
 
 def _joins(link: Stretched | Damped) -> tuple[Part, ...]:
@@ -189,4 +190,7 @@ def laws(configuration: Configuration, acting: str) -> str:
     whom = "each particle and mass centre" if particles else plural(len(bodies), "the mass centre", "each mass centre")
     turning = plural(len(bodies), "the law of angular momentum", "the law of angular momentum for each body")
     its = plural(len(bodies), "the", "its")
+    moving = [p for p in configuration.points if not configuration.is_pinned(p)]
+    if not moving:
+        return f"{turning}{acting} by {its} virtual rotation"
     return f"Newton's law for {whom}{acting} by its virtual displacement, and {turning} by {its} virtual rotation"

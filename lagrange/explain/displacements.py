@@ -148,19 +148,21 @@ def of_points(configuration: Configuration, elimination: Elimination) -> list[Bl
     lines = [
         Equation((VectorSymbol(f"delta(r_{p.name})"), displaced(p, slots).xreplace(zero)),
                  label=f"delta{suffix}-{p.name}")
-        for p in configuration.points
+        for p in configuration.points if not configuration.is_pinned(p)
     ]  # fmt: skip
+    turned = virtual_rotations(configuration, dict(zero))
     if not lines:
-        return []
+        return turned
     whose = points_called(configuration)
     words = plural(
         len(lines), f"The virtual displacement of the {whose} is", f"The virtual displacements of the {whose} are"
     )
-    return [prose(words), display(*lines), *virtual_rotations(configuration, dict(zero))]
+    return [prose(words), display(*lines), *turned]
 
 
 def points_called(configuration: Configuration) -> str:
     """`particle`, `mass centres`, ..."""
-    particles, centres = len(configuration.particles), len(configuration.rotations)
+    particles = len(configuration.particles)
+    centres = sum(not configuration.is_pinned(p) for p in configuration.points) - particles
     words = [plural(particles, "particle", "particles")] * bool(particles)
     return " and ".join(words + [plural(centres, "mass centre", "mass centres")] * bool(centres))

@@ -48,9 +48,10 @@ def explain_principle(motion: EquationsOfMotion, problem: Problem) -> Step:
 def _workless(configuration: Configuration, problem: Problem) -> list[Block]:
     """The virtual work of the reactions: multipliers times the virtual forms, which are zero."""
     if not configuration.rows:
-        return [
-            prose(f"There are no reactions. {laws(configuration, ', multiplied')}, added up, {_reads(configuration)}")
-        ]
+        said = laws(configuration, ", multiplied")
+        several = " and " in said
+        ending = ", added up, read" if several else " and added up, reads"
+        return [prose(f"There are no reactions. {said[0].upper()}{said[1:]}{ending}")]
     reactions = {c.name: c.reaction for c in problem.constraints}
     slots = configuration.slots
     work = sp.Add(*(reactions[r.name] * virtual_displacement(r, slots) for r in configuration.rows))
@@ -74,14 +75,12 @@ def _workless(configuration: Configuration, problem: Problem) -> list[Block]:
     ]  # fmt: skip
 
 
-def _reads(configuration: Configuration) -> str:
-    return "read" if configuration.rotations else "reads"
-
-
 def _principle(configuration: Configuration) -> sp.Expr:
     """Σ (m r'' − F)·δr + Σ (dH/dt − M)·δπ, and δV where there is a potential."""
     terms = []
     for p in configuration.points:
+        if configuration.is_pinned(p):
+            continue
         acting = any(f.on == p.name for f in configuration.loads)
         force = VectorSymbol(f"F_{p.name}") if acting else ZERO
         moved = VectorSymbol(f"delta(r_{p.name})")
