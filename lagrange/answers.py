@@ -7,7 +7,7 @@ through its substitution. It is tried against the file's own system and every ch
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -103,20 +103,20 @@ _QUALITY = (
 
 def _tried(readings: Sequence[Reading], candidate: Candidate, reference: Reference) -> AnswerVerdict | None:
     """The verdict in one set of coordinates; None where the answer uses others."""
-    configuration = candidate.configuration
     used = {base(s).name for r in readings for e in r.components for s in e.free_symbols}
     if not used & reference.moving <= candidate.known:
         return None
+    if candidate.only_for and used.isdisjoint(candidate.only_for):
+        return None
     components = [
-        [_without_constant(configuration.rewritten(e), configuration.slots) for e in r.components]
+        [_without_constant(candidate.read(e), candidate.configuration.slots) for e in r.components]
         for r in readings
         if r.error is None
     ]
     flat = [e for es in components for e in es]
-    system = candidate.system
+    system = candidate.system_with(reference.values)
     if reference.values:
         flat = [e.xreplace(dict(reference.values)) for e in flat]
-        system = _with_values(system, reference.values)
     free = [u for u in reference.unknowns if u.name in used and u not in system.multipliers]
     try:
         result = compare(flat, system, free)
@@ -131,24 +131,6 @@ def _without_constant(equation: sp.Expr, slots: Slots) -> sp.Expr:
         return equation
     rate = slots.time_derivative(equation)
     return equation if CONSTANT in rate.free_symbols else rate
-
-
-def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> System:
-    """The system with the numbers that the file gives to parameters."""
-    configuration = system.configuration
-    values = dict(values)
-    rows = tuple(
-        replace(
-            row,
-            coefficients=tuple(c.xreplace(values) for c in row.coefficients),
-            drift=row.drift.xreplace(values),
-            finite=None if row.finite is None else row.finite.xreplace(values),
-            nonlinear=None if row.nonlinear is None else row.nonlinear.xreplace(values),
-        )
-        for row in configuration.rows
-    )
-    equations = tuple(e.xreplace(values) for e in system.equations)
-    return System(replace(configuration, rows=rows), equations, system.multipliers)
 
 
 def _verdict(readings: Sequence[Reading], result: Comparison | None, choice: str) -> AnswerVerdict:

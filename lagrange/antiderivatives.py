@@ -79,6 +79,10 @@ def _from_table(e: sp.Expr, v: sp.Symbol, _: int) -> sp.Expr | None:
     if exponent == -1 and power in (sp.cos(v), sp.sin(v)):
         ratio = (1 + sp.sin(v)) / sp.cos(v) if power == sp.cos(v) else (1 - sp.cos(v)) / sp.sin(v)
         return logarithm(ratio)
+    if exponent == -1 and power in (1 + sp.cos(v), 1 - sp.cos(v)):
+        return sp.sin(v) / power if power == 1 + sp.cos(v) else -sp.sin(v) / power
+    if exponent == -1 and power in (1 + sp.sin(v), 1 - sp.sin(v)):
+        return -sp.cos(v) / power if power == 1 + sp.sin(v) else sp.cos(v) / power
     if e == sp.Abs(v):
         return v * sp.Abs(v) / 2
     if e == sp.sign(v):

@@ -6,12 +6,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, Verdict, check_equations
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.problem import Problem
+from lagrange.reaction_answers import check_reaction
 from lagrange.references import Reference, reference_of_equations, reference_of_solution
 from lagrange.solution import Solution, solve
 
@@ -57,7 +58,7 @@ def _after_equations(solution: Solution) -> Iterator[ComparedAnswer]:
     if answers.equilibrium:
         yield ComparedAnswer("equilibrium", Verdict.UNDECIDED)
     if answers.reactions:
-        yield ComparedAnswer("reactions", Verdict.UNDECIDED)
+        yield ComparedAnswer("reactions", _reactions(solution, answers.reactions))
 
 
 def _equations(solution: Solution) -> Verdict | None:
@@ -71,6 +72,17 @@ def _equations(solution: Solution) -> Verdict | None:
         raise ProblemError(verdict.unreadable)
     some_left_out = len(solution.choices) < len(solution.problem.choices)
     return None if verdict.verdict is Verdict.UNREADABLE and some_left_out else verdict.verdict
+
+
+def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> Verdict:
+    """The verdict on all stated reactions together."""
+    if solution.law is None:
+        return Verdict.UNDECIDED
+    reactions = {r.name: r for r in solution.law.newton.reactions}
+    reference = reference_of_solution(solution)
+    found = [check_reaction(fragment, reactions[name], reference) for name, fragment in stated.items()]
+    order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
+    return next((v for v in order if v in found), Verdict.EQUIVALENT)
 
 
 def _agrees(same: bool | None) -> Verdict:

@@ -80,6 +80,7 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
         system.configuration.states,
         lambda p: _compared(state(p, system.configuration, symbols), answer, system, free),
         expressions,
+        settles=lambda comparison: Standing.CONTRADICTS in comparison.standings,
     )
 
 

@@ -28,6 +28,7 @@ from lagrange.kinematics import Row, admitted_states
 from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
+from lagrange.restrictions import FiniteForm, finite_form
 from lagrange.textbook import textbook_form
 from lagrange.tidying import in_differences, tidied
 
@@ -48,7 +49,8 @@ class ConstraintAnalysis:
     row              its differential form
     exactness        the pairs of partial derivatives
     integrable       whether it is a finite relation, on its own and where the geometric constraints hold
-    integral         F, where the form is exact or the constraint is given in finite form; F stays constant
+    integral         F, where the finite form is given or was found; F stays constant
+    finite_form      the factor that makes the form exact, where it is not and one was found
     frobenius        the components of ω ∧ dω ∧ df_1 ∧ ... that are not written as 0, where the form is not exact; the f
                      are the geometric constraints, so that only what is seen on their surface counts
     depends_on_time  t occurs: in the finite relation if it is one, in the form otherwise
@@ -67,11 +69,19 @@ class ConstraintAnalysis:
     catastatic: bool | None
     contains_time: bool
     bending: Bending | None = None
+    finite_form: FiniteForm | None = None
 
     @property
     def pfaffian(self) -> bool:
         """Whether it is linear in the velocities, and has a differential form."""
         return self.row.nonlinear is None
+
+    @property
+    def factor(self) -> sp.Expr | None:
+        """The factor that makes the form exact: 1, or an integrating factor; None where none is known."""
+        if self.exactness.exact:
+            return sp.S.One
+        return None if self.finite_form is None else self.finite_form.factor
 
 
 def constraint_row(constraint: Constraint, slots: Slots) -> Row:
@@ -107,9 +117,13 @@ def analysis(
     integral = _integral(row, pairs.exact, slots)
     integrable: bool | None = True
     frobenius: tuple[FrobeniusComponent, ...] = ()
+    found: FiniteForm | None = None
     if row.finite is None and pairs.exact is not True:
         integrable = is_integrable(form, slots, surface.constraints)
         frobenius = _frobenius(row, geometric, surface, slots)
+        found = finite_form(form, surface, slots) if integrable is not False else None
+        integrable = integrable if found is None else True
+        integral = None if found is None else found.integral
     return ConstraintAnalysis(
         constraint=constraint,
         row=row,
@@ -117,9 +131,10 @@ def analysis(
         integrable=integrable,
         integral=integral,
         frobenius=frobenius,
-        depends_on_time=_depends_on_time(row, integrable, surface, slots),
+        depends_on_time=_depends_on_time(row, integrable, None if found is None else integral, surface, slots),
         catastatic=surface.is_zero(row.drift),
         contains_time=_contains_time(constraint.function, slots),
+        finite_form=found,
     )
 
 
@@ -186,18 +201,21 @@ def _contains_time(expression: sp.Expr, slots: Slots) -> bool:
     return any(s == t or base(s) in slots.prescribed for s in expression.free_symbols)
 
 
-def _depends_on_time(row: Row, integrable: bool | None, surface: Surface, slots: Slots) -> bool | None:
+def _depends_on_time(
+    row: Row, integrable: bool | None, integral: sp.Expr | None, surface: Surface, slots: Slots
+) -> bool | None:
     """Whether t occurs, explicitly or through a prescribed motion.
 
-    A finite relation contains t just when its form has a dt. A form that is no finite relation contains t when the
-    ratio of two of its coefficients does, so that a common factor makes no difference.
+    A finite relation F = const contains t just when ∂F/∂t is not 0, or, where F is not known, its form has a dt. A form
+    that is no finite relation contains t when the ratio of two of its coefficients does, so that a common factor makes
+    no difference.
     """
     if row.finite is not None:
         return _contains_time(row.finite, slots)
     if integrable is None:
         return None
     if integrable:
-        at_rest = surface.is_zero(row.drift)
+        at_rest = surface.is_zero(row.drift if integral is None else slots.frozen_derivative(integral))
         return None if at_rest is None else not at_rest
     form = (*row.coefficients, row.drift)
     pivot = next((a for a in form if surface.is_zero(a) is False), None)

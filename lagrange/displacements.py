@@ -26,7 +26,7 @@ from lagrange.kinematics import MassPoint, Row, is_pfaffian
 from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
-from lagrange.tidying import in_differences
+from lagrange.tidying import in_differences, is_short
 from lagrange.vectors import Vector
 
 MOST_FACTORED = 8
@@ -177,7 +177,7 @@ def _factored(quotient: sp.Expr) -> sp.Expr:
     """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
     if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
         return quotient
-    if quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
+    if not is_short(quotient) or quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
         return quotient
     factors = sp.factor(quotient)
     shorter = factors if factors.count_ops() < quotient.count_ops() else quotient

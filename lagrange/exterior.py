@@ -7,8 +7,12 @@ a differential that occurs twice gives zero.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from itertools import combinations
 
 import sympy as sp
+
+from lagrange.notation import Slots
+from lagrange.potentials import differentiated
 
 Form = Mapping[tuple[int, ...], sp.Expr]
 
@@ -16,6 +20,16 @@ Form = Mapping[tuple[int, ...], sp.Expr]
 def one_form(coefficients: Sequence[sp.Expr]) -> Form:
     """Σ a_i dq_i."""
     return {(i,): a for i, a in enumerate(coefficients) if a != 0}
+
+
+def exterior_derivative(coefficients: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> Form:
+    """dω = Σ (∂_i a_j − ∂_j a_i) dq_i ∧ dq_j of a form Σ a_i dq_i."""
+    pairs = combinations(enumerate(variables), 2)
+    curl = {
+        (i, j): differentiated(coefficients[j], q, slots) - differentiated(coefficients[i], r, slots)
+        for (i, q), (j, r) in pairs
+    }
+    return {pair: a for pair, a in curl.items() if a != 0}
 
 
 def wedge(left: Form, right: Form) -> Form:

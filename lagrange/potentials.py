@@ -15,7 +15,7 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.antiderivatives import antiderivative, multiplied_out
+from lagrange.antiderivatives import LARGEST, antiderivative, multiplied_out
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.notation import Slots, Unspecified, base, t
 
@@ -90,6 +90,9 @@ def _successively(waiting: Pairs) -> sp.Expr | None:
         for v, a in waiting:
             rest = _remainder(a, sp.diff(f, v), done)
             part = None if rest is None else _part(rest, v, [b for w, b in waiting if w != v])
+            if part is None and rest is not None and f != 0:
+                steady = _steady(rest, v)
+                part = None if steady is None else steady * v
             if part is not None:
                 break
         else:
@@ -115,18 +118,37 @@ def _remainder(a: sp.Expr, taken: sp.Expr, done: Sequence[sp.Symbol]) -> sp.Expr
     rest = a - taken
     if not rest.free_symbols & set(done):
         return rest
+    if sp.count_ops(rest) <= LARGEST and _vanishes(rest):
+        return sp.S.Zero
     rest = multiplied_out(rest)
     for v in done:
         if v in rest.free_symbols:
-            rest = _at_some_value(rest, v)
+            rest = at_some_value(rest, v)
             if rest is None:
                 return None
     return rest
 
 
-def _at_some_value(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
+def _is_sign_of_size(e: sp.Expr) -> bool:
+    return isinstance(e, sp.sign) and isinstance(e.args[0], sp.Abs)
+
+
+def _steady(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
+    """The expression without v, if it does not depend on it: sin² v + cos² v is 1. None where it does."""
+    rate = sp.diff(e, v)
+    if sp.count_ops(rate) > LARGEST or not _vanishes(rate):
+        return None
+    there = at_some_value(e, v)
+    if there is not None and there.is_number and not there.is_Rational and there.is_finite:
+        near = sp.Rational(str(sp.N(there, 20))).limit_denominator(60)
+        return near if _vanishes(e - near) else there
+    return there
+
+
+def at_some_value(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
+    """The expression at a number v for which it is finite and real: all of it, where it does not depend on v."""
     for number in (0, 1, 2, sp.Rational(1, 2)):
-        there = e.subs(v, number)
+        there = e.subs(v, number).replace(_is_sign_of_size, lambda _: sp.S.One)
         if not there.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
             return there
     return None

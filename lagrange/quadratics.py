@@ -77,7 +77,7 @@ def _is_definite(e: sp.Expr) -> bool:
             a, b, c = (sp.Poly(e, v).coeff_monomial(v**k) for k in (2, 1, 0))
             if a.is_positive and sp.expand(4 * a * c - b**2).is_nonnegative:
                 return True
-    constant, rest = e.as_independent(sp.sin, sp.cos)
+    constant, rest = e.as_independent(sp.sin, sp.cos, as_Add=True)
     waves = [term.as_coeff_Mul() for term in sp.Add.make_args(rest)]
     return bool(
         constant.is_Rational

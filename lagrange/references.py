@@ -43,23 +43,40 @@ class Candidate:
 
     choice       the choice of coordinates; empty for the file's own
     multipliers  the unknowns beside the accelerations
+    meanings     names of forces that stand for multiples of multipliers: T = −2 l λ
+    named        what meanings know that is no multiple of a multiplier
+    only_for     names one of which an answer must use, for this reading of it to be another one
     """
 
     choice: str
     configuration: Configuration
     multipliers: tuple[sp.Symbol, ...]
     build: Callable[[], System]
+    meanings: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    only_for: frozenset[str] = frozenset()
+    named: frozenset[str] = frozenset()
 
     @cached_property
     def system(self) -> System:
         """The system."""
         return self.build()
 
+    def system_with(self, values: Mapping[sp.Symbol, sp.Rational]) -> System:
+        """The system with the numbers that the file gives to parameters."""
+        return _with_values(self.system, values) if values else self.system
+
     @property
     def known(self) -> set[str]:
         """The names of coordinates and unknowns that its equations, or answers rewritten for it, may have."""
         slots = self.configuration.slots
-        return {s.name for s in (*slots.coordinates, *self.configuration.expressed, *self.multipliers)}
+        own = (*slots.coordinates, *self.configuration.expressed, *self.multipliers)
+        unknown = set(self.multipliers)
+        meant = (s for s, e in self.meanings.items() if e.free_symbols & unknown)
+        return {s.name for s in (*own, *meant)} | self.named
+
+    def read(self, expression: sp.Expr) -> sp.Expr:
+        """An expression of an answer, in the coordinates and the unknowns of the system."""
+        return self.configuration.rewritten(expression.xreplace(dict(self.meanings)))
 
 
 @dataclass(frozen=True)
@@ -92,11 +109,46 @@ def reference_of_solution(solution: Solution) -> Reference:
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
-        scalars={**_lengths(solution), **scope.scalars, **signs},
+        scalars={**_reactions(solution), **_lengths(solution), **scope.scalars, **signs},
         slots=replace(scope.slots, coordinates=coordinates),
-        vectors={**_applied_forces(solution), **_of_bodies(solution), **scope.vectors},
+        vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
-    return Reference(wider, tuple(_candidates(solution)), _values(problem), problem.unknowns)
+    candidates = tuple(_with_meanings(list(_candidates(solution)), solution))
+    return Reference(wider, candidates, _values(problem), problem.unknowns)
+
+
+def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
+    """The candidates, with the names of forces explained.
+
+    The name that a file gives to the reaction of a rod is its tension; but who follows R = λ ∂f/∂r may mean the
+    multiplier by it, and who thinks of a strut or of a sphere the thrust. Beside |λ|, which is not linear, a multiplier
+    is what it was found to be.
+    """
+    newton = solution.law.newton if solution.law else None
+    tensions = newton.tensions if newton else {}
+    yield from (replace(c, meanings=tensions) for c in candidates)
+    named = {r.tension: r for r in newton.reactions if r.named and r.tension is not None} if newton else {}
+    as_multiplier: dict[sp.Symbol, sp.Expr] = {s: r.multiplier for s, r in named.items()}
+    as_thrust: dict[sp.Symbol, sp.Expr] = {s: -tensions[s] for s in named}
+    for meaning in (as_multiplier, as_thrust):
+        only = frozenset(s.name for s in named)
+        yield from (replace(c, meanings={**tensions, **meaning}, only_for=only) for c in candidates if only)
+    yield from _with_values_of_rubbed(candidates, solution)
+
+
+def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
+    """The candidates for answers with |λ| of a reaction that friction needs."""
+    dynamics = {"": solution.dynamics, **{c.name: c.dynamics for c in solution.choices}}
+    for c in candidates:
+        there = dynamics[c.choice]
+        if there is None or there.reactions is None or not there.rubbed:
+            continue
+        values = there.reactions.values
+        known = {r.reaction.multiplier: values.get(r.reaction.multiplier) for r in there.rubbed}
+        meant = {s: v for s, v in known.items() if v is not None}
+        kept = tuple(m for m in c.multipliers if m not in meant)
+        only = frozenset(s.name for s in meant)
+        yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:
@@ -130,6 +182,27 @@ def _lengths(solution: Solution) -> dict[str, sp.Expr]:
     return {name: length for name, length in lengths.items() if name not in declared}
 
 
+def _reactions(solution: Solution) -> dict[str, sp.Expr]:
+    """Multipliers, tensions of rods and the signs that friction leaves open, by name."""
+    if solution.law is None or solution.dynamics is None:
+        return {}
+    newton = solution.law.newton
+    named = (*newton.multipliers_by_name.values(), *newton.tensions, *solution.dynamics.signs)
+    return {s.name: s for s in named}
+
+
+def _reaction_forces(solution: Solution) -> dict[str, Vector]:
+    """R_P of each particle P on which reactions act, as a derivation writes it."""
+    forces: dict[str, Vector] = {}
+    for r in solution.law.newton.reactions if solution.law else ():
+        for particle in r.directions or {}:
+            force = r.per_unit(particle)
+            if force is not None:
+                forces[f"R_{particle}"] = forces.get(f"R_{particle}", Vector.zero()) + force * r.force
+    taken = solution.problem.scope.names()
+    return {name: force for name, force in forces.items() if name not in taken}
+
+
 def reference_of_equations(problem: Problem) -> Reference:
     """The reference system that a file gives outright under `equations`."""
     rows = tuple(constraint_row(c, problem.slots) for c in problem.constraints)
@@ -147,6 +220,24 @@ def reference_of_equations(problem: Problem) -> Reference:
     return Reference(
         problem.scope, (Candidate("", configuration, unknowns, lambda: system),), _values(problem), problem.unknowns
     )
+
+
+def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> System:
+    """The system with the numbers that the file gives to parameters."""
+    configuration = system.configuration
+    values = dict(values)
+    rows = tuple(
+        replace(
+            row,
+            coefficients=tuple(c.xreplace(values) for c in row.coefficients),
+            drift=row.drift.xreplace(values),
+            finite=None if row.finite is None else row.finite.xreplace(values),
+            nonlinear=None if row.nonlinear is None else row.nonlinear.xreplace(values),
+        )
+        for row in configuration.rows
+    )
+    equations = tuple(e.xreplace(values) for e in system.equations)
+    return System(replace(configuration, rows=rows), equations, system.multipliers)
 
 
 def read_answer(fragment: Fragment, scope: Scope) -> Reading:

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
+import sympy as sp
+
 from lagrange.answers import Verdict
 from lagrange.checking import ComparedAnswer, compared_answers
 from lagrange.derivation import Derivation, Step
 from lagrange.diagnostics import Diagnostic
+from lagrange.dynamics import Motion
 from lagrange.explain.checks import explain_checks
 from lagrange.explain.constraints import (
     explain_classification,
@@ -24,6 +27,8 @@ from lagrange.explain.motion import (
     explain_motion_in_choice,
     explain_principle,
 )
+from lagrange.explain.newton import explain_newton, explain_works
+from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
@@ -73,13 +78,12 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_classification(classification)
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried)
-    if solution.motion is not None:
-        yield explain_principle(solution.motion, problem)
-        yield explain_equations(solution.motion, problem)
+    yield from _motion(solution)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
-        if c.motion is not None:
-            yield explain_motion_in_choice(c.coordinates, c.motion, problem)
+        if c.dynamics is not None:
+            yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
+            yield from _reactions(solution, c.dynamics, c.name)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
 
 
@@ -88,6 +92,30 @@ def names_of(problem: Problem) -> frozenset[str]:
     scope = problem.scope
     symbols = (*problem.slots.coordinates, *problem.slots.prescribed)
     return frozenset({*scope.scalars, *scope.vectors, *scope.functions, *(s.name for s in symbols)})
+
+
+def _motion(solution: Solution) -> Iterator[Step]:
+    """From Newton's law to the equations of motion; friction needs the reactions first."""
+    law, dynamics = solution.law, solution.dynamics
+    if law is None or dynamics is None:
+        return
+    if solution.works:
+        freedom = solution.classification.degrees_of_freedom
+        yield explain_newton(law.newton, dynamics, solution.configuration, freedom)
+        yield explain_works(solution.works, solution.configuration)
+    if dynamics.rubbed:
+        yield from _reactions(solution, dynamics)
+    yield explain_principle(dynamics.written)
+    yield explain_equations(dynamics.written, solution.problem)
+    if not dynamics.rubbed:
+        yield from _reactions(solution, dynamics)
+
+
+def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Iterator[Step]:
+    if solution.law is not None and dynamics is not None:
+        step = explain_reactions(dynamics, solution.law.newton, choice, shorter=bool(solution.choices and not choice))
+        if step is not None:
+            yield step
 
 
 def _shortcomings(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Diagnostic]:
@@ -114,6 +142,13 @@ def notation_of(solution: Solution) -> Notation:
         prescribed=problem.slots.prescribed,
         speeds=tuple(problem.speeds),
         parameters=tuple(p.symbol for p in problem.parameters),
-        forces=(*(c.reaction for c in problem.constraints), *problem.unknowns),
+        forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),
     )
+
+
+def _names_of_reactions(solution: Solution) -> Iterator[sp.Symbol]:
+    """The multipliers, and the tensions of rods."""
+    yield from (c.reaction for c in solution.problem.constraints)
+    if solution.law is not None:
+        yield from solution.law.newton.tensions

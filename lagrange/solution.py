@@ -1,8 +1,8 @@
 """solve(): the stages in order.
 
-statement -> constraints -> classification -> displacements -> d'Alembert's principle -> generalized coordinates ->
-equations of motion -> checks. Each stage is a function of its own in a module of its own; what each of them finds is a
-field of the result.
+statement -> constraints -> classification -> displacements -> Newton's law -> workless constraints -> d'Alembert's
+principle -> generalized coordinates -> equations of motion -> reactions -> checks. Each stage is a function of its own
+in a module of its own; what each of them finds is a field of the result.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from lagrange.constant_inertia import check_constant_inertia
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.displacements import Elimination, carrying_rates, eliminate
-from lagrange.equations import EquationsOfMotion, check_inertia, equations_of_motion
+from lagrange.dynamics import Law, Motion, law_of_motion, motion
+from lagrange.equations import EquationsOfMotion, check_inertia
 from lagrange.kinematics import Configuration, file_configuration
-from lagrange.principle import dalembert
 from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
 from lagrange.verification import (
@@ -27,10 +27,14 @@ from lagrange.verification import (
     Check,
     check_choice,
     check_displacements,
+    check_finite_forms,
     check_integrability,
     check_motion,
+    check_reactions,
     check_reality,
+    check_workless,
 )
+from lagrange.workless import WorkOfReaction, works_of_reactions
 
 
 @dataclass(frozen=True)
@@ -38,8 +42,13 @@ class ChoiceSolution:
     """The problem in one choice of generalized coordinates; `motion` is None where no motion is asked."""
 
     coordinates: GeneralizedCoordinates
-    motion: EquationsOfMotion | None = None
+    dynamics: Motion | None = None
     spot: Spot | None = None
+
+    @property
+    def motion(self) -> EquationsOfMotion | None:
+        """The equations of motion."""
+        return self.dynamics.equations if self.dynamics else None
 
     @property
     def name(self) -> str:
@@ -54,7 +63,9 @@ class Solution:
     configuration  the system in the file's own coordinates
     elimination    of the dependent virtual displacements there
     carried        shape (n,): rates w with which moving constraints carry the coordinates along, dq = δq + w dt
-    motion         its equations of motion, where motion is asked
+    law            Newton's law there, where motion is asked
+    works          the work of the reactions
+    dynamics       the motion and the reactions there
     """
 
     problem: Problem
@@ -62,10 +73,17 @@ class Solution:
     configuration: Configuration
     elimination: Elimination
     carried: tuple[sp.Expr, ...]
-    motion: EquationsOfMotion | None = None
+    law: Law | None = None
+    works: tuple[WorkOfReaction, ...] = ()
+    dynamics: Motion | None = None
     spot: Spot | None = None
     choices: tuple[ChoiceSolution, ...] = ()
     checks: tuple[Check, ...] = field(default=())
+
+    @property
+    def motion(self) -> EquationsOfMotion | None:
+        """The equations of motion in the file's coordinates."""
+        return self.dynamics.equations if self.dynamics else None
 
     @property
     def holds(self) -> bool:
@@ -90,6 +108,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
     checks = [
         *check_reality(configuration),
         *check_integrability(classification),
+        *check_finite_forms(classification, problem.slots, configuration.surface),
         *check_displacements(configuration, elimination, carried),
     ]
     solution = Solution(
@@ -106,27 +125,44 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
 
 def _with_motion(solution: Solution) -> Solution:
     """The solution with the equations of motion, in the file's coordinates and in every choice."""
-    problem = solution.problem
-    reactions = {c.name: c.reaction for c in problem.constraints}
+    original = solution.configuration
+    law = law_of_motion(solution.problem, original, solution.elimination, solution.classification.rank)
+    problem = law.problem
+    reactions = law.newton.multipliers_by_name
     given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
-    check_constant_inertia(problem, solution.configuration)
-    motion = equations_of_motion(dalembert(solution.configuration), solution.elimination)
-    check_inertia(motion)
-    checks = [*solution.checks, *check_motion(motion, reactions)]
+    check_constant_inertia(problem, original)
+    works = works_of_reactions(law.newton, original, solution.elimination)
+    dynamics = motion(law, original, solution.elimination)
+    found = dynamics.equations
+    check_inertia(found)
+    multipliers = tuple(reactions.values())
+    checks = [*solution.checks, *check_workless(works), *check_motion(found, reactions)]
+    checks += check_reactions(found.configuration, multipliers, dynamics.reactions)
     choices = []
     for c in solution.choices:
         configuration = c.coordinates.configuration
         coordinates = configuration.slots.coordinates
         first = [coordinates.index(q) for q in c.coordinates.through_rates]
         elimination = eliminate(configuration.rows, len(coordinates), configuration.states, first)
-        there = equations_of_motion(dalembert(configuration), elimination)
+        there = motion(law, configuration, elimination)
         checks += check_displacements(configuration, elimination)
-        checks += check_motion(there, reactions)
-        checks.append(check_choice(motion, there))
-        spot = spot_value(System(configuration, there.expressions), given)
-        choices.append(replace(c, motion=there, spot=spot))
-    spot = spot_value(System(solution.configuration, motion.expressions), given)
-    return replace(solution, motion=motion, spot=spot, choices=tuple(choices), checks=tuple(checks))
+        checks += check_motion(there.equations, reactions)
+        checks.append(check_choice(found, there.equations))
+        checks += check_reactions(found.configuration, multipliers, there.reactions)
+        spot = spot_value(System(there.equations.configuration, there.equations.expressions), given)
+        choices.append(replace(c, dynamics=there, spot=spot))
+    spot = spot_value(System(found.configuration, found.expressions), given)
+    return replace(
+        solution,
+        problem=problem,
+        configuration=dynamics.shown,
+        law=law,
+        works=tuple(works),
+        dynamics=dynamics,
+        spot=spot,
+        choices=tuple(choices),
+        checks=tuple(checks),
+    )
 
 
 def _substitutions(chosen: list[GeneralizedCoordinates]) -> list[Check]:
@@ -152,7 +188,7 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
 
 def _refuse_what_is_not_covered(problem: Problem) -> None:
     for force in problem.forces:
-        if isinstance(force, Friction):
+        if isinstance(force, Friction) and Find.EQUILIBRIUM in problem.find:
             raise NotCoveredError(f"friction `{force.name}`", force.span)
     if problem.speeds:
         raise NotCoveredError("a choice of quasi-velocities (`speeds`)")

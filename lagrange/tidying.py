@@ -5,6 +5,8 @@ sin θ sin(θ + φ) + cos θ cos(θ + φ), which nobody would write. An expressi
 form, and that is kept where it is shorter. What has no such products stays as the file has it.
 
 A function of x₂ − x₁ alone does not change when both grow alike, ∂e/∂x₁ + ∂e/∂x₂ = 0; then e is e(0, x₂ − x₁).
+
+Only short expressions are tidied: multiplied out, (x + y + z)^20 has 231 terms, and a file can write much longer ones.
 """
 
 from __future__ import annotations
@@ -14,18 +16,25 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.measures import Measures
 from lagrange.textbook import textbook_form
 
-LONGEST = 300
-"""Operations of an expression that is still tidied."""
+LARGEST = 600
+"""Nodes of an expression that is still tidied."""
 
-LONGEST_IN_DIFFERENCES = 60
-"""Operations of an expression in which differences are looked for."""
+MOST_TERMS = 60
+"""Terms that any part of it has when it is multiplied out."""
+
+
+def is_short(expression: sp.Expr) -> bool:
+    """Whether multiplying out and factoring take little time."""
+    measure = Measures().of(expression)
+    return measure.size <= LARGEST and measure.widest <= MOST_TERMS
 
 
 def tidied(expression: sp.Expr) -> sp.Expr:
     """The expression, shorter where sin² + cos² = 1 or cos(a − b) = cos a cos b + sin a sin b makes it so."""
-    if _degree(expression, sp.sin) < 2 or _degree(expression, sp.cos) < 2 or expression.count_ops() > LONGEST:
+    if not is_short(expression) or _degree(expression, sp.sin) < 2 or _degree(expression, sp.cos) < 2:
         return expression
     form = textbook_form(expression)
     return form if form.count_ops() < expression.count_ops() else expression
@@ -46,8 +55,10 @@ def _degree(expression: sp.Expr, function: type[sp.Function]) -> int:
 
 def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.Expr:
     """x₁² − 2x₁ x₂ + x₂² as (x₂ − x₁)², factored, where that is shorter. Rational functions of the coordinates only."""
+    if not is_short(expression):
+        return expression
     used = [q for q in coordinates if q in expression.free_symbols]
-    if expression.count_ops() > LONGEST_IN_DIFFERENCES or not expression.is_rational_function(*used):
+    if not expression.is_rational_function(*used):
         return expression
     rest, differences = expression, {}
     for a, b in combinations(used, 2):

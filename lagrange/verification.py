@@ -1,9 +1,11 @@
 """The checks of a solution, each by a second route.
 
+    finite relations            dF ∧ ω = 0, by exterior algebra in the coordinates of the file
     Lagrange's equations        from T, V and Q: no step in common with d'Alembert's principle but the positions
     virtual displacements       the solved δq put back into A δq = 0
     energy                      dT/dt with the accelerations that the equations give, against the power of the forces
     coordinates                 the equations of the file's coordinates, rewritten in those of a choice
+    reactions                   their virtual work; their values put back into Lagrange's equations
 
 All are exact: expressions are evaluated at random states of a random prime field, and solution sets are compared, never
 printed forms. A check that cannot be decided says so and does not count as held.
@@ -20,11 +22,15 @@ from lagrange.classification import Classification, has_real_point
 from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
-from lagrange.exact import Point
+from lagrange.exact import Point, Surface
+from lagrange.exterior import Form, exterior_derivative, one_form, wedge
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.lagrangian import applied_power, kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
+from lagrange.potentials import differentiated
+from lagrange.reactions import Reactions
 from lagrange.sampling import agreed
+from lagrange.workless import WorkOfReaction
 
 
 @dataclass(frozen=True)
@@ -62,6 +68,44 @@ def check_integrability(classification: Classification) -> list[Check]:
             name = f"Frobenius' condition {'holds' if c.integrable else 'fails'} for {c.row.name.replace('_', ' ')}"
             found.append(Check(name, passed, "exact: by its components and by the derived system"))
     return found
+
+
+def check_finite_forms(classification: Classification, slots: Slots, surface: Surface) -> list[Check]:
+    """Factors and finite relations that were found, put back into the forms.
+
+    What was found on the geometric constraints only is tried there; the rest everywhere.
+    """
+    found = []
+    variables = (*slots.coordinates, t)
+    geometric = [r for r in classification.rows if r.finite is not None and r.name not in classification.redundant]
+    for c in classification.constraints:
+        if c.row.finite is not None:
+            continue
+        name, coefficients = c.row.name.replace("_", " "), (*c.row.coefficients, c.row.drift)
+        restricted = c.finite_form is not None and c.finite_form.restriction is not None
+        around, there = (geometric, surface) if restricted else ([], Surface())
+        where = ", where the geometric constraints hold" if restricted else ""
+        if c.finite_form is not None:
+            multiplied = [c.finite_form.factor * a for a in coefficients]
+            passed = _vanishes_beside(exterior_derivative(multiplied, variables, slots), around, there)
+            how = f"exact: its exterior derivative is 0{where}"
+            found.append(Check(f"the factor makes {name} exact", passed, how))
+        if c.integral is not None:
+            gradient = one_form([differentiated(c.integral, v, slots) for v in variables])
+            proportional = _vanishes_beside(wedge(gradient, one_form(coefficients)), around, there)
+            constant = _vanishes_beside(gradient, around, there)
+            passed = None if None in (proportional, constant) else proportional and not constant
+            how = f"exact: dF ∧ ω = 0{where}"
+            found.append(Check(f"the finite relation has a differential proportional to {name}", passed, how))
+    return found
+
+
+def _vanishes_beside(form: Form, around: Sequence[Row], surface: Surface) -> bool | None:
+    """Whether a form is 0 on the surface, among differentials along it: form ∧ df_1 ∧ ... = 0 there."""
+    for row in around:
+        form = wedge(form, one_form((*row.coefficients, row.drift)))
+    verdicts = [surface.is_zero(a) for a in form.values()]
+    return False if False in verdicts else None if None in verdicts else True
 
 
 def check_reality(configuration: Configuration) -> list[Check]:
@@ -121,6 +165,52 @@ def check_motion(motion: EquationsOfMotion, reactions: Mapping[str, sp.Symbol]) 
 
 
 EXACT = "exact, at random states"
+
+
+def check_workless(works: Sequence[WorkOfReaction]) -> list[Check]:
+    """The virtual work of the reactions, the dependent displacements put in."""
+    if not works:
+        return []
+    verdicts = [w.vanishes for w in works]
+    passed = False if False in verdicts else None if None in verdicts else True
+    return [Check("the reactions do no virtual work", passed, "exact: where the constraints hold")]
+
+
+def check_reactions(
+    original: Configuration, multipliers: tuple[sp.Symbol, ...], found: Reactions | None
+) -> list[Check]:
+    """Reactions and accelerations, put back into Lagrange's equations with multipliers.
+
+    original     the system in the file's coordinates, friction included
+    multipliers  of its constraints
+    """
+    claims = [] if found is None else _claims(found)
+    if found is None or not claims:
+        return []
+    configuration = found.configuration
+    system = multiplier_system(original, lagrange_equations(original).left, multipliers)
+    rule = {s: e for s, e in configuration.substitution.items() if not str(s).endswith("''")}
+    known = [e.xreplace(rule) for e in (*system.equations, *system.accelerated_constraints)]
+    unknowns = (*original.slots.accelerations, *multipliers)
+    symbols = symbols_of((*known, *claims))
+
+    def follow(point: Point) -> bool:
+        moving = state(point, configuration, symbols)
+        rows = affine_rows(moving, known, unknowns)
+        return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, unknowns)])
+
+    passed = agreed(configuration.states, follow, (*known, *claims))
+    name = "the reactions satisfy Lagrange's equations with multipliers"
+    return [Check(name, passed, EXACT, configuration.name)]
+
+
+def _claims(found: Reactions) -> list[sp.Expr]:
+    """Each of these is said to be zero: λ − value, q'' − value."""
+    claims = [symbol - value for symbol, value in found.values.items()]
+    for c in found.combinations:
+        if c.value is not None:
+            claims.append(sp.Add(*(factor * symbol for factor, symbol in c.terms), -c.value))
+    return claims
 
 
 def _agrees_with_lagrange(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...]) -> bool | None:

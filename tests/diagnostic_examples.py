@@ -177,6 +177,17 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "wrong-kind": ("A list, a mapping or a value stands where another of these belongs.",
         problem("constraints: [x = 0]")),
     # -- the derivation ----------------------------------------------------------------------------------------------
+    "friction-place": ("Friction acts on a particle that its constraint holds, and that the coordinates place freely: "
+        "what they keep by themselves shows in no reaction.", problem(
+        "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: l*i}}\n" + ROD
+        + "forces: {rub: {friction: g, constraint: rod, on: Q}}")),
+    "friction-slip": ("`slip` says in which sense a particle slides along a line; leave it out where there is none.", problem(
+        "particles: {P: {mass: m, position: '[x, y, z]'}}\nconstraints: {floor: z = 0}\n"
+        "forces: {rub: {friction: g, constraint: floor, on: P, slip: positive}}", coordinates="[x, y, z]")),
+    "friction-undetermined": ("Several constraints keep the same, and how they share the reaction is not determined; "
+        "remove those that follow from the others.", problem(
+        PARTICLE + "constraints: {floor: y = 0, again: 2*y = 0}\n"
+        "forces: {rub: {friction: g, constraint: floor, on: P}}")),
     "choice-against-constraint": ("The substitution must satisfy every geometric constraint identically.", problem(
         PARTICLE + ROD + "generalized_coordinates: {angle: {coordinates: [th], substitute: {x: l*sin(th), y: l*sin(th)}}}")),
     "contradictory-constraints": ("No position or velocity satisfies these constraints.",

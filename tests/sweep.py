@@ -124,7 +124,7 @@ def equations_in(found: Any) -> Iterator[str]:
         for key, value in found.items():
             if key == "steps":
                 yield from (e["text"] for s in value for b in s["body"] for e in b.get("equations", ()) if "text" in e)
-            elif key in EQUATIONS:
+            elif key in EQUATIONS and not isinstance(value, int):  # the count of unknowns has a number
                 yield from texts(value)
             else:
                 yield from equations_in(value)

@@ -18,20 +18,21 @@ LAYERS = {
     "exact evaluation": """elimination graph field evaluation points residues reals walls branches blocks projection
         triangular sampler exact sampling""",
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
-        differentiation trigonometry common_factor textbook tidying""",
+        differentiation trigonometry common_factor textbook""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
-        meaning vector_meaning expressions""",
+        meaning vector_meaning expressions tidying""",
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
-        velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
+         velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
         forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
-        integrability""",
-    "stages": """links rigid_bodies kinematics bending constraints classification displacements coordinates principle equations lagrangian
-        comparison constant_inertia spot verification""",
-    "results": "solution references answers checking",
+        integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
+        restrictions""",
+    "stages": """links rigid_bodies kinematics bending constraints classification displacements coordinates linear rods newton workless principle
+        reactions friction equations comparison constant_inertia dynamics lagrangian spot verification""",
+    "results": "solution references answers reaction_answers checking",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear explain.displacements
-        explain.constraints explain.motion explain.checks""",
+        explain.factors explain.constraints explain.newton explain.motion explain.reactions explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

@@ -17,13 +17,14 @@ from lagrange.answers import Verdict, check_equations
 from lagrange.diagnostics import Fragment
 from lagrange.loader import load
 from lagrange.notation import Unspecified
+from lagrange.reaction_answers import check_reaction
 from lagrange.references import reference_of_solution
 from lagrange.report import Report, report
 
 
 @cache
 def solved(name: str) -> Report:
-    [path] = PROBLEMS.glob(f"chapter6/{name}-*.yaml")
+    [path] = PROBLEMS.glob(f"chapter6/{name}*.yaml")
     return report(load(path))
 
 
@@ -44,6 +45,12 @@ def verdict(name: str, *equations: str) -> Verdict:
         ("ex07", True, False, 1, 1, 1, 1),
         ("ex08", True, True, 1, 1, 2, 2),
         ("ex09", True, False, 1, 1, 2, 2),
+        ("ex10", True, True, 2, 2, 2, 2),
+        ("ex12", True, True, 1, 1, 2, 2),
+        ("ex13", True, False, 1, 1, 2, 2),
+        ("ex14", True, True, 1, 1, 5, 5),
+        ("ex15-rough-surface", True, True, 1, 1, 2, 2),
+        ("ex15-rough-incline", True, True, 1, 1, 1, 1),
         ("ex11", True, True, 1, 1, 1, 1),
         ("ex17", True, False, 1, 1, 2, 2),
         ("ex18", True, True, 2, 2, 2, 2),
@@ -58,7 +65,7 @@ def test_classification(
     assert (found.degrees_of_freedom, found.configuration_dimension) == (freedom, dimension)
 
 
-@pytest.mark.parametrize("name", [p.stem[:4] for p in sorted(PROBLEMS.glob("chapter6/*.yaml"))])
+@pytest.mark.parametrize("name", [p.stem for p in sorted(PROBLEMS.glob("chapter6/*.yaml"))])
 def test_every_check_holds_and_the_answers_agree(name: str) -> None:
     result = solved(name)
     assert result.solution.checks
@@ -224,6 +231,136 @@ def test_ex06_heading_keeps_the_blade() -> None:
     [choice] = solved("ex06").solution.choices
     assert [r.name for r in choice.coordinates.configuration.rows] == ["blade"]
     assert set(choice.coordinates.satisfied) == {"plane1", "plane2", "rod"}
+
+
+def symbols(names: str) -> tuple[sp.Symbol, ...]:
+    return sp.symbols(names, real=True, seq=True)
+
+
+def test_ex10_newtons_equations_as_the_chapter_has_them() -> None:
+    """T2 pulls A towards B and B towards A, T1 pulls A towards O."""
+    m, l, g = sp.symbols("m l g", positive=True)
+    x1, y1, x2, y2, t1, t2 = symbols("x1 y1 x2 y2 T1 T2")
+    wanted = [
+        t2 * (x2 - x1) / l - t1 * x1 / l,
+        t2 * (y2 - y1) / l - t1 * y1 / l + m * g,
+        -t2 * (x2 - x1) / l,
+        -t2 * (y2 - y1) / l + m * g,
+    ]
+    law = solved("ex10").solution.law
+    assert law is not None
+    assert law.newton.equations is not None
+    left = [a for a, _ in law.newton.equations]
+    assert left == [m * a for a in symbols("x1'' y1'' x2'' y2''")]
+    assert [sp.expand(b - w) for (_, b), w in zip(law.newton.equations, wanted, strict=True)] == [0] * 4
+
+
+@pytest.mark.parametrize(
+    ("name", "before", "after"),
+    [("ex10", (8, 6), (6, 6)), ("ex11", (4, 3), (3, 3)), ("ex14", (12, 7), (7, 7)), ("ex17", (6, 4), (4, 4))],
+)
+def test_unknowns_and_equations(name: str, before: tuple[int, int], after: tuple[int, int]) -> None:
+    """As many equations are missing as there are degrees of freedom; directions close the system."""
+    solution = solved(name).solution
+    assert solution.law is not None
+    first, last = solution.law.newton.before, solution.law.newton.after
+    assert first is not None
+    assert last is not None
+    assert (first.unknowns, first.equations) == before
+    assert (last.unknowns, last.equations) == after
+    assert first.missing == solution.classification.degrees_of_freedom
+
+
+def test_ex10_wrong_tensions() -> None:
+    right = ["m*x1'' = T2*(x2 - x1)/l - T1*x1/l", "m*y1'' = T2*(y2 - y1)/l - T1*y1/l + m*g"]
+    lower = ["m*x2'' = -T2*(x2 - x1)/l", "m*y2'' = -T2*(y2 - y1)/l + m*g"]
+    assert verdict("ex10", *right, *lower) is Verdict.EQUIVALENT
+    assert verdict("ex10", *right, "m*x2'' = T2*(x2 - x1)/l", lower[1]) is Verdict.WRONG
+    assert verdict("ex10", *right) is Verdict.INCOMPLETE
+
+
+@pytest.mark.parametrize("name", ["ex10", "ex11", "ex12", "ex13", "ex14", "ex15-rough-surface", "ex17", "ex18"])
+def test_constraints_are_workless(name: str) -> None:
+    works = solved(name).solution.works
+    assert works
+    assert [w.vanishes for w in works] == [True] * len(works)
+
+
+def test_ex13_work_in_a_possible_displacement() -> None:
+    """R·dr = λ u ∂f/∂X dt, and none on a surface at rest."""
+    [work] = solved("ex13").solution.works
+    u, dt, x, y, z, t = symbols("u d(t) x y z t")
+    slope = Unspecified.of("f", ("X", "Y", "Z"), x - u * t, y, z).partial(0)
+    assert sp.expand(work.possible - work.reaction.multiplier * u * slope * dt) == 0
+    assert [w.possible for w in solved("ex12").solution.works] == [0]
+
+
+def test_ex14_the_rod() -> None:
+    """R1 = −R2 along the rod; each does virtual work, both together none."""
+    solution = solved("ex14").solution
+    assert solution.law is not None
+    [reaction] = solution.law.newton.reactions
+    x1, y1, z1, x2, y2, z2 = symbols("x1 y1 z1 x2 y2 z2")
+    first, second = reaction.on("P1"), reaction.on("P2")
+    assert first is not None
+    assert second is not None
+    assert (first + second).map(sp.expand).is_zero
+    assert first.components == (2 * x1 - 2 * x2, 2 * y1 - 2 * y2, 2 * z1 - 2 * z2)
+    [work] = solution.works
+    assert set(work.working) == {"P1", "P2"}
+    assert work.vanishes is True
+
+
+@pytest.mark.parametrize("equation", ["x'' = g*sin(alpha) - mu*g*cos(alpha)", "m*x'' + mu*N = m*g*sin(alpha)"])
+def test_ex15_block_on_the_rough_incline(equation: str) -> None:
+    assert verdict("ex15-rough-incline", equation) is Verdict.EQUIVALENT
+    assert verdict("ex15-rough-incline", equation.replace("mu", "2*mu")) is Verdict.WRONG
+
+
+def test_ex15_friction_on_any_surface_at_one_state() -> None:
+    """f = z − x²/2 and F = (1, 2, −3) at x = 1: the accelerations by hand, m r'' = F + λ∇f − μ|λ||∇f| v/|v|."""
+    solution = solved("ex15-rough-surface").solution
+    assert solution.dynamics is not None
+    reactions = solution.dynamics.reactions
+    assert reactions is not None
+    mass, mu = sp.Integer(2), sp.Rational(1, 5)
+    gradient, force, v = sp.Matrix([-1, 0, 1]), sp.Matrix([1, 2, -3]), sp.Matrix([2, 1, 2])
+    multiplier = -(gradient.dot(force) / mass - v[0] ** 2) * mass / gradient.dot(gradient)
+    friction = -mu * abs(multiplier) * gradient.norm() * v / v.norm()
+    wanted = (force + multiplier * gradient + friction) / mass
+    numbers = {"m": mass, "mu": mu, "x": 1, "y": 0, "z": sp.Rational(1, 2), "x'": 2, "y'": 1, "z'": 2}
+
+    def number(e: sp.Expr) -> sp.Expr:
+        slopes = {(1, 0, 0): -1, (0, 0, 1): 1, (2, 0, 0): -1}
+        functions = {"F_x": 1, "F_y": 2, "F_z": -3}
+        rule = {f: functions[f.name] if f.name in functions else slopes.get(f.orders, 0) for f in e.atoms(Unspecified)}
+        plain = e.xreplace({f: sp.Integer(n) for f, n in rule.items()})
+        return plain.xreplace({s: sp.sympify(numbers[s.name]) for s in plain.free_symbols}).evalf(30)
+
+    found = reactions.multipliers["surface"]
+    assert found is not None
+    assert abs(number(found) - multiplier) < 1e-25
+    for name, expected in zip("xyz", wanted, strict=True):
+        value = reactions.accelerations[sp.Symbol(f"{name}''", real=True)]
+        assert value is not None
+        assert abs(number(value) - expected.evalf(30)) < 1e-25
+
+
+@pytest.mark.parametrize(
+    ("name", "reaction", "formula"),
+    [
+        ("ex11", "rod", "T_rod = m*g*cos(theta) + m*l*theta'^2"),
+        ("ex17", "length", "lambda_length = m*(r'' - r*theta'^2 - r*phi'^2*sin(theta)^2) + m*g*cos(theta)"),
+        ("ex17", "length", "lambda_length = m*(-b*omega^2*cos(omega*t) - r*theta'^2 - r*phi'^2*sin(theta)^2) + m*g*cos(theta)"),
+    ],
+)  # fmt: skip
+def test_reactions_of_the_chapter(name: str, reaction: str, formula: str) -> None:
+    solution = solved(name).solution
+    assert solution.law is not None
+    [found] = [r for r in solution.law.newton.reactions if r.name == reaction]
+    reference = reference_of_solution(solution)
+    assert check_reaction(Fragment.of(formula), found, reference) is Verdict.EQUIVALENT
+    assert check_reaction(Fragment.of(formula.replace("cos(theta)", "sin(theta)")), found, reference) is Verdict.WRONG
 
 
 @pytest.mark.parametrize(

@@ -183,6 +183,10 @@ TABLE = [
     cos(x) / sin(x) ** 2,
     sp.sec(x) * sp.tan(x),
     sin(x) / (1 + cos(x)),
+    1 / (1 + cos(a * x)),
+    1 / (1 - cos(x + y)),
+    1 / (1 + sin(x + y)),
+    1 / (1 - sin(a * x)),
     log(x) * x,
     sp.atan(x) * x,
     log(cos(x)) * sin(x),
@@ -205,6 +209,7 @@ def test_real_on_both_sides_of_zero():
     assert antiderivative(1 / x, x).subs(x, -2) == log(2)
     assert antiderivative(1 / a, a) == log(a)
     assert antiderivative(sin(x) / (1 + cos(x)), x) == -log(1 + cos(x))
+    assert antiderivative(cos(x) / sin(x), x) == log(sp.Abs(sin(x)))
 
 
 HOSTILE = [

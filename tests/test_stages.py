@@ -131,7 +131,6 @@ gravity: g*j
         ("find: equilibrium", "equilibrium"),
         ("find: linearization", "linearization"),
         ('speeds: {u: "x\'"}', "speeds"),
-        ("forces: {rub: {friction: mu, constraint: rod, on: P}}\nfunctions: {mu: [t]}", "friction"),
     ],
 )
 def test_what_is_not_covered_is_refused_and_never_guessed(problem: Read, more: str, what: str) -> None:

@@ -182,6 +182,57 @@ def test_multipliers(name: str) -> None:
         agree(wanted, solved(affine(rows, unknowns, state), unknowns).values)
 
 
+def route_with_multipliers(name: str) -> Route | None:
+    return next((r for r in routes_of(name) if any(m.startswith("lambda_") for m in r.multipliers)), None)
+
+
+@pytest.mark.parametrize("name", [n for n, book in SYSTEMS.items() if not book.redundant])
+def test_reactions_and_accelerations_as_functions_of_the_state(name: str) -> None:
+    """The expressions that are found for multipliers and accelerations, against the second route's numbers."""
+    book, reactions = SYSTEMS[name], solution_of(name).solution.dynamics.reactions
+    route = route_with_multipliers(name)
+    if route is None or reactions is None or not reactions.multipliers:
+        return
+    values = {f"lambda_{n}": concrete(v, book) for n, v in reactions.multipliers.items() if v is not None}
+    values |= {s.name: concrete(v, book) for s, v in reactions.accelerations.items() if v is not None}
+    for state in states(route, names_in(list(values.values())), book.ranges, 300, 2):
+        expected = accelerations(route, state).values
+        agree({n: number(v, state) for n, v in values.items()}, expected)
+
+
+@pytest.mark.parametrize("name", [n for n, book in SYSTEMS.items() if not book.redundant])
+def test_reactions_in_a_choice(name: str) -> None:
+    book, route = SYSTEMS[name], route_with_multipliers(name)
+    for found in solution_of(name).solution.choices:
+        if route is None or found.dynamics.reactions is None:
+            continue
+        values = {
+            f"lambda_{n}": concrete(v, book) for n, v in found.dynamics.reactions.multipliers.items() if v is not None
+        }
+        configuration = found.motion.configuration
+        expressed = {q.name: e for q, e in configuration.expressed.items()}
+        unknowns = [a.name for a in configuration.slots.accelerations]
+        rows = derived_rows(configuration, found.motion.expressions, book)
+        signs = {s.name: mpf(1) for s in found.coordinates.signs}
+        for state in states_of_choice(found, expressed, route, book, signs):
+            here = solved(affine(rows, unknowns, state), unknowns).values
+            whole = moved(expressed, configuration, state, {u: here[u] for u in unknowns})
+            agree({n: number(v, state) for n, v in values.items()}, accelerations(route, whole).values)
+
+
+def test_most_reactions_are_found() -> None:
+    """What is too large to be solved for is the exception."""
+    wanted = [r.name for n in SYSTEMS if (law := solution_of(n).solution.law) for r in law.used]
+    lost = [
+        f"{n}: {name}"
+        for n in SYSTEMS
+        if (dynamics := solution_of(n).solution.dynamics) and dynamics.reactions
+        for name, value in dynamics.reactions.multipliers.items()
+        if value is None
+    ]
+    assert len(lost) < len(wanted) / 5, lost
+
+
 # -- choices -----------------------------------------------------------------------------------------------------------
 
 

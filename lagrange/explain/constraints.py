@@ -27,6 +27,7 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import possible_displacement
+from lagrange.explain.factors import SHOWN_PAIRS, equal, explain_factor
 from lagrange.explain.nonlinear import explain_bending, explain_reduction, together, without_form
 from lagrange.explain.words import brief, counted, in_words, plural, spoken
 from lagrange.integrability import Comparison
@@ -34,7 +35,6 @@ from lagrange.notation import CONSTANT, Partial, Slots, Wedge, differential, t
 
 LETTERS = ("omega", "eta", "chi", "zeta", "xi")
 """What a form may be called; the first that the problem does not use."""
-SHOWN_PAIRS = 3
 
 
 def explain_constraints(classification: Classification) -> Step:
@@ -152,7 +152,7 @@ def _explain_finite(members: Sequence[ConstraintAnalysis]) -> list[Block]:
     telling = [p for c in members if (p := _telling_pair(c)) is not None]
     shown = [p for p in telling if 0 not in p.coefficients][:SHOWN_PAIRS]
     for n, pair in enumerate(shown):
-        words += [", for instance " if n == 0 else ", ", _equal(pair)]
+        words += [", for instance " if n == 0 else ", ", equal(pair)]
     return [prose(*words, ".")]
 
 
@@ -171,7 +171,7 @@ def _explain_exact(c: ConstraintAnalysis) -> list[Block]:
     label = f"form-{c.row.name}"
     pair = _telling_pair(c)
     words: list[Part] = ["All pairs of partial derivatives of ", Ref(label), " agree"]
-    words += [", for instance ", _equal(pair)] if pair and 0 not in pair.coefficients else []
+    words += [", for instance ", equal(pair)] if pair and 0 not in pair.coefficients else []
     words += [": it is ", Term("exact"), ". "]
     if c.integral is None:
         return [prose(*words, "Its finite form was not found in closed form.")]
@@ -250,7 +250,7 @@ def _verdict(c: ConstraintAnalysis, product: Wedge, begin: Prose, end: Prose, wh
         return [prose(*begin.parts, "it could not be decided whether ", math(product, sp.S.Zero), ".")]
     if c.integrable:
         words = ": an integrating factor exists, and the constraint is a finite relation in disguise."
-        return [prose(*begin.parts, math(product, sp.S.Zero), where, words)]
+        return [prose(*begin.parts, math(product, sp.S.Zero), where, words), *explain_factor(c)]
     nonzero = [k for k in c.frobenius if k.nonzero]
     more: tuple[Part, ...] = (f"and {in_words(len(nonzero) - 1, 'more component')}",) if len(nonzero) > 1 else ()
     shown = Equation((product, *map(_component, nonzero[:1])), label=f"frobenius-{c.row.name}", condition=more)
@@ -264,11 +264,6 @@ def _component(c: FrobeniusComponent) -> sp.Expr:
 def _unequal(p: Comparison) -> tuple[Part, ...]:
     (q, r), (a, b), (left, right) = p.variables, p.coefficients, p.derivatives
     return math(Partial(a, r), left), " ≠\u00a0", math(right, Partial(b, q))
-
-
-def _equal(p: Comparison) -> Part:
-    (q, r), (a, b), (left, _) = p.variables, p.coefficients, p.derivatives
-    return math(Partial(a, r), left, Partial(b, q))
 
 
 def _explain_together(classification: Classification) -> list[Block]:

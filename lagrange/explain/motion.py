@@ -26,17 +26,17 @@ from lagrange.equations import EquationsOfMotion
 from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration, is_pfaffian
+from lagrange.kinematics import Configuration
 from lagrange.notation import Dot, VectorSymbol, variation
 from lagrange.problem import Problem
 
 ZERO = sp.S.Zero
 
 
-def explain_principle(motion: EquationsOfMotion, problem: Problem) -> Step:
-    """Reactions do no virtual work; the principle, the accelerations, and the principle written out."""
+def explain_principle(motion: EquationsOfMotion) -> Step:
+    """The principle, the accelerations, and the principle written out."""
     body = [
-        *_workless(motion.configuration, problem),
+        _multiplied(motion.configuration),
         display(Equation((_principle(motion.configuration), ZERO), label="principle")),
         *_accelerations(motion),
         prose("Written out, it reads"),
@@ -45,34 +45,19 @@ def explain_principle(motion: EquationsOfMotion, problem: Problem) -> Step:
     return Step(Rule.PRINCIPLE, "D'Alembert's principle", tuple(body))
 
 
-def _workless(configuration: Configuration, problem: Problem) -> list[Block]:
-    """The virtual work of the reactions: multipliers times the virtual forms, which are zero."""
+def _multiplied(configuration: Configuration) -> Block:
+    """How the principle follows from Newton's law."""
     if not configuration.rows:
         said = laws(configuration, ", multiplied")
         several = " and " in said
         ending = ", added up, read" if several else " and added up, reads"
-        return [prose(f"There are no reactions. {said[0].upper()}{said[1:]}{ending}")]
-    reactions = {c.name: c.reaction for c in problem.constraints}
-    slots = configuration.slots
-    work = sp.Add(*(reactions[r.name] * virtual_displacement(r, slots) for r in configuration.rows))
-    multipliers = listed(math(reactions[r.name]) for r in configuration.rows)
-    zero = listed(Ref(f"virtual-{r.name}") for r in configuration.rows)
-    one = len(configuration.rows) == 1
-    return [
-        prose(
-            "The constraint is kept by a reaction. " if one else "The constraints are kept by reactions. ",
-            "It is ideal" if one else "They are ideal",
-            (": its components are the coefficients " if one else ": the components of each are the coefficients ")
-            + ("of its form, times an unknown " if is_pfaffian(configuration.rows)
-               else "of the virtual displacements in its condition, times an unknown "),
-            *multipliers, ". So " + ("its" if one else "their") + " virtual work is zero by ", *zero, ":",
-        ),
-        display(Equation((work, ZERO), label="workless")),
-        prose(
-            f"Multiply {laws(configuration, ', inertia equal to applied force and reaction,')}, "
-            "and add: the reactions drop out, and d'Alembert's principle remains:"
-        ),
-    ]  # fmt: skip
+        return prose(f"There are no reactions. {said[0].upper()}{said[1:]}{ending}")
+    return prose(
+        f"Multiply {laws(configuration, ', inertia equal to applied force and reaction,')}, and add: the reactions "
+        "drop out by ",
+        Ref("virtual-work"),
+        ", and d'Alembert's principle remains:",
+    )
 
 
 def _principle(configuration: Configuration) -> sp.Expr:

@@ -9,10 +9,10 @@ import sympy as sp
 
 from lagrange.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
 from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies
-from lagrange.explain.words import plural
+from lagrange.explain.words import plural, spoken
 from lagrange.kinematics import Configuration
 from lagrange.notation import VectorSymbol
-from lagrange.problem import Assumption, Coordinate, Parameter, Problem
+from lagrange.problem import Assumption, Coordinate, Friction, Parameter, Problem
 from lagrange.vectors import UNITS, Vector
 
 
@@ -30,7 +30,7 @@ def explain_statement(problem: Problem, configuration: Configuration) -> Step:
     body += triads_of_bodies(problem, configuration)
     body += _abbreviations(problem)
     body += _positions(problem, configuration)
-    body += _forces(configuration)
+    body += _forces(configuration, [f for f in problem.forces if isinstance(f, Friction)])
     return Step(Rule.STATEMENT, "The system", tuple(body))
 
 
@@ -176,13 +176,21 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     return found
 
 
-def _forces(configuration: Configuration) -> list[Block]:
+def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list[Block]:
     found: list[Block] = []
+    rubbing = {f.name: f.constraint for f in frictions}
     for p in configuration.points:
         loads = [f for f in configuration.loads if f.on == p.name]
         if not loads:
             continue
-        names = ["its weight" if f.name == "weight" else f"the force {f.name}" for f in loads]
+        names = [
+            "its weight"
+            if f.name == "weight"
+            else f"the friction {f.name}"
+            if f.name in rubbing
+            else f"the force {f.name}"
+            for f in loads
+        ]
         total = sum((f.vector for f in loads), Vector.zero(p.position.triad))
         shown = total.along(p.position.triad)
         sides = (VectorSymbol(f"F_{p.name}"), total, shown) if shown != total else (VectorSymbol(f"F_{p.name}"), total)
@@ -192,6 +200,9 @@ def _forces(configuration: Configuration) -> list[Block]:
             prose(f"{words}{p.name}{verb}", *listed(names), ","),
             display(Equation(sides, label=f"force-{p.name}")),
         ]
+        unknown = listed(dict.fromkeys(spoken(rubbing[f.name]) for f in loads if f.name in rubbing))
+        if unknown:
+            found.append(prose("The friction has the multiplier of the reaction of ", *unknown, " in it, found below."))
     found += moments_on(configuration)
     found += explain_links(configuration)
     if configuration.potential != 0:

@@ -21,9 +21,12 @@ from lagrange.vectors import Vector
 if TYPE_CHECKING:
     from lagrange.constraints import ConstraintAnalysis
     from lagrange.equations import EquationsOfMotion
+    from lagrange.newton import Newton
+    from lagrange.reactions import Reactions
     from lagrange.report import Report
-    from lagrange.solution import ChoiceSolution
+    from lagrange.solution import ChoiceSolution, Solution
     from lagrange.spot import Spot
+    from lagrange.workless import WorkOfReaction
 
 VERSION = 1
 
@@ -66,8 +69,12 @@ def as_object(report: Report) -> dict[str, Any]:
         "virtual_displacements": [f"{write(virtual_displacement(r, problem.slots))} = 0" for r in classification.rows],
         "choices": [_choice(c, write) for c in solution.choices],
     }
-    if solution.motion is not None:
-        found["equations"] = _equations(solution.motion, write)
+    if solution.law is not None:
+        found |= _newton(solution.law.newton, write)
+    if solution.dynamics is not None:
+        found["equations"] = _equations(solution.dynamics.written, write)
+    if solution.dynamics is not None and solution.dynamics.reactions is not None:
+        found |= _reactions(solution, solution.dynamics.reactions, write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [solution.spot, *(c.spot for c in solution.choices)]
     first = next((s for s in spots if s is not None), None)
@@ -99,8 +106,8 @@ def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str
         form = {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
         found |= {"pfaffian": form | {"t": write(row.drift)}, "exact": c.exactness.exact}
     found["integrable"] = c.integrable
-    if c.exactness.exact:
-        found["integrating_factor"] = "1"
+    if c.factor is not None:
+        found["integrating_factor"] = write(c.factor)
     if c.integral is not None:
         found["integral"] = write(c.integral)
     return found | {"depends_on_time": c.depends_on_time, "catastatic": c.catastatic}
@@ -114,14 +121,63 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         "independent": True,  # otherwise it would have been refused
         "branches": coordinates.branches,
     }
-    if c.motion is not None:
+    if c.dynamics is not None:
         slots = coordinates.configuration.slots
-        forces = zip(slots.coordinates, c.motion.principle.forces, strict=True)
+        forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
-        found["equations"] = _equations(c.motion, write)
+        found["equations"] = _equations(c.dynamics.written, write)
+    if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
+        values = c.dynamics.reactions.multipliers
+        tensions = c.dynamics.reactions.tensions
+        found["reactions"] = {
+            name: {"multiplier": None if value is None else write(value)}
+            | ({"tension": write(tensions[name])} if name in tensions else {})
+            for name, value in values.items()
+        }
     if c.spot is not None:
         found["spot"] = _spot(c.spot, write)
     return found
+
+
+def _newton(newton: Newton, write: Write) -> dict[str, Any]:
+    """Newton's law, and the count of unknowns; left out where the coordinates give no free bodies."""
+    if newton.equations is None or newton.before is None or newton.after is None:
+        return {}
+    directed = {"count": newton.after.unknowns, "equations": newton.after.equations}
+    counts = {"count": newton.before.unknowns, "equations": newton.before.equations, "with_directions": directed}
+    return {"newton": [f"{write(a)} = {write(b)}" for a, b in newton.equations], "unknowns": counts}
+
+
+def _reactions(solution: Solution, reactions: Reactions, write: Write) -> dict[str, Any]:
+    """Accelerations and reactions; left out where they are too large, or not determined.
+
+    A reaction that is too large in the file's coordinates is given in those of a choice, which is named.
+    """
+    found: dict[str, Any] = {}
+    if None not in reactions.accelerations.values():
+        found["accelerations"] = {s.name.rstrip("'"): write(v) for s, v in reactions.accelerations.items()}
+    if solution.works:
+        there = [("", reactions)]
+        there += [(c.name, c.dynamics.reactions) for c in solution.choices if c.dynamics and c.dynamics.reactions]
+        found["reactions"] = {w.reaction.name: _reaction(w, there, write) for w in solution.works}
+    return found
+
+
+def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], write: Write) -> dict[str, Any]:
+    name = work.reaction.name
+    found: dict[str, Any] = {}
+    choice, reactions = next(((c, r) for c, r in there if r.multipliers.get(name) is not None), there[0])
+    value = reactions.multipliers.get(name)
+    if value is not None:
+        found["multiplier"] = write(value)
+    if name in reactions.tensions:
+        found["tension"] = write(reactions.tensions[name])
+    if name in reactions.forces:
+        found["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
+    if choice:
+        found["choice"] = choice
+    work_done = "0" if work.vanishes else None
+    return found | {"virtual_work": work_done, "possible_work": write(work.possible)}
 
 
 def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:

@@ -1,0 +1,181 @@
+"""The motion in one set of coordinates, with the reactions that it takes.
+
+Where friction acts, the reactions come first: d'Alembert's principle needs |R| in the applied forces. Everything else
+is the same in the coordinates of the file and in those of a choice: the multipliers are always those of the file's
+constraints, because a choice makes constraints disappear and not the forces that keep them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TypeVar
+
+import sympy as sp
+
+from lagrange.comparison import affine_rows, state, symbols_of
+from lagrange.displacements import Elimination
+from lagrange.equations import EquationsOfMotion, equations_of_motion
+from lagrange.exact import Point
+from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
+from lagrange.kinematics import Configuration, Load
+from lagrange.newton import Newton, Reaction, newton_equations
+from lagrange.notation import Sign
+from lagrange.principle import dalembert
+from lagrange.problem import Friction, Problem
+from lagrange.reactions import Dragging, LinearSystem, Reactions, motion_system, solved_reactions, written_out
+from lagrange.sampling import agreed
+from lagrange.vectors import Vector
+
+T = TypeVar("T")
+
+MOST_FREE = 3
+"""Coordinates of a system without constraints whose accelerations are still solved for."""
+LONGEST = 30
+"""Operations of a multiplier that is put into the equations of motion where friction needs it."""
+
+
+@dataclass(frozen=True)
+class Law:
+    """Newton's law in the file's coordinates, and what follows for reactions.
+
+    problem        with the multipliers of named rods called λ; the name means their tension
+    configuration  without friction
+    newton         with friction, if there is any
+    used           the reactions of independent constraints
+    """
+
+    problem: Problem
+    configuration: Configuration
+    newton: Newton
+    used: tuple[Reaction, ...]
+
+    @property
+    def frictions(self) -> tuple[Friction, ...]:
+        """The friction forces."""
+        return tuple(f for f in self.problem.forces if isinstance(f, Friction))
+
+    @cached_property
+    def system(self) -> LinearSystem:
+        """The equations for accelerations and multipliers, without friction."""
+        return motion_system(dalembert(self.configuration), self.used)
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The motion in one set of coordinates.
+
+    equations  friction put in as a function of position and velocity
+    reactions  None where there are none, and nothing was solved for
+    rubbed     the friction forces
+    shown      the configuration with |λ| in its friction
+    signs      the signs of multipliers that friction leaves open, each with its λ
+    symbolic   the equations with |λ| in them, where λ is long
+    """
+
+    equations: EquationsOfMotion
+    reactions: Reactions | None
+    rubbed: tuple[Rubbing, ...]
+    shown: Configuration
+    signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
+    symbolic: EquationsOfMotion | None = None
+
+    @property
+    def written(self) -> EquationsOfMotion:
+        """The equations as they are written down."""
+        return self.symbolic or self.equations
+
+
+def law_of_motion(problem: Problem, configuration: Configuration, elimination: Elimination, rank: int) -> Law:
+    """Newton's law for the particles of a problem, in the file's coordinates."""
+    taken = frozenset(problem.scope.names())
+    newton = newton_equations(configuration, problem.constraints, rank, taken)
+    renamed = tuple(
+        replace(c, reaction=r.multiplier) for c, r in zip(problem.constraints, newton.reactions, strict=True)
+    )
+    law = Law(
+        problem=replace(problem, constraints=renamed),
+        configuration=configuration,
+        newton=newton,
+        used=tuple(r for n, r in enumerate(newton.reactions) if n not in elimination.unused),
+    )
+    if not law.frictions:
+        return law
+    rubbed = symbolic_loads(rubbings(law.frictions, newton, configuration, configuration), configuration)
+    loaded = replace(configuration, loads=(*configuration.loads, *rubbed))
+    return replace(law, newton=newton_equations(loaded, problem.constraints, rank, taken))
+
+
+def motion(law: Law, configuration: Configuration, elimination: Elimination) -> Motion:
+    """The motion in the coordinates of a configuration without friction: the file's own, or those of a choice."""
+    coordinates = law.configuration.slots.coordinates
+    if not law.used and (len(coordinates) > MOST_FREE or configuration.expressed):
+        return Motion(equations_of_motion(dalembert(configuration), elimination), None, (), configuration)
+    reactions = solved_reactions(law.system, law.newton, law.used, configuration)
+    rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
+    if not rubbed:
+        return Motion(equations_of_motion(dalembert(configuration), elimination), reactions, (), configuration)
+    dragging = [(r.reaction.multiplier, _generalized(law, configuration, r.share, r.friction.on)) for r in rubbed]
+    if not _is_unaffected(law, configuration, reactions, dragging):
+        reactions = solved_reactions(law.system, law.newton, law.used, configuration, dragging)
+    loads, signs = solved_loads(rubbed, reactions, configuration)
+    final = replace(configuration, loads=(*configuration.loads, *loads))
+    shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(rubbed, configuration)))
+    long = any(reactions.multipliers[r.reaction.name].count_ops() > LONGEST for r in rubbed)  # type: ignore[union-attr]
+    equations = equations_of_motion(dalembert(final), elimination)
+    return Motion(
+        equations=equations,
+        reactions=_with_friction(law, configuration, reactions, loads),
+        rubbed=rubbed,
+        shown=shown,
+        signs=signs,
+        symbolic=equations_of_motion(dalembert(shown), elimination) if long else None,
+    )
+
+
+def _generalized(law: Law, configuration: Configuration, force: Vector, on: str) -> list[sp.Expr]:
+    """The generalized forces, for the file's coordinates, of a force on a particle, shape (n,)."""
+    [point] = (p for p in law.configuration.points if p.name == on)
+    rule = configuration.substitution
+    return [force.dot(p.xreplace(rule)) for p in point.partials]
+
+
+def _is_unaffected(law: Law, configuration: Configuration, reactions: Reactions, dragging: Sequence[Dragging]) -> bool:
+    """Whether friction leaves the multipliers that it needs as they are without it, as it does where it is tangential.
+
+    Their values must follow from the equations with friction at random states.
+    """
+    wanted = [symbol for symbol, _ in dragging]
+    if any(reactions.values.get(s) is None for s in wanted):
+        return False
+    equations = written_out(law.system, configuration, dragging)
+    claims = [s - reactions.values[s] for s in wanted]
+    symbols = symbols_of((*equations, *claims))
+
+    def follow(point: Point) -> bool:
+        moving = state(point, configuration, symbols)
+        rows = affine_rows(moving, equations, law.system.unknowns)
+        return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, law.system.unknowns)])
+
+    return agreed(configuration.states, follow, (*equations, *claims)) is True
+
+
+def _with_friction(law: Law, configuration: Configuration, reactions: Reactions, loads: Sequence[Load]) -> Reactions:
+    """All reactions and accelerations, friction being a known force now; those it needs are known already."""
+    total = [sp.S.Zero] * len(law.configuration.slots.coordinates)
+    for load in loads:
+        total = [a + b for a, b in zip(total, _generalized(law, configuration, load.vector, load.on), strict=True)]
+    found = solved_reactions(law.system, law.newton, law.used, configuration, applied=total)
+    needed = {r.name: r.multiplier for r in law.used if r.name in {f.constraint for f in law.frictions}}
+
+    def kept(now: Mapping[str, T], before: Mapping[str, T]) -> dict[str, T]:
+        return {name: before[name] if name in needed else now[name] for name in now}
+
+    return replace(
+        found,
+        multipliers=kept(found.multipliers, reactions.multipliers),
+        tensions={**found.tensions, **{n: v for n, v in reactions.tensions.items() if n in needed}},
+        forces={**found.forces, **{n: v for n, v in reactions.forces.items() if n in needed}},
+        values={**found.values, **{s: reactions.values[s] for s in needed.values()}},
+    )

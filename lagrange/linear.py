@@ -1,0 +1,119 @@
+"""Linear equations with symbols in them, solved within bounds.
+
+Gauss–Jordan elimination: A x = b, the pivot each time the entry that is cheapest to divide by (a number, then what
+cannot vanish, such as a mass, then short expressions in sparse rows). Every entry is brought to its textbook form as
+it arises. An entry that is a pivot is not zero at generic points of the constraint surface. The work is given up where
+an entry grows beyond `MOST_OPERATIONS`: a result that fills pages is of no use.
+
+Shapes: A (m, n), b (m,), x (n,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import sympy as sp
+
+from lagrange.exact import Surface
+from lagrange.textbook import textbook_form
+
+MOST_OPERATIONS = 400
+"""Operations of an entry, before it is tidied, beyond which the equations are not solved."""
+MOST_WORK = 2500
+"""Operations of all entries together, each counted whenever it is tidied."""
+MOST_CANCELLED = 120
+"""Operations of a quotient that is still brought to lowest terms with its sines as they are."""
+
+Tidy = Callable[[sp.Expr], sp.Expr]
+
+
+class TooLargeError(Exception):
+    """The equations are beyond `MOST_OPERATIONS` or `MOST_WORK`."""
+
+
+class _Bounded:
+    """Tidies entries, and counts what that takes. Raises TooLargeError."""
+
+    def __init__(self, tidy: Tidy) -> None:
+        self.tidy = tidy
+        self.work = 0
+
+    def __call__(self, entry: sp.Expr) -> sp.Expr:
+        operations = int(entry.count_ops())
+        self.work += operations
+        if operations > MOST_OPERATIONS or self.work > MOST_WORK:
+            raise TooLargeError
+        return self.tidy(entry)
+
+
+def solved_linear(
+    rows: Sequence[Sequence[sp.Expr]], right: Sequence[sp.Expr], surface: Surface, tidy: Tidy | None = None
+) -> list[sp.Expr | None] | None:
+    """The x with A x = b. An entry of x is None where the equations leave it open; None where they are too large.
+
+    The equations must not contradict one another.
+    """
+    tidied = _Bounded(tidy or tidy_quotient)
+    width = len(rows[0]) if rows else 0
+    try:
+        work = [[tidied(e) for e in (*row, b)] for row, b in zip(rows, right, strict=True)]
+        pivot_of = _reduce(work, width, surface, tidied)
+    except TooLargeError:
+        return None
+    found: list[sp.Expr | None] = [None] * width
+    for r, c in pivot_of.items():
+        open_ones = [k for k in range(width) if k != c and work[r][k] != 0]
+        if not open_ones:
+            found[c] = work[r][width]
+    return found
+
+
+def tidy_quotient(entry: sp.Expr) -> sp.Expr:
+    """A quotient in lowest terms, in textbook form."""
+    if entry.is_number or entry.is_Symbol:
+        return entry
+    formed = textbook_form(entry)
+    if formed.count_ops() > MOST_CANCELLED or formed.is_polynomial():
+        return formed
+    return textbook_form(sp.cancel(formed))
+
+
+def _reduce(work: list[list[sp.Expr]], width: int, surface: Surface, tidy: Tidy) -> dict[int, int]:
+    """Reduces the rows [A | b] in place; the column of the pivot of each row that has one."""
+    pivot_of: dict[int, int] = {}
+    while True:
+        place = _pivot(work, width, pivot_of, surface)
+        if place is None:
+            return pivot_of
+        r, c = place
+        pivot = work[r][c]
+        work[r] = [sp.S.One if k == c else tidy(e / pivot) if e != 0 else e for k, e in enumerate(work[r])]
+        for other, row in enumerate(work):
+            factor = row[c]
+            if other != r and factor != 0:
+                work[other] = [
+                    sp.S.Zero if k == c else tidy(a - factor * b) if b != 0 else a
+                    for k, (a, b) in enumerate(zip(row, work[r], strict=True))
+                ]
+        pivot_of[r] = c
+
+
+def _pivot(
+    work: Sequence[Sequence[sp.Expr]], width: int, pivot_of: dict[int, int], surface: Surface
+) -> tuple[int, int] | None:
+    """The place of the next pivot; None where only zeros are left."""
+    rows = [r for r in range(len(work)) if r not in pivot_of]
+    columns = [c for c in range(width) if c not in pivot_of.values()]
+    ranked = []
+    for r in rows:
+        filled = sum(work[r][c] != 0 for c in columns)
+        for c in columns:
+            entry = work[r][c]
+            if entry != 0:
+                below = sum(work[k][c] != 0 for k in rows)
+                cheap = 0 if entry.is_number else 1 if entry.is_nonzero else 2
+                ranked.append((cheap, (filled - 1) * (below - 1), entry.count_ops(), r, c))
+    for *_, r, c in sorted(ranked):
+        if work[r][c].is_nonzero or surface.is_zero(work[r][c]) is False:
+            return r, c
+    return None

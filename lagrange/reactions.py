@@ -1,0 +1,263 @@
+"""Reactions as functions of position, velocity and time.
+
+The equations with multipliers and the constraints, differentiated until accelerations occur, are linear in both:
+
+    M q'' − Aᵀ λ = h ,      A q'' = β ,
+
+n + m equations for q'' and λ. They are solved by elimination, in the coordinates of the file, or with these rewritten
+in a choice, where the geometric constraints hold identically and the result is shorter: T = m g cos θ + m l θ'².
+Applied forces may be proportional to a multiplier (friction). Where the constraints are dependent, only some
+combinations of multipliers are determined. The work is bounded (`linear`); what is too large is left unsolved.
+
+Shapes: M (n, n), A (m, n), h (n,), β (m,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from lagrange.kinematics import Configuration
+from lagrange.linear import MOST_CANCELLED, Tidy, solved_linear, tidy_quotient
+from lagrange.newton import Newton, Reaction
+from lagrange.principle import Principle
+from lagrange.textbook import common_factor, textbook_form
+from lagrange.vectors import Vector
+
+Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
+"""A multiplier λ, and the generalized forces for the file's coordinates for λ = 1, shape (n,)."""
+
+
+@dataclass(frozen=True)
+class Determined:
+    """A combination Σ c_j λ_j of multipliers that is determined where they are not: `terms` are pairs (c_j, λ_j)."""
+
+    terms: tuple[tuple[sp.Expr, sp.Symbol], ...]
+    value: sp.Expr | None
+
+
+@dataclass(frozen=True)
+class Reactions:
+    """The reactions in one set of coordinates. What is None is too large to be written down.
+
+    multipliers    by name of the constraint; without those that are not determined
+    tensions       of the rods, by name of the constraint
+    forces         the reaction of each constraint on each particle
+    accelerations  q'' of the file's coordinates
+    values         what was found: multipliers and accelerations, by symbol
+    combinations   of the multipliers that are not determined one by one
+    """
+
+    configuration: Configuration
+    multipliers: Mapping[str, sp.Expr | None]
+    tensions: Mapping[str, sp.Expr] = field(default_factory=dict)
+    forces: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
+    accelerations: Mapping[sp.Symbol, sp.Expr | None] = field(default_factory=dict)
+    values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    combinations: tuple[Determined, ...] = ()
+
+    @property
+    def complete(self) -> bool:
+        """Whether every multiplier was found."""
+        return None not in self.multipliers.values()
+
+
+@dataclass(frozen=True)
+class LinearSystem:
+    """The equations rows · (unknowns) = right, in the file's coordinates."""
+
+    rows: tuple[tuple[sp.Expr, ...], ...]
+    right: tuple[sp.Expr, ...]
+    unknowns: tuple[sp.Symbol, ...]
+
+
+def motion_system(principle: Principle, used: Sequence[Reaction]) -> LinearSystem:
+    """The equations with the multipliers of `used`, for accelerations and multipliers."""
+    configuration = principle.configuration
+    slots = configuration.slots
+    multipliers = tuple(r.multiplier for r in used)
+    unknowns = (*slots.accelerations, *multipliers)
+    rows, right = equations_with_multipliers(principle, used, unknowns)
+    for r in used:
+        rate = slots.time_derivative(r.row.velocity_form(slots))
+        at_rest = dict.fromkeys(slots.accelerations, sp.S.Zero)
+        rows.append((*r.row.coefficients, *(sp.S.Zero for _ in multipliers)))
+        right.append(-rate.xreplace(at_rest))
+    return LinearSystem(tuple(rows), tuple(right), unknowns)
+
+
+def equilibrium_system(principle: Principle, used: Sequence[Reaction]) -> LinearSystem:
+    """The same at rest: n equations for the multipliers, velocities and accelerations being zero."""
+    slots = principle.configuration.slots
+    multipliers = tuple(r.multiplier for r in used)
+    still = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+    rows, right = equations_with_multipliers(principle, used, multipliers)
+    return LinearSystem(
+        tuple(tuple(e.xreplace(still) for e in row) for row in rows),
+        tuple(e.xreplace(still) for e in right),
+        multipliers,
+    )
+
+
+def equations_with_multipliers(
+    principle: Principle, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
+) -> tuple[list[tuple[sp.Expr, ...]], list[sp.Expr]]:
+    """D_k − Σ λ_j a_jk = 0 for each coordinate, as rows and right sides."""
+    rows, right = [], []
+    for k, element in enumerate(principle.coefficients):
+        coefficients, rest = principle.ring.linear(element, unknowns)
+        row = [principle.textbook.form(c) for c in coefficients]
+        for r in used:
+            row[unknowns.index(r.multiplier)] -= r.row.coefficients[k]
+        rows.append(tuple(row))
+        right.append(principle.textbook.form(-rest))
+    return rows, right
+
+
+def solved_reactions(
+    system: LinearSystem,
+    newton: Newton,
+    used: Sequence[Reaction],
+    configuration: Configuration,
+    dragging: Sequence[Dragging] = (),
+    applied: Sequence[sp.Expr] = (),
+) -> Reactions:
+    """The unknowns of a system, in the coordinates of a configuration: the file's own, or those of a choice.
+
+    dragging  applied forces that are proportional to a multiplier
+    applied   further generalized forces for the file's coordinates, shape (n,)
+
+    Both are written in the coordinates of the configuration.
+    """
+    rule = _positions_and_velocities(configuration)
+    tidy = tidy_quotient if configuration.expressed else _on_surface(configuration)
+    rows, right = _in_coordinates(system, configuration, dragging)
+    for k, force in enumerate(applied):
+        right[k] = right[k] + force
+    found = solved_linear(rows, right, configuration.states, tidy)
+    found = found or [None] * len(system.unknowns)
+    values = dict(zip(system.unknowns, [v if v is None else over_one_denominator(v) for v in found], strict=True))
+    unused = [r for r in newton.reactions if r not in used]
+    combinations = _combinations(used, unused, values, configuration) if unused else ()
+    loose = {symbol for c in combinations if len(c.terms) > 1 for _, symbol in c.terms}
+    sole = [r for r in used if r.multiplier not in loose]
+    multipliers = {r.name: values[r.multiplier] for r in sole}
+    return Reactions(
+        configuration=configuration,
+        multipliers=multipliers,
+        tensions={
+            r.name: over_one_denominator(textbook_form(r.rod.factor.xreplace(rule) * v))
+            for r in sole
+            if r.rod is not None and (v := values[r.multiplier]) is not None
+        },
+        forces={
+            r.name: {p: _force(g, v, rule, tidy) for p, g in r.directions.items()}
+            for r in sole
+            if r.directions and (v := values[r.multiplier]) is not None
+        },
+        accelerations={s: values[s] for s in system.unknowns if s.name.endswith("''")},
+        values={s: v for s, v in values.items() if v is not None and s not in loose},
+        combinations=tuple(c for c in combinations if len(c.terms) > 1),
+    )
+
+
+def _in_coordinates(
+    system: LinearSystem, configuration: Configuration, dragging: Sequence[Dragging]
+) -> tuple[list[list[sp.Expr]], list[sp.Expr]]:
+    """Rows and right sides in the coordinates of a configuration, with forces proportional to multipliers."""
+    rule = _positions_and_velocities(configuration)
+    rows = [[e.xreplace(rule) for e in row] for row in system.rows]
+    for multiplier, shares in dragging:
+        if multiplier in system.unknowns:
+            for k, share in enumerate(shares):
+                rows[k][system.unknowns.index(multiplier)] -= share
+    return rows, [e.xreplace(rule) for e in system.right]
+
+
+def written_out(system: LinearSystem, configuration: Configuration, dragging: Sequence[Dragging]) -> list[sp.Expr]:
+    """The equations of a system, each zero, in the coordinates of a configuration."""
+    rows, right = _in_coordinates(system, configuration, dragging)
+    return [
+        sp.Add(*(e * u for e, u in zip(row, system.unknowns, strict=True)), -b)
+        for row, b in zip(rows, right, strict=True)
+    ]
+
+
+def over_one_denominator(value: sp.Expr) -> sp.Expr:
+    """A sum whose terms have a denominator in common as one quotient, or one product: (m/l) (x'² + y'² + g y)."""
+    if not value.is_Add:
+        return value
+    common = common_factor(value)
+    if not any(e < 0 for _, e in common.powers):
+        return value
+    rest = common.divide(value)
+    terms = sp.Add.make_args(rest)
+    if all(term.could_extract_minus_sign() for term in terms):
+        return -(common.expression * sp.Add(*(-term for term in terms)))
+    return common.expression * rest
+
+
+def _force(direction: Vector, value: sp.Expr, rule: dict[sp.Basic, sp.Basic], tidy: Tidy) -> Vector:
+    force: Vector = direction.xreplace(rule) * value
+    return force.map(lambda c: tidy(c) if c.count_ops() < MOST_CANCELLED else c)
+
+
+def _positions_and_velocities(configuration: Configuration) -> dict[sp.Basic, sp.Basic]:
+    """The substitution of a choice, accelerations left out."""
+    return {s: e for s, e in configuration.substitution.items() if not str(s).endswith("''")}
+
+
+def _combinations(
+    used: Sequence[Reaction],
+    unused: Sequence[Reaction],
+    values: Mapping[sp.Symbol, sp.Expr | None],
+    configuration: Configuration,
+) -> tuple[Determined, ...]:
+    """With a_u = Σ c_uj a_j for each dependent form, λ_j + Σ_u c_uj λ_u is what the equations determine."""
+    rule = _positions_and_velocities(configuration)
+    columns = range(len(used[0].row.coefficients)) if used else range(0)
+    terms: dict[sp.Symbol, list[tuple[sp.Expr, sp.Symbol]]] = {r.multiplier: [(sp.S.One, r.multiplier)] for r in used}
+    for u in unused:
+        matrix = [[r.row.coefficients[k].xreplace(rule) for r in used] for k in columns]
+        target = [u.row.coefficients[k].xreplace(rule) for k in columns]
+        shares = solved_linear(matrix, target, configuration.states)
+        for r, c in zip(used, shares or [None] * len(used), strict=True):
+            if c is None:
+                return ()
+            if c != 0:
+                terms[r.multiplier].append((c, u.multiplier))
+    return tuple(Determined(tuple(t), values[symbol]) for symbol, t in terms.items())
+
+
+def _on_surface(configuration: Configuration) -> Tidy:
+    """Quotients in lowest terms, and shortened by the finite constraints: x² + y² becomes l²."""
+    coordinates = configuration.slots.coordinates
+    relations = [
+        sp.expand(f)
+        for f in configuration.finite_constraints
+        if f.is_polynomial(*coordinates) and f.count_ops() <= MOST_CANCELLED
+    ]
+
+    def tidy(entry: sp.Expr) -> sp.Expr:
+        formed = tidy_quotient(entry)
+        moving = formed.free_symbols & set(coordinates)
+        if not relations or not moving or formed.count_ops() > MOST_CANCELLED:
+            return formed
+        numerator, denominator = sp.fraction(sp.together(formed))
+        reduced = [_reduced(e, relations, coordinates) for e in (numerator, denominator)]
+        if reduced == [numerator, denominator] or reduced[1] == 0:
+            return formed
+        shorter = tidy_quotient(reduced[0] / reduced[1])
+        return shorter if shorter.count_ops() < formed.count_ops() else formed
+
+    return tidy
+
+
+def _reduced(e: sp.Expr, relations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> sp.Expr:
+    """The remainder of a polynomial by the relations; the polynomial itself where that is longer."""
+    if not e.is_polynomial(*coordinates) or e.free_symbols.isdisjoint(coordinates):
+        return e
+    _, remainder = sp.reduced(e, relations, *coordinates, order="grevlex")
+    return remainder if remainder.count_ops() < e.count_ops() else e

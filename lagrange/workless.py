@@ -1,0 +1,80 @@
+"""The work of the reactions, in a virtual displacement and in a possible one.
+
+    δW = Σ_P R_P·δr_P ,      R_P = Σ_j λ_j g_jP ,      δr_P = Σ_k (∂r_P/∂q_k) δq_k .
+
+The dependent δq are put in as the constraints give them, and what is left is tested for zero on the constraint surface:
+that the constraints are workless is a result. The share of one particle need not be zero. In a possible displacement
+dr = Σ (∂r/∂q) dq + (∂r/∂t) dt the constraints give Σ a_k dq_k = −a_t dt, so that a reaction may do work where its
+constraint moves: a lift works on its passengers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+from lagrange.displacements import Elimination, virtual_displacement
+from lagrange.kinematics import Configuration
+from lagrange.newton import Newton, Reaction
+from lagrange.notation import differential, t, variation
+from lagrange.textbook import textbook_form
+
+
+@dataclass(frozen=True)
+class WorkOfReaction:
+    """The work of one reaction.
+
+    virtual    Σ_P R_P·δr_P for a force 1 (`Reaction.force`) before the dependent δq are put in
+    shares     R_P·δr_P of each particle, the same way; empty where directions are not known
+    vanishes   whether the whole is zero in every virtual displacement; None: undecided
+    working    particles on which it does virtual work
+    possible   its work in a possible displacement
+    """
+
+    reaction: Reaction
+    virtual: sp.Expr
+    shares: Mapping[str, sp.Expr]
+    vanishes: bool | None
+    working: tuple[str, ...]
+    possible: sp.Expr
+
+
+def works_of_reactions(newton: Newton, configuration: Configuration, elimination: Elimination) -> list[WorkOfReaction]:
+    """The works of all reactions of a configuration."""
+    return [_work(r, configuration, elimination) for r in newton.reactions]
+
+
+def _work(reaction: Reaction, configuration: Configuration, elimination: Elimination) -> WorkOfReaction:
+    slots, surface = configuration.slots, configuration.states
+    shares: dict[str, sp.Expr] = {}
+    drift = -reaction.row.drift * reaction.per_force
+    for p in configuration.points:
+        direction = reaction.per_unit(p.name)
+        if direction is not None:
+            partials = zip(slots.coordinates, p.partials, strict=True)
+            shares[p.name] = sp.Add(
+                *(textbook_form(direction.dot(along)) * variation(q) for q, along in partials if not along.is_zero)
+            )
+            drift = drift + direction.dot(p.position.frozen_derivative(slots))
+    loose = sp.Add(*(a * variation(q) for q, a in reaction.others.items()))
+    virtual = sp.Add(*shares.values(), loose) if shares or loose != 0 else virtual_displacement(reaction.row, slots)
+    solved = dict(elimination.solved(slots))
+    free = [variation(slots.coordinates[k]) for k in elimination.independent]
+
+    def vanishes(work: sp.Expr) -> bool | None:
+        left = work.xreplace(solved)
+        verdicts = [surface.is_zero(left.diff(d)) for d in free]
+        return False if False in verdicts else None if None in verdicts else True
+
+    working = tuple(name for name, work in shares.items() if vanishes(work) is False)
+    possible = textbook_form(drift) * reaction.force * differential(t)
+    return WorkOfReaction(
+        reaction=reaction,
+        virtual=virtual,
+        shares=shares,
+        vanishes=vanishes(virtual),
+        working=working,
+        possible=sp.S.Zero if surface.is_zero(drift) else possible,
+    )

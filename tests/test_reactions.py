@@ -1,0 +1,277 @@
+"""Reactions as functions of the state: textbook formulas, SymPy's KanesMethod, and answers that state them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+import sympy as sp
+from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
+
+from lagrange.answers import Verdict, check_equations
+from lagrange.checking import compared_answers
+from lagrange.diagnostics import Fragment
+from lagrange.dynamics import MOST_FREE
+from lagrange.exact import Surface, is_zero
+from lagrange.expressions import read_value
+from lagrange.linear import solved_linear
+from lagrange.problem import Problem
+from lagrange.reactions import equilibrium_system, solved_reactions
+from lagrange.references import reference_of_solution
+from lagrange.render.json import as_object
+from lagrange.report import report
+from lagrange.solution import Solution, solve
+from lagrange.verification import check_reactions
+
+Read = Callable[[str], Problem]
+
+PENDULUM = """parameters: [m, l, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: '[x, y]'}}
+constraints: {rod: {equation: x^2 + y^2 = l^2, reaction: T}}
+gravity: '[0, g]'
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}
+"""
+
+
+def solution(problem: Read, text: str) -> Solution:
+    return solve(problem(f"title: Example\n{text}"))
+
+
+def value(text: str, found: Solution) -> sp.Expr:
+    expression = read_value(Fragment.of(text), reference_of_solution(found).scope)
+    assert isinstance(expression, sp.Expr)
+    return expression
+
+
+# -- formulas of textbooks ---------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("text", "choice", "name", "tension", "formula"),
+    [
+        (PENDULUM, "angle", "rod", True, "m*g*cos(theta) + m*l*theta'^2"),
+        (PENDULUM, "", "rod", True, "m*(x'^2 + y'^2 + g*y)/l"),
+        (
+            "parameters: [m, l, g]\ncoordinates: [r, theta, phi]\nframe: {type: spherical, coordinates: [r, theta, phi]}\n"
+            "particles: {P: {mass: m, position: r*e_r}}\nconstraints: {rod: r = l}\ngravity: g*k\n",
+            "",
+            "rod",
+            True,
+            "m*g*cos(theta) + m*r*theta'^2 + m*r*phi'^2*sin(theta)^2",
+        ),
+        (  # conical: theta fixed, r = l sin(theta), T cos(theta) = m g
+            "parameters: [m, h, g, Omega]\ncoordinates: [rho, phi, z]\n"
+            "frame: {type: cylindrical, coordinates: [rho, phi, z]}\n"
+            "particles: {P: {mass: m, position: rho*e_rho + z*k}}\nconstraints: {level: z = h, turn: phi = Omega*t}\n"
+            "gravity: g*k\n",
+            "",
+            "level",
+            False,
+            "-m*g",
+        ),
+        (
+            "parameters: [m1, m2, g, L]\ncoordinates: [y1, y2]\n"
+            "particles: {A: {mass: m1, position: y1*j}, B: {mass: m2, position: y2*j}}\n"
+            "constraints: {string: {equation: L - y1 - y2 = 0}}\ngravity: g*j\n",
+            "",
+            "string",
+            False,
+            "2*m1*m2*g/(m1 + m2)",
+        ),
+        (  # sliding off a sphere, the angle from the upward vertical
+            "parameters: [m, R, g]\ncoordinates: [r, theta]\nlet: {n: 'sin(theta)*i + cos(theta)*j'}\n"
+            "particles: {P: {mass: m, position: r*n}}\nconstraints: {ball: r = R}\ngravity: -g*j\n",
+            "",
+            "ball",
+            False,
+            "m*g*cos(theta) - m*r*theta'^2",
+        ),
+        (  # a rod in free flight: m1 m2/(m1 + m2) l omega^2
+            "parameters: [m1, m2, l, g]\ncoordinates: [x, y, u, v]\n"
+            "particles: {A: {mass: m1, position: '[x, y]'}, B: {mass: m2, position: '[u, v]'}}\n"
+            "constraints: {rod: (x - u)^2 + (y - v)^2 = l^2}\ngravity: '[0, g]'\ngeneralized_coordinates:\n"
+            "  turn: {coordinates: [x, y, phi], substitute: {u: x + l*cos(phi), v: y + l*sin(phi)}}\n",
+            "turn",
+            "rod",
+            True,
+            "m1*m2/(m1 + m2)*l*phi'^2",
+        ),
+        (  # bead on a hoop that turns: the force of the turning plane, 2 m Omega times the radial velocity
+            "parameters: [m, R, g, Omega]\ncoordinates: [rho, phi, z]\n"
+            "frame: {type: cylindrical, coordinates: [rho, phi, z]}\n"
+            "particles: {P: {mass: m, position: rho*e_rho + z*k}}\n"
+            "constraints: {hoop: rho^2 + z^2 = R^2, turn: phi = Omega*t}\ngravity: -g*k\n",
+            "",
+            "turn",
+            False,
+            "2*m*phi'*rho*rho'",
+        ),
+    ],
+    ids=["pendulum", "pendulum in x, y", "spherical", "level", "Atwood", "off a sphere", "free rod", "turning hoop"],
+)
+def test_known_reactions(problem: Read, text: str, choice: str, name: str, tension: bool, formula: str) -> None:
+    found = solution(problem, text)
+    dynamics = next((c.dynamics for c in found.choices if c.name == choice), found.dynamics)
+    given = dynamics.reactions.tensions if tension else dynamics.reactions.multipliers
+    difference = given[name] - value(formula, found)
+    assert dynamics.equations.configuration.surface.is_zero(difference) is True
+
+
+def test_reaction_as_a_vector(problem: Read) -> None:
+    """The force of the rod on the bob is −T along the rod."""
+    found = solution(problem, PENDULUM)
+    dynamics = found.choices[0].dynamics
+    force = dynamics.reactions.forces["rod"]["P"]
+    wanted = (
+        value("-(m*g*cos(theta) + m*l*theta'^2)*sin(theta)", found),
+        value("-(m*g*cos(theta) + m*l*theta'^2)*cos(theta)", found),
+    )
+    assert [is_zero(a - b) for a, b in zip(force.components, wanted, strict=False)] == [True, True]
+
+
+def test_tension_against_kanes_method_with_an_auxiliary_speed() -> None:
+    """KanesMethod: a fictitious speed along the rod brings the tension to light."""
+    m, g, l, tension = sp.symbols("m g l T")
+    theta, rate, extra = dynamicsymbols("theta omega u_a")
+    t = dynamicsymbols._t
+    fixed, turning = ReferenceFrame("N"), ReferenceFrame("A")
+    turning.orient_axis(fixed, theta, fixed.z)
+    turning.set_ang_vel(fixed, rate * fixed.z)
+    origin, bob = Point("O"), Point("P")
+    origin.set_vel(fixed, 0)
+    bob.set_pos(origin, l * turning.x)
+    bob.set_vel(fixed, l * rate * turning.y + extra * turning.x)
+    method = KanesMethod(fixed, [theta], [rate], [theta.diff(t) - rate], u_auxiliary=[extra])
+    loads = [(bob, m * g * fixed.x - tension * turning.x)]
+    method.kanes_equations([Particle("P", bob, m)], loads)
+    [auxiliary] = method.auxiliary_eqs
+    [theirs] = sp.solve(auxiliary.subs(extra.diff(t), 0).subs(extra, 0), tension)
+    plain = theirs.subs(rate, sp.Symbol("w")).subs(theta, sp.Symbol("q"))
+    w, q = sp.symbols("w q")
+    assert sp.expand(plain - (m * g * sp.cos(q) + m * l * w**2)) == 0  # the formula of `test_known_reactions`
+
+
+# -- what is not determined, what is too large -------------------------------------------------------------------------
+
+
+REDUNDANT = """parameters: [m, g]
+coordinates: [x, y, z]
+particles: {P: {mass: m, position: '[x, y, z]'}}
+constraints: {floor: z = 0, again: 2*z = 0, wall: x = 0}
+gravity: -g*k
+"""
+
+
+def test_redundant_constraints_determine_a_combination(problem: Read) -> None:
+    """λ_floor + 2 λ_again = m g, neither of them; the wall's is determined."""
+    found = solution(problem, REDUNDANT)
+    reactions = found.dynamics.reactions
+    assert reactions.multipliers == {"wall": 0}
+    [combination] = reactions.combinations
+    assert [(c, s.name) for c, s in combination.terms] == [(1, "lambda_floor"), (2, "lambda_again")]
+    assert is_zero(combination.value - value("m*g", found)) is True
+    said = as_object(report(problem(f"title: Example\n{REDUNDANT}")))["reactions"]
+    assert "multiplier" not in said["floor"]
+    assert said["wall"]["multiplier"] == "0"
+
+
+def test_a_wrong_reaction_is_found_out(problem: Read) -> None:
+    """The check by Lagrange's equations can fail."""
+    found = solution(problem, PENDULUM)
+    [reaction] = found.law.newton.reactions
+    right = found.dynamics.reactions
+    wrong = replace(right, values={reaction.multiplier: 2 * right.multipliers["rod"]})
+    assert [c.passed for c in check_reactions(found.configuration, (reaction.multiplier,), right)] == [True]
+    assert [c.passed for c in check_reactions(found.configuration, (reaction.multiplier,), wrong)] == [False]
+
+
+def test_what_is_too_large_is_left_unsolved() -> None:
+    names = sp.symbols("a:8(:8)", real=True)
+    rows = [list(names[8 * n : 8 * n + 8]) for n in range(8)]
+    assert solved_linear(rows, [sp.S.One] * 8, Surface()) is None
+
+
+def test_linear_equations() -> None:
+    a, b = sp.symbols("a b", real=True)
+    assert solved_linear([[a, b], [b, -a]], [sp.S.One, sp.S.Zero], Surface()) == [a / (a**2 + b**2), b / (a**2 + b**2)]
+    assert solved_linear([[sp.S.One, a, sp.S.Zero], [sp.S.Zero, sp.S.Zero, b]], [b, b], Surface()) == [None, None, 1]
+
+
+def test_accelerations_of_free_systems_come_for_free_only_while_small(problem: Read) -> None:
+    coordinates = [f"q{n}" for n in range(MOST_FREE + 1)]
+    for count, known in ((MOST_FREE, True), (MOST_FREE + 1, False)):
+        particles = ", ".join(f"P{n}: {{mass: m, position: {q}*i}}" for n, q in enumerate(coordinates[:count]))
+        found = solution(
+            problem, f"parameters: [m]\ncoordinates: [{', '.join(coordinates[:count])}]\nparticles: {{{particles}}}\n"
+        )
+        assert (found.dynamics.reactions is not None) is known
+
+
+def test_the_same_functions_at_rest(problem: Read) -> None:
+    """A weight held on an incline by its constraints alone: N = m g cos α, the stop bears m g sin α."""
+    found = solution(
+        problem,
+        "parameters: [m, g, alpha]\ncoordinates: [x, y]\n"
+        "let: {down: 'cos(alpha)*i - sin(alpha)*j', away: 'sin(alpha)*i + cos(alpha)*j'}\n"
+        "particles: {P: {mass: m, position: x*down + y*away}}\nconstraints: {plane: y = 0, stop: x = 0}\ngravity: -g*j\n",
+    )
+    system = equilibrium_system(found.motion.principle, found.law.used)
+    reactions = solved_reactions(system, found.law.newton, found.law.used, found.configuration)
+    assert is_zero(reactions.multipliers["plane"] - value("m*g*cos(alpha)", found)) is True
+    assert is_zero(reactions.multipliers["stop"] + value("m*g*sin(alpha)", found)) is True
+    assert reactions.accelerations == {}
+
+
+# -- answers -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("m*g*cos(theta) + m*l*theta'^2", "equivalent"),
+        ("m*(x'^2 + y'^2 + g*y)/l", "equivalent"),
+        ("-(m*g*cos(theta) + m*l*theta'^2)/(2*l)", "equivalent"),  # the multiplier
+        ("T = m*g*cos(theta) + m*l*theta'^2", "equivalent"),
+        ("m*g*cos(theta) - m*l*theta'^2", "wrong"),
+        ("m*g*cos(theta)", "wrong"),
+        ("2*(m*g*cos(theta) + m*l*theta'^2)", "wrong"),
+        ("[0, 1]", "unreadable"),
+    ],
+)
+def test_stated_reactions(problem: Read, stated: str, verdict: str) -> None:
+    found = solution(problem, f'{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n')
+    assert [(a.name, a.verdict.value) for a in compared_answers(found)] == [("reactions", verdict)]
+
+
+@pytest.mark.parametrize(
+    ("equations", "verdict"),
+    [
+        (("m*x'' = -T*x/l", "m*y'' = m*g - T*y/l"), Verdict.EQUIVALENT),
+        (("m*x'' = 2*T*x", "m*y'' = m*g + 2*T*y"), Verdict.EQUIVALENT),  # R = λ ∂f/∂r with λ called T
+        (("m*x'' = T*x/l", "m*y'' = m*g + T*y/l"), Verdict.EQUIVALENT),  # a strut's thrust
+        (("m*x'' = -T*x/l", "m*y'' = m*g + T*y/l"), Verdict.WRONG),
+        (("m*x'' = -T*x", "m*y'' = m*g - T*y"), Verdict.WRONG),
+        (("m*x'' = 2*lambda_rod*x", "m*y'' = m*g + 2*lambda_rod*y"), Verdict.EQUIVALENT),
+        (("m*x'' = lambda_rod*x", "m*y'' = m*g + lambda_rod*y"), Verdict.WRONG),
+        (("m*x'' = -T*x/l",), Verdict.INCOMPLETE),
+        (("l*theta'' + g*sin(theta) = 0", "T = m*g*cos(theta) + m*l*theta'^2"), Verdict.EQUIVALENT),
+        (("l*theta'' + g*sin(theta) = 0", "T = m*g*cos(theta)"), Verdict.WRONG),
+    ],
+)
+def test_equations_with_a_tension(problem: Read, equations: tuple[str, ...], verdict: Verdict) -> None:
+    reference = reference_of_solution(solution(problem, PENDULUM))
+    assert check_equations([Fragment.of(e) for e in equations], reference).verdict is verdict
+
+
+def test_what_json_says_can_be_read_back(problem: Read) -> None:
+    text = f"title: Example\n{PENDULUM}"
+    result = report(problem(text))
+    found, scope = as_object(result), reference_of_solution(result.solution).scope
+    reaction = found["reactions"]["rod"]
+    said = [reaction["multiplier"], reaction["tension"], reaction["on"]["P"], reaction["possible_work"]]
+    for expression in (*said, *found["accelerations"].values(), found["choices"][0]["reactions"]["rod"]["tension"]):
+        read_value(Fragment.of(expression), scope)
+    assert set(found["accelerations"]) == {"x", "y"}
+    assert (reaction["virtual_work"], reaction["possible_work"]) == ("0", "0")
