@@ -88,7 +88,8 @@ def dampers_in(problem: Problem) -> tuple[Damped, ...]:
     for f in problem.forces:
         if isinstance(f, Damper):
             apart = f.ends[0] - f.ends[1]
-            length = _unsigned(_distance(apart))
+            parts = [c for c in apart.components if c != 0]
+            length = -parts[0] if len(parts) == 1 else _unsigned(_root(textbook_form(apart.dot(apart))))
             rate = textbook_form(problem.slots.time_derivative(length))
             found.append(Damped(f.name, f.coefficient, _named(f.ends, problem), apart, length, rate))
     return tuple(found)

@@ -124,7 +124,8 @@ def explain_links(configuration: Configuration) -> list[Block]:
         length = sp.Symbol(f"d_{d.name}", real=True)
         found += [
             prose(f"The {_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
-                  ". Its length, and the force with which it pulls its ends together, are"),
+                  f". Its length{'' if d.distance.is_Pow else ' (or its negative, which serves as well)'}, and the force "
+                  "with which it pulls its ends together, are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
                     Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip

@@ -49,8 +49,9 @@ def _multiplied(configuration: Configuration) -> Block:
     """How the principle follows from Newton's law."""
     if not configuration.rows:
         said = laws(configuration, ", multiplied")
-        several = " and " in said
-        ending = ", added up, read" if several else " and added up, reads"
+        terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
+        one = " and added up, reads" if terms > 1 or not configuration.rotations else ", reads"
+        ending = ", added up, read" if " and " in said else one
         return prose(f"There are no reactions. {said[0].upper()}{said[1:]}{ending}")
     return prose(
         f"Multiply {laws(configuration, ', inertia equal to applied force and reaction,')}, and add: the reactions "

@@ -10,7 +10,7 @@ import sympy as sp
 from lagrange.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
 from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, MassPoint
 from lagrange.notation import VectorSymbol
 from lagrange.problem import Assumption, Coordinate, Friction, Parameter, Problem
 from lagrange.vectors import UNITS, Vector
@@ -158,6 +158,15 @@ def _frame(problem: Problem) -> list[Block]:
     return found
 
 
+def _body(configuration: Configuration, centre: MassPoint) -> Block:
+    """Its mass, and where its mass centre is."""
+    if configuration.is_pinned(centre):
+        mass: tuple[Part, ...] = (", of mass ", math(centre.mass), ",") if centre.mass != 0 else ()
+        return prose(f"The mass centre of the rigid body {centre.name}", *mass, " stays at")
+    has: tuple[Part, ...] = ("the mass ", math(centre.mass)) if centre.mass != 0 else ("no mass",)
+    return prose(f"The rigid body {centre.name} has ", *has, ". The position of its mass centre is")
+
+
 def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     """Where the particles are. That a point has no mass is worth saying only where others have some."""
     found: list[Block] = []
@@ -168,8 +177,7 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
         what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (massless,)
         position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
         if p.name in bodies:
-            mass: tuple[Part, ...] = ("the mass ", math(p.mass)) if p.mass != 0 else ("no mass",)
-            found += [prose(f"The rigid body {p.name} has ", *mass, ". The position of its mass centre is")]
+            found.append(_body(configuration, p))
             found += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
         else:
             found += [prose(f"The position of {p.name}", *what, " is"), display(position)]
