@@ -122,7 +122,7 @@ def pushed_plate() -> tuple[Route, ...]:
 
 
 def heavy_sleigh() -> tuple[Route, ...]:
-    """Neimark and Fufaev, chapter II, section 4: m (u' - a w^2) = 0, (I + m a^2) w' + m a u w = 0."""
+    """Neimark and Fufaev: m (u' - a w^2) = 0, (I + m a^2) w' + m a u w = 0."""
     x, y, theta = moving("x y theta")
     m, inertia, a = constants("m I_G a")
     u = d(x) * cos(theta) + d(y) * sin(theta)
@@ -204,7 +204,7 @@ def free_top_quasi() -> tuple[Route, ...]:
 
 
 def rolling_disc() -> tuple[Route, ...]:
-    """Neimark and Fufaev, chapter II, section 3 (heading phi, tilt theta, spin psi): moments about the point of contact.
+    """Neimark and Fufaev (heading phi, tilt theta, spin psi): moments about the point of contact.
 
     With w1 = theta', w2 = phi' sin theta, w3 = phi' cos theta + psi' about the horizontal diameter, the steepest radius and
     the axis, and v = -R w3 e1 + R w1 e3 for the centre:

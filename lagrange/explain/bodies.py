@@ -122,10 +122,10 @@ def explain_links(configuration: Configuration) -> list[Block]:
         ]  # fmt: skip
     for d in configuration.dampers:
         length = sp.Symbol(f"d_{d.name}", real=True)
+        either = "" if d.distance.is_Pow else " (or its negative, which serves as well)"
         found += [
             prose(f"The {_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
-                  f". Its length{'' if d.distance.is_Pow else ' (or its negative, which serves as well)'}, and the force "
-                  "with which it pulls its ends together, are"),
+                  f". Its length{either}, and the force with which it pulls its ends together, are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
                     Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip
