@@ -25,7 +25,7 @@ demo: $(VENV)/installed
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
 
 test: lint
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest --numprocesses auto
 
 lint: $(VENV)/installed
 	$(BIN)/ruff check .

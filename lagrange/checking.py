@@ -6,14 +6,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, Verdict, check_equations
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.equilibrium_answers import alternatives_of, check_equilibria
+from lagrange.notation import base
 from lagrange.problem import Problem
 from lagrange.reaction_answers import check_reaction
-from lagrange.references import Reference, reference_of_equations, reference_of_solution
+from lagrange.references import Reference, read_answer, reference_of_equations, reference_of_solution
 from lagrange.solution import Solution, solve
 
 
@@ -56,9 +58,20 @@ def _after_equations(solution: Solution) -> Iterator[ComparedAnswer]:
     if answers is None:
         return
     if answers.equilibrium:
-        yield ComparedAnswer("equilibrium", Verdict.UNDECIDED)
+        yield ComparedAnswer("equilibrium", _equilibrium(solution, answers.equilibrium).verdict)
     if answers.reactions:
         yield ComparedAnswer("reactions", _reactions(solution, answers.reactions))
+
+
+def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
+    """The verdict on equilibria."""
+    if solution.equilibrium is None:
+        return AnswerVerdict(Verdict.UNDECIDED, ())
+    found = [solution.equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
+    verdict = check_equilibria(alternatives, found, reference_of_solution(solution))
+    if verdict.unreadable:
+        raise ProblemError(verdict.unreadable)
+    return verdict
 
 
 def _equations(solution: Solution) -> Verdict | None:
@@ -107,10 +120,14 @@ def _class(solution: Solution, word: str) -> bool | None:
 
 @dataclass(frozen=True)
 class CheckedAnswer:
-    """The outcome of `lagsolve check`: the verdict on equations; of the file's own answers, on the others too."""
+    """The outcome of `lagsolve check`: the verdict on equations; of the file's own answers, on the others too.
+
+    statics  whether the equations are those of an equilibrium
+    """
 
     equations: AnswerVerdict
     others: tuple[ComparedAnswer, ...] = ()
+    statics: bool = False
 
     @property
     def verdict(self) -> Verdict:
@@ -140,8 +157,10 @@ class CheckedAnswer:
 
     def as_text(self) -> str:
         """The verdict for a person."""
-        headlines = _HEADLINES | (_HEADLINES_OF_FILE if self.others else {})
-        lines = [headlines[self.verdict].format(missing=_missing(self.equations.missing))]
+        headlines = _HEADLINES | (_HEADLINES_OF_STATICS if self.statics else {})
+        headlines |= _HEADLINES_OF_FILE if self.others else {}
+        missing = _missing_equilibria if self.statics else _missing
+        lines = [headlines[self.verdict].format(missing=missing(self.equations.missing))]
         lines += [f"  {_MARKS[a.verdict]} {a.name.replace('_', ' ')}" for a in self.others]
         for e in self.equations.equations:
             said = "; ".join((*((e.diagnosis,) if e.diagnosis else ()), *e.remarks))
@@ -149,7 +168,7 @@ class CheckedAnswer:
         return "\n".join(lines)
 
 
-_FIRST = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
+_FIRST = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
 _HEADLINES = {
     Verdict.EQUIVALENT: "equivalent: the equations have the same solutions as the derived ones",
     Verdict.WRONG: "wrong: not every equation follows from the equations of motion",
@@ -157,6 +176,12 @@ _HEADLINES = {
     Verdict.TRIVIAL: "trivial: the equations say nothing of the motion",
     Verdict.UNREADABLE: "unreadable: not every equation can be read",
     Verdict.UNDECIDED: "undecided: it could not be settled whether the equations follow",
+}
+_HEADLINES_OF_STATICS = {
+    Verdict.EQUIVALENT: "equivalent: these are the positions of equilibrium, and all of them",
+    Verdict.WRONG: "wrong: not every solution is an equilibrium",
+    Verdict.TRIVIAL: "trivial: the equations say nothing of the equilibrium",
+    Verdict.UNDECIDED: "undecided: it could not be settled whether these are the equilibria",
 }
 _HEADLINES_OF_FILE = {
     Verdict.EQUIVALENT: "equivalent: the file's answers agree with what is derived",
@@ -177,9 +202,27 @@ def _missing(number: int) -> str:
     return "one independent equation is missing" if number == 1 else f"{number} independent equations are missing"
 
 
+def _missing_equilibria(number: int) -> str:
+    return "an equation or a solution is missing" if number <= 1 else f"{number} solutions are missing"
+
+
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
     """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
-    return CheckedAnswer(check_equations(answer, reference(problem)))
+    if problem.equations:
+        return CheckedAnswer(check_equations(answer, reference_of_equations(problem)))
+    solution = solve(problem)
+    if solution.equilibrium is not None and (solution.motion is None or not _moves(answer, solution)):
+        found = [solution.equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
+        alternatives = alternatives_of(answer)
+        return CheckedAnswer(check_equilibria(alternatives, found, reference_of_solution(solution)), statics=True)
+    return CheckedAnswer(check_equations(answer, _reference_of(solution)))
+
+
+def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:
+    """Whether velocities or accelerations occur in an answer."""
+    scope = reference_of_solution(solution).scope
+    readings = [read_answer(f, scope) for f in answer]
+    return any(base(s) != s for r in readings for e in r.components for s in e.free_symbols)
 
 
 def check_own_answers(problem: Problem) -> CheckedAnswer:

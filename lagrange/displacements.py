@@ -22,7 +22,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from lagrange.exact import Surface
-from lagrange.kinematics import MassPoint, Row, is_pfaffian
+from lagrange.kinematics import Load, MassPoint, Row, is_pfaffian
 from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, differential, t, variation
 from lagrange.textbook import textbook_form
@@ -97,6 +97,14 @@ def _moved(point: MassPoint, by: Sequence[sp.Expr]) -> Vector:
     for partial, step in zip(point.partials, by, strict=True):
         if step != 0:
             total = total + partial * step
+    return total
+
+
+def displaced_force(load: Load, slots: Slots) -> Vector:
+    """δr of the point where a force acts."""
+    total = Vector.zero(load.point.triad)
+    for q in slots.coordinates:
+        total = total + load.point.partial(q) * variation(q)
     return total
 
 

@@ -11,6 +11,7 @@ by must not vanish.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -22,7 +23,7 @@ from lagrange.kinematics import Configuration
 from lagrange.notation import prime, variation
 from lagrange.principle import Principle
 from lagrange.textbook import Factor, common_factor, normalised
-from lagrange.trigonometry import Element
+from lagrange.trigonometry import Element, Ring
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Equat
     """The equations of motion of a configuration, the dependent virtual displacements eliminated."""
     configuration = principle.configuration
     coordinates = configuration.slots.coordinates
-    coefficients = _of_independent(principle, elimination)
+    coefficients = of_independent(principle.coefficients, principle.ring, elimination)
     ring, textbook = principle.ring, principle.textbook
     displacements = [ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
     reduced = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
@@ -73,9 +74,8 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Equat
     return EquationsOfMotion(configuration, principle, elimination, textbook.form(reduced), equations)
 
 
-def _of_independent(principle: Principle, elimination: Elimination) -> list[Element]:
+def of_independent(d: Sequence[Element], ring: Ring, elimination: Elimination) -> list[Element]:
     """D_k + Σ_d B_dk D_d for each independent k."""
-    ring, d = principle.ring, principle.coefficients
     found = []
     for column, k in enumerate(elimination.independent):
         shares = (

@@ -14,7 +14,7 @@ configuration, with the positions, forces and remaining constraints written in i
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import sympy as sp
@@ -85,12 +85,16 @@ def admitted_states(rows: Sequence[Row], slots: Slots) -> Surface:
 
 @dataclass(frozen=True)
 class Load:
-    """An applied force and the point that it acts at."""
+    """An applied force and the point that it acts at; `elsewhere`: that is not where the particle is that it acts on.
+
+    On a body it acts anywhere: the arm from the mass centre gives it a moment.
+    """
 
     name: str
     on: str
     vector: Vector
     point: Vector
+    elsewhere: bool = False
 
 
 @dataclass(frozen=True)
@@ -203,9 +207,10 @@ def applied_loads(problem: Problem) -> tuple[Load, ...]:
         if problem.gravity is not None and p.mass != 0:
             loads.append(Load("weight", p.name, problem.gravity * p.mass, p.position))
     positions = {p.name: p.position for p in problem.masses}
+    bodies = {b.name for b in problem.bodies}
     for f in problem.forces:
         if isinstance(f, AppliedForce):
-            loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on]))
+            loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on], f.at is not None and f.on not in bodies))
     return tuple(loads)
 
 
@@ -239,7 +244,7 @@ def substituted_configuration(
     blank = Configuration(name, slots, (), (), sp.S.Zero, rows, expressed)
     rule = blank.substitution
     points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
-    loads = tuple(Load(f.name, f.on, f.vector.xreplace(rule), f.point.xreplace(rule)) for f in original.loads)
+    loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
     springs = tuple(spring_in(s, rule) for s in original.springs)
     others = original.potential - sp.Add(*(s.energy for s in original.springs))
     return Configuration(

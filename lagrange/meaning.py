@@ -305,7 +305,7 @@ class ScalarMeaning(Remarks, ABC):
         return any(name in f.arguments for f in self.scope.functions.values())
 
     def _differential(self, call: Call) -> sp.Expr:
-        """d(x) and delta(x)."""
+        """d(x) and delta(x); of an abbreviation, Σ (∂e/∂q) dq."""
         self.check_count(call, 1, f"write `{call.name}(x)`")
         inner = call.arguments[0]
         value = self.scope.scalar(inner.text) if isinstance(inner, Name) else None
@@ -313,8 +313,13 @@ class ScalarMeaning(Remarks, ABC):
             *self.scope.slots.coordinates,
             *(() if call.name == "delta" else (*self.scope.slots.prescribed, t)),
         }
+        make = differential if call.name == "d" else variation
+        if value is not None and not value.is_Atom:  # an abbreviation, such as V
+            with self.blaming(call):
+                parts = ((self.arithmetic.partial(value, q), make(q)) for q in sorted(moving, key=str))
+                return self.arithmetic.sum([self.arithmetic.product(p) for p in parts])
         if value not in moving:
             what = "a coordinate" if call.name == "delta" else "a coordinate or of t"
             help_ = f"write `{call.name}(x)` for each coordinate, or declare `{call.name}` if it is a symbol"
             raise self.mistake("not-a-differential", f"`{call.name}` is taken of {what}", call, help_)
-        return differential(value) if call.name == "d" else variation(value)
+        return make(value)

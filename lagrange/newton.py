@@ -196,6 +196,28 @@ def newton_equations(
 
 
 @dataclass(frozen=True)
+class Normal:
+    """A geometric constraint on one particle: its gradient ∇f there, so that ∇f·dr + f_t dt = 0."""
+
+    row: Row
+    particle: str
+    gradient: Vector
+
+
+def normals(configuration: Configuration) -> tuple[Normal, ...]:
+    """The gradients of the geometric constraints that bind one particle and nothing else."""
+    placed = _placed(configuration)
+    found = []
+    for row in configuration.rows if placed else ():
+        directions = None if row.finite is None or placed is None else _directions(row, placed, configuration)
+        alone = all(a == 0 or any(_moves(p, k) for p in configuration.points) for k, a in enumerate(row.coefficients))
+        if directions is not None and len(directions) == 1 and alone:
+            [(particle, gradient)] = directions.items()
+            found.append(Normal(row, particle, gradient))
+    return tuple(found)
+
+
+@dataclass(frozen=True)
 class _Acting:
     """What acts on particles."""
 

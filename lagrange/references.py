@@ -109,7 +109,13 @@ def reference_of_solution(solution: Solution) -> Reference:
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
-        scalars={**_reactions(solution), **_lengths(solution), **scope.scalars, **signs},
+        scalars={
+            **_potential(solution),
+            **_reactions(solution),
+            **_lengths(solution),
+            **scope.scalars,
+            **signs,
+        },
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
@@ -151,11 +157,22 @@ def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> I
         yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
 
 
+def _potential(solution: Solution) -> dict[str, sp.Expr]:
+    """V, as a derivation writes the given potential energy."""
+    potential = solution.configuration.potential
+    return {"V": potential} if potential != 0 and "V" not in solution.problem.scope.names() else {}
+
+
 def _applied_forces(solution: Solution) -> dict[str, Vector]:
-    """F_P of each particle P on which forces act, as a derivation writes it. Names of the file keep their meaning."""
+    """F_P of each particle P on which forces act, as a derivation writes it; F and r of a force that acts elsewhere.
+
+    Names of the file keep their meaning.
+    """
     forces: dict[str, Vector] = {}
     for load in solution.configuration.loads:
-        name = f"F_{load.on}"
+        name = f"F_{load.name if load.elsewhere else load.on}"
+        if load.elsewhere and f"r_{load.name}" not in solution.problem.scope.names():
+            forces[f"r_{load.name}"] = load.point
         if name not in solution.problem.scope.names():
             forces[name] = forces.get(name, Vector.zero()) + load.vector
     return forces

@@ -30,6 +30,7 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
+from lagrange.explain.statics import explain_equilibrium_in_choice, explain_virtual_work
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
@@ -77,10 +78,14 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
         yield explain_integrability(classification, names_of(problem))
     yield explain_classification(classification)
     yield explain_freedom(classification)
-    yield explain_displacements(solution.configuration, solution.elimination, solution.carried)
+    yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
+    if solution.equilibrium is not None:
+        yield explain_virtual_work(solution.equilibrium, None if problem.choices else solution.stability)
     yield from _motion(solution)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
+        if c.equilibrium is not None:
+            yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
         if c.dynamics is not None:
             yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
             yield from _reactions(solution, c.dynamics, c.name)

@@ -19,9 +19,13 @@ from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, sugg
 from lagrange.displacements import Elimination, carrying_rates, eliminate
 from lagrange.dynamics import Law, Motion, law_of_motion, motion
 from lagrange.equations import EquationsOfMotion, check_inertia
+from lagrange.equilibrium import Equilibrium, equilibrium
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.newton import Normal, normals
 from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
+from lagrange.stability import SecondVariation, second_variation
+from lagrange.statics import check_equilibrium, check_statics
 from lagrange.verification import (
     EXACT,
     Check,
@@ -39,11 +43,13 @@ from lagrange.workless import WorkOfReaction, works_of_reactions
 
 @dataclass(frozen=True)
 class ChoiceSolution:
-    """The problem in one choice of generalized coordinates; `motion` is None where no motion is asked."""
+    """The problem in one choice of generalized coordinates; what is not asked for is None."""
 
     coordinates: GeneralizedCoordinates
     dynamics: Motion | None = None
     spot: Spot | None = None
+    equilibrium: Equilibrium | None = None
+    stability: SecondVariation | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -63,9 +69,11 @@ class Solution:
     configuration  the system in the file's own coordinates
     elimination    of the dependent virtual displacements there
     carried        shape (n,): rates w with which moving constraints carry the coordinates along, dq = δq + w dt
+    normals        gradients of the geometric constraints on one particle, where no motion is asked
     law            Newton's law there, where motion is asked
     works          the work of the reactions
     dynamics       the motion and the reactions there
+    equilibrium    its equilibria, where these are asked for; their stability, where there is a potential
     """
 
     problem: Problem
@@ -73,12 +81,15 @@ class Solution:
     configuration: Configuration
     elimination: Elimination
     carried: tuple[sp.Expr, ...]
+    normals: tuple[Normal, ...] = ()
     law: Law | None = None
     works: tuple[WorkOfReaction, ...] = ()
     dynamics: Motion | None = None
     spot: Spot | None = None
     choices: tuple[ChoiceSolution, ...] = ()
     checks: tuple[Check, ...] = field(default=())
+    equilibrium: Equilibrium | None = None
+    stability: SecondVariation | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -117,10 +128,42 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         configuration,
         elimination,
         carried,
+        normals=() if Find.MOTION in problem.find else normals(configuration),
         choices=tuple(ChoiceSolution(c) for c in chosen),
         checks=(*checks, *_substitutions(chosen)),
     )
+    if Find.EQUILIBRIUM in problem.find:
+        solution = _with_equilibrium(solution)
     return _with_motion(solution) if Find.MOTION in problem.find else solution
+
+
+def _with_equilibrium(solution: Solution) -> Solution:
+    """The solution with the equilibria, in the file's coordinates and in every choice."""
+    problem = solution.problem
+    check_statics(problem, solution.configuration)
+    original = equilibrium(solution.configuration, solution.elimination, problem.unknowns)
+    checks = [*solution.checks, *check_equilibrium(original, original)]
+    choices = []
+    for c in solution.choices:
+        configuration = c.coordinates.configuration
+        found = equilibrium(configuration, _elimination_in(c), problem.unknowns)
+        checks += check_equilibrium(found, original)
+        choices.append(replace(c, equilibrium=found, stability=second_variation(found)))
+    return replace(
+        solution,
+        equilibrium=original,
+        stability=second_variation(original),
+        choices=tuple(choices),
+        checks=tuple(checks),
+    )
+
+
+def _elimination_in(c: ChoiceSolution) -> Elimination:
+    """The dependent virtual displacements of a choice, those known through velocities first."""
+    configuration = c.coordinates.configuration
+    coordinates = configuration.slots.coordinates
+    first = [coordinates.index(q) for q in c.coordinates.through_rates]
+    return eliminate(configuration.rows, len(coordinates), configuration.states, first)
 
 
 def _with_motion(solution: Solution) -> Solution:
@@ -141,9 +184,7 @@ def _with_motion(solution: Solution) -> Solution:
     choices = []
     for c in solution.choices:
         configuration = c.coordinates.configuration
-        coordinates = configuration.slots.coordinates
-        first = [coordinates.index(q) for q in c.coordinates.through_rates]
-        elimination = eliminate(configuration.rows, len(coordinates), configuration.states, first)
+        elimination = _elimination_in(c)
         there = motion(law, configuration, elimination)
         checks += check_displacements(configuration, elimination)
         checks += check_motion(there.equations, reactions)
@@ -194,6 +235,5 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
         raise NotCoveredError("a choice of quasi-velocities (`speeds`)")
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
-    for question in (Find.EQUILIBRIUM, Find.LINEARIZATION):
-        if question in problem.find:
-            raise NotCoveredError(f"`find: {question}`")
+    if Find.LINEARIZATION in problem.find:
+        raise NotCoveredError(f"`find: {Find.LINEARIZATION}`")

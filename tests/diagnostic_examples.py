@@ -147,6 +147,11 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         problem("constraints: {a: d(x)*d(y) = 0}")),
     "not-a-number": ("A number is wanted here.", problem("answers: {degrees_of_freedom: two}")),
     "not-a-truth-value": ("Write true or false.", problem(ROD + "answers: {integrable: {rod: maybe}}")),
+    "no-forces": ("Equilibrium is asked, and nothing acts.", problem("find: equilibrium")),
+    "force-of-motion": ("Equilibrium is asked under a force that depends on the motion or on time.", problem(
+        PARTICLE + "forces: {drag: {on: P, vector: -m*x'*i}}\nfind: equilibrium")),
+    "moving-constraint": ("Equilibrium is asked of something that moves by itself.", problem(
+        PARTICLE + "constraints: {belt: x = l*t}\nforces: {push: {on: P, vector: g*i}}\nfind: equilibrium")),
     "orientation": ("Say how the body is turned, in the way that fits its inertia.", problem(
         "bodies: {B: {mass: m, inertia: m*l^2, position: x*i}}")),
     "restricts-nothing": ("A constraint relates coordinates.", problem("constraints: {a: m = l}")),

@@ -28,11 +28,13 @@ LAYERS = {
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions""",
+    "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
     "stages": """links rigid_bodies kinematics bending constraints classification displacements coordinates linear rods newton workless principle
-        reactions friction equations comparison constant_inertia dynamics lagrangian spot verification""",
-    "results": "solution references answers reaction_answers checking",
+        reactions friction equations comparison constant_inertia dynamics lagrangian spot verification equilibrium stability statics""",
+    "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear explain.displacements
-        explain.factors explain.constraints explain.newton explain.motion explain.reactions explain.checks""",
+        explain.factors explain.constraints explain.newton explain.motion explain.reactions explain.statics
+        explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

@@ -78,3 +78,31 @@ def test_possible_and_virtual_are_called_the_same_only_where_they_are(problem):
     for text, carried in CARRIED.values():
         same = "possible and virtual displacements are the same" in written(problem, text)
         assert same is not any(carried)
+
+
+def test_a_surface_has_a_normal_and_dr_is_tangent_to_it_where_it_stands(problem):
+    """Ex. 8 and 9: dr·∇f = u ∂f/∂X dt and δr·∇f = 0, the vectors put in by components."""
+    text = "coordinates: [x, y, z]\nfunctions: {f: [X, Y, Z]}\nparticles: {P: {position: '[x, y, z]'}}\n"
+    for constraint, drift in (("f(x, y, z) = c", 0), ("f(x - u*t, y, z) = c", sp.Symbol("u", real=True))):
+        found = problem(f"title: A problem\n{text}parameters: {{u: real, c: real}}\nconstraints: {{s: '{constraint}'}}")
+        solution = solve(found)
+        [normal] = solution.normals
+        [row] = solution.classification.rows
+        assert normal.gradient.fixed().components == row.coefficients
+        assert is_zero(row.drift + drift * row.coefficients[0])
+        steps = report(found).derivation.steps
+        [step] = [s for s in steps if s.rule == "displacements"]
+        assert ("tangent to it as it is at the time" in str(step)) is (drift != 0)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "coordinates: [x, y, theta]\nparticles: {P: {position: '[x, y]'}}\nconstraints: {s: x = sin(theta)}",
+        "coordinates: [x, y]\nparticles: {P: {position: x*i}, Q: {position: y*i}}\nconstraints: {s: x = y}",
+        "coordinates: [x, y]\nparticles: {P: {position: '[x, y]'}}\nconstraints: {s: x' = y*y'}",
+    ],
+    ids=["another coordinate", "two particles", "velocities"],
+)
+def test_what_binds_more_than_one_particle_has_no_normal(problem, text):
+    assert solve(problem(f"title: A problem\nfind: constraints\n{text}")).normals == ()

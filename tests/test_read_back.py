@@ -99,3 +99,15 @@ def test_a_name_of_the_file_keeps_its_meaning(tmp_path: Path) -> None:
     result = report(load(tmp_path / "ring.yaml"))
     [declared] = (p.symbol for p in result.solution.problem.parameters if p.symbol.name == "F_P")
     assert read("F_P = 0", result).lhs == declared
+
+
+def test_the_differential_of_an_abbreviation(tmp_path: Path) -> None:
+    """V is the given potential energy, in the derivation and when it is read again: δV = m R r δr + sin φ δφ."""
+    text = DRIVEN + "forces: {field: {potential: m*R*r^2/2 - cos(phi)}}\n"
+    (tmp_path / "ring.yaml").write_text(text, encoding="utf-8")
+    result = report(load(tmp_path / "ring.yaml"))
+    identity = read("delta(V) = m*R*r*delta(r) + sin(phi)*delta(phi)", result)
+    assert is_zero(identity.lhs - identity.rhs)
+    assert is_zero(read("d(V) = m*R*r*delta(r)", result).lhs) is False
+    with pytest.raises(ProblemError):
+        read("delta(m) = 0", result)

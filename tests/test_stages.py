@@ -128,7 +128,6 @@ gravity: g*j
 @pytest.mark.parametrize(
     ("more", "what"),
     [
-        ("find: equilibrium", "equilibrium"),
         ("find: linearization", "linearization"),
         ('speeds: {u: "x\'"}', "speeds"),
     ],
@@ -201,3 +200,25 @@ def test_a_spot_value_satisfies_the_equations(problem: Read) -> None:
     values = {s.name: v for s, v in choice.spot.values.items()}
     [acceleration] = choice.spot.accelerations.values()
     assert abs(acceleration + values["g"] / values["l"] * sp.sin(values["th"])) < 1e-5
+
+
+def test_springs_in_motion(problem: Read) -> None:
+    """m x'' = −c (√(x² + h²) − b) x/√(x² + h²), the component of the pull."""
+    text = """
+title: Bead on a wire, with a spring
+parameters: [m, c, b, h]
+coordinates: [x]
+particles: {P: {mass: m, position: x*i}}
+forces: {s: {spring: c, between: [P, "[0, h]"], length: b}}
+"""
+    solution = solve(problem(text))
+    assert solution.holds
+    assert solution.motion is not None
+    m, c, b, h = (sp.Symbol(n, positive=True) for n in "mcbh")
+    x, acceleration = sp.Symbol("x", real=True), sp.Symbol("x''", real=True)
+    distance = sp.sqrt(x**2 + h**2)
+    [equation] = solution.motion.expressions
+    expected = -c * (distance - b) * x / distance / m
+    numbers = {m: 2, c: 3, b: sp.Rational(1, 2), h: sp.Rational(3, 4), x: 1}
+    [found] = sp.solve(equation.xreplace(numbers), acceleration)
+    assert found == expected.xreplace(numbers)

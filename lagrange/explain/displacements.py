@@ -7,18 +7,25 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
-from lagrange.displacements import Elimination, carried_along, displaced, virtual_displacement
+from lagrange.displacements import Elimination, carried_along, displaced, displaced_force, virtual_displacement
 from lagrange.explain.bodies import virtual_rotations
 from lagrange.explain.nonlinear import by_chetaev
 from lagrange.explain.words import plural
 from lagrange.kinematics import Configuration, MassPoint, Row, is_pfaffian
-from lagrange.notation import VectorSymbol, differential, t, variation
+from lagrange.newton import Normal
+from lagrange.notation import Dot, VectorSymbol, differential, t, variation
+from lagrange.textbook import textbook_form
 
 LONGEST = 40
 """Operations of a solved displacement that are still shown without being asked for."""
 
 
-def explain_displacements(configuration: Configuration, elimination: Elimination, carried: Sequence[sp.Expr]) -> Step:
+def explain_displacements(
+    configuration: Configuration,
+    elimination: Elimination,
+    carried: Sequence[sp.Expr],
+    normals: Sequence[Normal] = (),
+) -> Step:
     """From dq to δq, the solved δq, and what possible displacements have beyond them: `carried`, shape (n,)."""
     if not configuration.rows:
         words = "No constraint binds the displacements: every one of them is virtual, with time frozen."
@@ -30,8 +37,31 @@ def explain_displacements(configuration: Configuration, elimination: Elimination
     body += by_chetaev(configuration)
     body += solved_displacements(elimination, configuration)
     body += of_points(configuration, elimination)
+    body += _tangent(normals)
     body += _drift(configuration, carried) if any(carried) else _by_time(configuration)
     return Step(Rule.DISPLACEMENTS, "Possible and virtual displacements", tuple(body))
+
+
+def _tangent(normals: Sequence[Normal]) -> list[Block]:
+    """∇f·dr + f_t dt = 0 and ∇f·δr = 0: virtual displacements are tangent to the surface as it is at the time."""
+    found: list[Block] = []
+    for n in normals:
+        name, form, virtual = n.row.name, Ref(f"form-{n.row.name}"), Ref(f"virtual-{n.row.name}")
+        gradient = n.gradient.as_sum()
+        possible = Dot(gradient, VectorSymbol(f"d(r_{n.particle})"))
+        moving = n.row.drift != 0
+        lines = (
+            Equation((possible, textbook_form(-n.row.drift) * differential(t)), label=f"normal-possible-{name}"),
+            Equation((Dot(gradient, VectorSymbol(f"delta(r_{n.particle})")), sp.S.Zero), label=f"normal-{name}"),
+        )
+        where = f"The vector in brackets is the gradient, normal to the surface or curve that {n.particle} is kept on: "
+        end = (
+            "a virtual displacement is tangent to it as it is at the time, a possible one in general is not."
+            if moving
+            else "possible and virtual displacements are tangent to it."
+        )
+        found += [prose("In vectors, ", form, " and ", virtual, " are"), display(*lines), prose(where + end)]
+    return found
 
 
 def _subtracted(configuration: Configuration) -> list[Block]:
@@ -151,12 +181,20 @@ def of_points(configuration: Configuration, elimination: Elimination) -> list[Bl
         for p in configuration.points if not configuration.is_pinned(p)
     ]  # fmt: skip
     turned = virtual_rotations(configuration, dict(zero))
+    elsewhere = [
+        Equation((VectorSymbol(f"delta(r_{f.name})"), displaced_force(f, slots).xreplace(zero)))
+        for f in configuration.loads
+        if f.elsewhere
+    ]
     if not lines:
         return turned
     whose = points_called(configuration)
     words = plural(
         len(lines), f"The virtual displacement of the {whose} is", f"The virtual displacements of the {whose} are"
     )
+    if elsewhere:
+        words = f"The virtual displacements of the {whose}, and of where forces act, are"
+        lines += elsewhere
     return [prose(words), display(*lines), *turned]
 
 

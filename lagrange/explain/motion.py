@@ -67,13 +67,16 @@ def _principle(configuration: Configuration) -> sp.Expr:
     for p in configuration.points:
         if configuration.is_pinned(p):
             continue
-        acting = any(f.on == p.name for f in configuration.loads)
+        acting = any(f.on == p.name and not f.elsewhere for f in configuration.loads)
         force = VectorSymbol(f"F_{p.name}") if acting else ZERO
         moved = VectorSymbol(f"delta(r_{p.name})")
         if p.mass != 0:
             terms.append(Dot(p.mass * VectorSymbol(f"r_{p.name}''") - force, moved))
         elif acting:
             terms.append(-Dot(force, moved))
+    for load in configuration.loads:
+        if load.elsewhere:
+            terms.append(-Dot(VectorSymbol(f"F_{load.name}"), VectorSymbol(f"delta(r_{load.name})")))
     potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
     return sp.Add(*terms, *terms_of_bodies(configuration), *terms_of_dampers(configuration), potential)
 

@@ -188,7 +188,7 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list
     found: list[Block] = []
     rubbing = {f.name: f.constraint for f in frictions}
     for p in configuration.points:
-        loads = [f for f in configuration.loads if f.on == p.name]
+        loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
             continue
         names = [
@@ -211,6 +211,13 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list
         unknown = listed(dict.fromkeys(spoken(rubbing[f.name]) for f in loads if f.name in rubbing))
         if unknown:
             found.append(prose("The friction has the multiplier of the reaction of ", *unknown, " in it, found below."))
+    for f in configuration.loads:
+        if f.elsewhere:
+            lines = (
+                Equation((VectorSymbol(f"F_{f.name}"), f.vector)),
+                Equation((VectorSymbol(f"r_{f.name}"), f.point)),
+            )
+            found += [prose(f"The force {f.name} on {f.on}, and the point where it acts, are"), display(*lines)]
     found += moments_on(configuration)
     found += explain_links(configuration)
     if configuration.potential != 0:

@@ -21,11 +21,13 @@ from lagrange.vectors import Vector
 if TYPE_CHECKING:
     from lagrange.constraints import ConstraintAnalysis
     from lagrange.equations import EquationsOfMotion
+    from lagrange.equilibrium import Equilibrium
     from lagrange.newton import Newton
     from lagrange.reactions import Reactions
     from lagrange.report import Report
     from lagrange.solution import ChoiceSolution, Solution
     from lagrange.spot import Spot
+    from lagrange.stability import SecondVariation
     from lagrange.workless import WorkOfReaction
 
 VERSION = 1
@@ -69,6 +71,8 @@ def as_object(report: Report) -> dict[str, Any]:
         "virtual_displacements": [f"{write(virtual_displacement(r, problem.slots))} = 0" for r in classification.rows],
         "choices": [_choice(c, write) for c in solution.choices],
     }
+    if solution.equilibrium is not None:
+        found |= _statics(solution.equilibrium, solution.stability, write)
     if solution.law is not None:
         found |= _newton(solution.law.newton, write)
     if solution.dynamics is not None:
@@ -121,6 +125,8 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         "independent": True,  # otherwise it would have been refused
         "branches": coordinates.branches,
     }
+    if c.equilibrium is not None:
+        found |= _statics(c.equilibrium, c.stability, write)
     if c.dynamics is not None:
         slots = coordinates.configuration.slots
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
@@ -178,6 +184,22 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
         found["choice"] = choice
     work_done = "0" if work.vanishes else None
     return found | {"virtual_work": work_done, "possible_work": write(work.possible)}
+
+
+def _statics(found: Equilibrium, stability: SecondVariation | None, write: Write) -> dict[str, Any]:
+    """Generalized forces and equilibria: alternatives, each a system of equations, its conditions beside it."""
+    coordinates = found.configuration.slots.coordinates
+    result: dict[str, Any] = {
+        "generalized_forces": {q.name: write(f) for q, f in zip(coordinates, found.work.forces, strict=True)},
+        "equilibrium": [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in found.branches],
+        "equilibrium_conditions": [
+            [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in found.branches
+        ],
+        "equilibrium_exists": found.exists,
+    }
+    if stability is not None:
+        result["stability"] = [s.verdict.value for s in stability.verdicts]
+    return result
 
 
 def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:

@@ -1,0 +1,251 @@
+"""The principle of virtual work, the conditions of equilibrium, their solutions, stability."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from lagrange.coordinates import GeneralizedCoordinates
+from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, paragraph, prose
+from lagrange.displacements import virtual_displacement
+from lagrange.equilibrium import Equilibrium
+from lagrange.explain.displacements import of_points, solved_displacements
+from lagrange.explain.words import plural, spoken
+from lagrange.kinematics import Configuration
+from lagrange.notation import Dot, VectorSymbol, variation
+from lagrange.positivity import Condition
+from lagrange.solution_sets import Branch
+from lagrange.stability import SecondVariation, Stability, Verdict
+
+ZERO = sp.S.Zero
+
+
+def explain_virtual_work(found: Equilibrium, stability: SecondVariation | None) -> Step:
+    """The principle, written out in the file's own coordinates, and what follows from it there."""
+    configuration = found.configuration
+    body: list[Block] = [
+        prose(
+            "The constraints are ideal: in a virtual displacement their reactions do no work. The system, at rest, is "
+            "in equilibrium exactly where the applied forces do none either, whatever the virtual displacement. This "
+            "is the principle of virtual work:"
+            if configuration.rows
+            else "The system, at rest, is in equilibrium exactly where the applied forces do no work in any virtual "
+            "displacement. This is the principle of virtual work:"
+        ),
+        display(Equation((_principle(configuration), ZERO), label="virtual-work")),
+        prose("Written out, it reads"),
+        display(Equation((found.work.statement, ZERO), label="work-written-out")),
+    ]
+    if configuration.rows:
+        body += _with_the_solved(found)
+    body += _conclusion(found)
+    body += _results(found)
+    body += _stability(found, stability)
+    return Step(Rule.EQUILIBRIUM, "The principle of virtual work", tuple(body))
+
+
+def explain_equilibrium_in_choice(
+    coordinates: GeneralizedCoordinates, found: Equilibrium, stability: SecondVariation | None
+) -> Step:
+    """The virtual work and the equilibria in a choice of coordinates."""
+    configuration = found.configuration
+    body: list[Block] = []
+    if configuration.rows:
+        rows = (virtual_displacement(r, configuration.slots) for r in configuration.rows)
+        body += [prose("In a virtual displacement"), display(*(Equation((row, ZERO)) for row in rows))]
+        body += solved_displacements(found.elimination, configuration)
+    body += [
+        *of_points(configuration, found.elimination),
+        prose("and the principle of virtual work ", Ref("virtual-work"), " reads"),
+        display(Equation((found.work.statement, ZERO), label=f"work-written-out{_suffix(configuration)}")),
+    ]
+    if configuration.rows:
+        body += _with_the_solved(found)
+    body += _conclusion(found)
+    body += _results(found, coordinates.radicands)
+    body += _stability(found, stability)
+    return Step(Rule.EQUILIBRIUM, f"Equilibrium: {spoken(coordinates.choice.name)}", tuple(body))
+
+
+def _suffix(configuration: Configuration) -> str:
+    return f"-{configuration.name}" if configuration.name else ""
+
+
+def _principle(configuration: Configuration) -> sp.Expr:
+    """Σ F·δr + Σ M·δπ, less δV where there is a potential."""
+    loads = configuration.loads
+    free = [p for p in configuration.points if not configuration.is_pinned(p)]
+    acting = [p.name for p in free if any(f.on == p.name and not f.elsewhere for f in loads)]
+    acting += [f.name for f in loads if f.elsewhere]
+    terms = [Dot(VectorSymbol(f"F_{name}"), VectorSymbol(f"delta(r_{name})")) for name in acting]
+    turned = [r.name for r in configuration.rotations if configuration.moments_on(r.name)]
+    terms += [Dot(VectorSymbol(f"M_{name}"), VectorSymbol(f"delta(pi_{name})")) for name in turned]
+    potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
+    return sp.Add(*terms, -potential)
+
+
+def _with_the_solved(found: Equilibrium) -> list[Block]:
+    """The virtual work with the dependent displacements put in."""
+    configuration, suffix = found.configuration, _suffix(found.configuration)
+    solved = [variation(configuration.slots.coordinates[d]) for d in found.elimination.dependent]
+    if not found.elimination.independent:
+        return []
+    return [
+        prose("With ", *listed(math(d) for d in solved), " put in, ", Ref(f"work-written-out{suffix}"), " becomes"),
+        display(Equation((found.reduced, ZERO), label=f"work-reduced{suffix}")),
+    ]
+
+
+def _conclusion(found: Equilibrium) -> list[Block]:
+    """The independent δq are arbitrary, so each bracket vanishes; what is divided by."""
+    slots = found.configuration.slots
+    free = [math(variation(slots.coordinates[k])) for k in found.elimination.independent]
+    if not free:
+        return [prose("No displacement is free: the constraints alone determine the position.")]
+    if not found.conditions:
+        return [prose("The virtual work vanishes whatever the position is.")]
+    arbitrary = (
+        " is arbitrary, so what multiplies it vanishes"
+        if len(free) == 1
+        else " are independent, so what multiplies each of them vanishes"
+    )
+    divided = [math(c.factor.expression) for c in found.conditions if c.factor.expression != 1]
+    multiplied = [math(c.below.expression) for c in found.conditions if c.below.expression != 1]
+    steps: list[tuple[Part, ...]] = []
+    if multiplied:
+        steps.append(("multiplying by ", *listed(dict.fromkeys(multiplied))))
+    if divided:
+        steps.append(("dividing by ", *listed(dict.fromkeys(divided)), ", which is not zero"))
+    dividing = (" (", *steps[0], *((" and ", *steps[1]) if len(steps) > 1 else ()), ")") if steps else ()
+    suffix = _suffix(found.configuration)
+    lines = (Equation((c.expression, ZERO), label=f"condition{suffix}-{c.coordinate.name}") for c in found.conditions)
+    return [prose(*listed(free), arbitrary, *dividing, ":"), display(*lines)]
+
+
+def _results(found: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Iterator[Block]:
+    """The solutions, each in a box."""
+    if not found.branches:
+        yield from _none(found, radicands)
+        return
+    if all(not b.relations and not b.left for b in found.branches):
+        yield prose("Every position is one of equilibrium.", detail=Detail.BRIEF)
+        return
+    yield _introduction(found)
+    suffix = _suffix(found.configuration)
+    for n, b in enumerate(found.branches, start=1):
+        equations = b.equations
+        condition = _conditions(b)
+        label = f"equilibrium{suffix}-{n}"
+        lines = [
+            Equation(
+                (r.lhs, r.rhs),
+                label=label if k == len(equations) - 1 else None,
+                condition=condition if k == len(equations) - 1 else (),
+            )
+            for k, r in enumerate(equations)
+        ]
+        yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    yield from _remarks(found)
+
+
+def _none(found: Equilibrium, radicands: Sequence[sp.Expr]) -> Iterator[Block]:
+    """That there is no equilibrium."""
+    names = listed(Ref(f"condition{_suffix(found.configuration)}-{c.coordinate.name}") for c in found.conditions)
+    start: tuple[Part, ...] = ("No real position satisfies ", *names, ": there is no equilibrium")
+    if radicands:
+        start = (*start, " in these coordinates, which serve where ",
+                 *listed(math(r, ZERO, relation=">") for r in radicands))  # fmt: skip
+    yield prose(*start, ".", detail=Detail.BRIEF)
+
+
+def _introduction(found: Equilibrium) -> Block:
+    words: list[Part] = []
+    if found.given:
+        forces = listed(math(f) for f in found.forces)
+        words += ["For a given position ", *(("this determines ",) if not found.undetermined else ("this gives of ",)),
+                  *forces, ":"]  # fmt: skip
+    elif len(found.branches) == 1:
+        words.append("The solution is" if found.solution.solved else "This is not solved in closed form:")
+    else:
+        products = "A product vanishes where one of its factors does. " if _splits(found) else ""
+        words.append(f"{products}The solutions are")
+    return prose(*words)
+
+
+def _splits(found: Equilibrium) -> bool:
+    return any(sp.factor_terms(c.expression).is_Mul for c in found.conditions)
+
+
+def _conditions(b: Branch) -> tuple[Part, ...]:
+    """`where b ≤ a`; what is special or left open."""
+    words: list[Part] = []
+    if b.conditions:
+        words += ["where ", *listed(_condition(c) for c in b.conditions)]
+    if b.special:
+        words.append("; then every such position is one of equilibrium" if words else "then in every position")
+    if b.left:
+        words.append("; not solved in closed form" if words else "not solved in closed form")
+    return tuple(words)
+
+
+def _condition(c: Condition) -> Part:
+    return math(c.lhs, c.rhs, relation=c.relation)
+
+
+def _remarks(found: Equilibrium) -> Iterator[Block]:
+    if found.undetermined:
+        names = listed(math(f) for f in found.undetermined)
+        fewer = plural(len(found.conditions), "There is one condition", f"There are {len(found.conditions)} conditions")
+        words = f"{fewer} for {len(found.forces)} unknown forces: only these combinations are determined, and "
+        yield prose(words, *names, plural(len(found.undetermined), " stays free.", " stay free."))
+
+
+def _stability(found: Equilibrium, second: SecondVariation | None) -> Iterator[Block]:
+    """The second variation at each equilibrium."""
+    if second is None or all(not s.minors for s in second.verdicts):
+        return
+    start = "The forces have a potential V, and an equilibrium is stable where V has a strict minimum. "
+    one = len(second.coordinates) == 1
+    if one:
+        [q] = second.coordinates
+        yield prose(start, "Its second derivative by ", math(q), " is ", math(second.matrix[0][0]), ".")
+    else:
+        yield prose(
+            start, "So it is where the leading minors of the matrix of its second derivatives are positive, and it is "
+            "unstable where the second variation takes negative values."
+        )  # fmt: skip
+    suffix = _suffix(found.configuration)
+    sentences = (
+        prose("At ", Ref(f"equilibrium{suffix}-{n}"), " ", *_said(s, one))
+        for n, s in enumerate(second.verdicts, start=1)
+        if s.minors
+    )
+    yield paragraph(*sentences)
+
+
+LONGEST = 30
+"""Operations of the minors of a matrix that are still shown."""
+
+
+def _said(s: Stability, one: bool) -> tuple[Part, ...]:
+    long = not one and sum(m.count_ops() for m in s.minors) > LONGEST
+    values = listed(math(m) for m in s.minors)
+    what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
+    match s.verdict:
+        case Verdict.STABLE if long:
+            return ("all of them are positive: stable.",)
+        case Verdict.STABLE:
+            return (*what, ", positive: stable." if one else ", all positive: stable.")
+        case Verdict.UNSTABLE if long:
+            return ("they exclude a minimum: unstable.",)
+        case Verdict.UNSTABLE:
+            return (*what, ", negative: unstable." if one else ": unstable.")
+        case Verdict.CONDITIONAL:
+            where = listed(_condition(c) for c in s.conditions)
+            contrary = ", and unstable where the contrary holds." if one else "."
+            if long:
+                return ("the equilibrium is stable where ", *where, ".")
+            return (*what, ": stable where ", *where, contrary)
+        case Verdict.UNDECIDED:
+            return (*what, ": the second variation does not decide.") if not long else ("they do not decide.",)

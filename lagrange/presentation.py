@@ -1,0 +1,44 @@
+"""How the value of an unknown is written: the shortest of a few forms, cot α as 1/tan α."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.textbook import textbook_form
+
+MOST_OPERATIONS = 150
+
+
+def shown(e: sp.Expr) -> sp.Expr:
+    """The expression in the shortest of its forms."""
+    if e.is_Atom or e.count_ops() > MOST_OPERATIONS:
+        return e
+    forms = [e]
+    if e.has(sp.sin, sp.cos) and not any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow)):
+        above, below = sp.fraction(sp.together(e))
+        forms.append(textbook_form(above) / textbook_form(below))
+        forms.append(textbook_form(e))
+    written = [with_tangents(f) for f in forms]
+    return min(written, key=lambda f: (f.count_ops(), forms.index(f) if f in forms else 0))
+
+
+def with_tangents(e: sp.Expr) -> sp.Expr:
+    """Products of sines and cosines of one angle as tangents: cos α/sin α is 1/tan α."""
+    if e.is_Add:
+        return sp.Add(*(with_tangents(a) for a in e.args))
+    powers: dict[sp.Expr, list[sp.Integer]] = {}
+    rest = []
+    for factor in sp.Mul.make_args(e):
+        base, exponent = factor.as_base_exp()
+        if isinstance(base, sp.sin | sp.cos) and exponent.is_Integer:
+            entry = powers.setdefault(base.args[0], [sp.S.Zero, sp.S.Zero])
+            entry[isinstance(base, sp.cos)] += exponent
+        else:
+            rest.append(factor)
+    for angle, (sines, cosines) in powers.items():
+        if sines * cosines < 0:
+            both = sp.Min(abs(sines), abs(cosines)) * sp.sign(sines)
+            rest.append(sp.tan(angle) ** both)
+            sines, cosines = sines - both, cosines + both
+        rest.append(sp.sin(angle) ** sines * sp.cos(angle) ** cosines)
+    return sp.Mul(*rest)

@@ -1,0 +1,173 @@
+"""Stability of an equilibrium, from the second variation of the potential energy.
+
+Where the virtual work is the variation of a potential, δW = −δV, an equilibrium at which V has a strict minimum is
+stable (Lagrange, Dirichlet), and one at which the second variation takes negative values is unstable. With the
+displacements that the constraints leave free,
+
+    V_kj = −D_j Q_k ,      D_j = ∂/∂q_j + Σ_d B_dj ∂/∂q_d ,      Q_k the generalized force of the free δq_k ,
+
+and there is a potential where V_kj = V_jk. The signs of the leading minors decide. A sign that the parameters leave
+open becomes a condition; a minor that vanishes leaves the question undecided.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import sympy as sp
+
+from lagrange.equilibrium import Equilibrium
+from lagrange.exact import is_zero
+from lagrange.polynomial_roots import MOST_OPERATIONS, factors
+from lagrange.positivity import Condition, more_than_zero, sign_of
+from lagrange.presentation import shown
+from lagrange.solution_sets import Branch, resolved
+from lagrange.unit_circle import NotAlgebraicError
+
+MOST_COORDINATES = 4
+
+
+class Verdict(StrEnum):
+    """What the second variation says."""
+
+    STABLE = "stable"
+    UNSTABLE = "unstable"
+    CONDITIONAL = "conditional"
+    UNDECIDED = "undecided"
+
+
+@dataclass(frozen=True)
+class Stability:
+    """The verdict on one branch.
+
+    minors      the leading minors of V_kj on the branch; the first is V'' where there is one coordinate
+    conditions  stable where these hold
+    """
+
+    verdict: Verdict
+    minors: tuple[sp.Expr, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+
+
+@dataclass(frozen=True)
+class SecondVariation:
+    """V_kj, shape (f, f), by the coordinates whose displacements are free, and what it says of each branch."""
+
+    coordinates: tuple[sp.Symbol, ...]
+    matrix: tuple[tuple[sp.Expr, ...], ...]
+    verdicts: tuple[Stability, ...]
+
+
+def second_variation(e: Equilibrium) -> SecondVariation | None:
+    """The stability of all branches; None where there is no potential or nothing to say.
+
+    Forces that are to be found have no law, so that nothing is said where there are any.
+    """
+    free = e.elimination.independent
+    if e.forces or not 0 < len(free) <= MOST_COORDINATES or not e.branches:
+        return None
+    q = e.configuration.slots.coordinates
+    matrix = []
+    for force in e.independent_forces:
+        row = []
+        for column, j in enumerate(free):
+            along = force.diff(q[j])
+            for d, solved in zip(e.elimination.dependent, e.elimination.solution, strict=True):
+                along += solved[column] * force.diff(q[d])
+            row.append(e.work.textbook.form(-along))
+        matrix.append(tuple(row))
+    if not _is_symmetric(matrix, e):
+        return None
+    return SecondVariation(tuple(q[k] for k in free), tuple(matrix), tuple(_verdict(b, matrix, e) for b in e.branches))
+
+
+def _is_symmetric(matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
+    """Whether V_kj = V_jk: everywhere, or with constraints at each equilibrium."""
+    for k, row in enumerate(matrix):
+        for j in range(k):
+            difference = row[j] - matrix[j][k]
+            if e.configuration.surface.is_zero(difference):
+                continue
+            for b in e.branches:
+                on_it = None if b.left or b.special else _on(b, difference, e)
+                if on_it is None or not is_zero(on_it):
+                    return False
+    return True
+
+
+def _on(b: Branch, expression: sp.Expr, e: Equilibrium) -> sp.Expr | None:
+    """An expression on a branch, in factors; None where it cannot be written down."""
+    letters = e.solution.letters
+    try:
+        there = resolved(letters.read(expression), b.common)
+    except NotAlgebraicError:
+        return None
+    for root in letters.roots:
+        if root in there.free_symbols:
+            there = there.xreplace({root: resolved(letters.roots[root], b.common) ** sp.S.Half})
+    if there.has(sp.zoo, sp.nan) or there.count_ops() > 4 * MOST_OPERATIONS:
+        return None
+    above, below = sp.fraction(sp.cancel(sp.together(there)))
+    forms = []
+    for p in (above, letters.reduced(above)):
+        product = sp.factor(p) if factors(p) is not None else p
+        forms.append(letters.write(product) / letters.write(sp.factor(below)))
+    return min(forms, key=lambda f: (sign_of(f) is None, f.count_ops()))
+
+
+def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
+    if b.left or b.special or any(_vanishes(p, b, e) for p in e.elimination.pivots):
+        return Stability(Verdict.UNDECIDED)
+    entries = [[_on(b, x, e) for x in row] for row in matrix]
+    if any(x is None for row in entries for x in row):
+        return Stability(Verdict.UNDECIDED)
+    minors = []
+    for n in range(1, len(entries) + 1):
+        minor = _on(b, sp.Matrix([row[:n] for row in entries[:n]]).det(method="berkowitz"), e)
+        if minor is None:
+            return Stability(Verdict.UNDECIDED)
+        minors.append(minor)
+    known = [c.lhs - c.rhs for c in b.conditions if c.relation in ("≥", ">")]
+    known += [c.rhs - c.lhs for c in b.conditions if c.relation in ("≤", "<")]
+    known = [sp.factor(p) for p in known]
+    signs = [_sign(m, known) for m in minors]
+    written = tuple(min(m, shown(m), key=lambda x: int(x.count_ops())) for m in minors)
+    diagonal = [_sign(entries[n][n], known) for n in range(len(entries))]
+    if -1 in diagonal or _is_indefinite(signs):
+        return Stability(Verdict.UNSTABLE, written)
+    if 0 in signs:
+        return Stability(Verdict.UNDECIDED, written)
+    if None not in signs:
+        return Stability(Verdict.STABLE, written)
+    wanted = []
+    for minor in minors:
+        if _sign(minor, known) is None:
+            wanted.append(more_than_zero(minor, known))
+            known.append(sp.factor(wanted[-1].lhs - wanted[-1].rhs) * (-1 if wanted[-1].relation == "<" else 1))
+    if any((c.lhs - c.rhs).count_ops() > MOST_OPERATIONS for c in wanted):
+        return Stability(Verdict.UNDECIDED, written)
+    conditions = tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in wanted)
+    return Stability(Verdict.CONDITIONAL, written, conditions)
+
+
+def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:
+    """Whether what was divided by is zero, or may be, on a branch: then other δq would have to be the free ones."""
+    there = _on(b, pivot, e)
+    return there is None or is_zero(there) is not False
+
+
+def _is_indefinite(signs: list[int | None]) -> bool:
+    """Whether the leading minors, of known signs as far as this, exclude a minimum: a negative one of them."""
+    for s in signs:
+        if s == -1:
+            return True
+        if s != 1:
+            return False
+    return False
+
+
+def _sign(e: sp.Expr, known: list[sp.Expr]) -> int | None:
+    if e == 0 or is_zero(e):
+        return 0
+    return sign_of(e, known)
