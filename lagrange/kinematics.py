@@ -153,11 +153,15 @@ class Configuration:
         turning = {r.name for r in self.rotations}
         return tuple(p for p in self.points if p.name not in turning)
 
+    def loads_beside(self, body: str) -> tuple[Load, ...]:
+        """The applied forces on a body that do not act at its mass centre."""
+        [centre] = (p.position for p in self.points if p.name == body)
+        return tuple(f for f in self.loads if f.on == body and not (f.point - centre).is_zero)
+
     def moments_on(self, body: str) -> tuple[Vector, ...]:
         """The applied moments on a body, and those of the forces that do not act at its mass centre, about that."""
         [centre] = (p.position for p in self.points if p.name == body)
-        arms = ((f, f.point - centre) for f in self.loads if f.on == body)
-        found = [arm.cross(f.vector) for f, arm in arms if not arm.is_zero]
+        found = [(f.point - centre).cross(f.vector) for f in self.loads_beside(body)]
         return tuple(m for m in (*found, *(m.vector for m in self.torques if m.on == body)) if not m.is_zero)
 
     def moment_on(self, body: str) -> Vector:

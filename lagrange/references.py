@@ -186,6 +186,7 @@ def _of_bodies(solution: Solution) -> dict[str, Vector]:
     for r in configuration.rotations:
         found |= {f"H_{r.name}": r.momentum, f"M_{r.name}": configuration.moment_on(r.name)}
         found[f"delta(pi_{r.name})"] = r.virtual(variations)
+        found |= {f"r_{f.name}": f.point for f in configuration.loads_beside(r.name)}
     declared = solution.problem.scope.names()
     return {name: vector for name, vector in found.items() if name not in declared}
 

@@ -429,3 +429,34 @@ def test_time_in_an_orientation_is_said() -> None:
     assert solution.classification.driven == ("wheel",)
     assert solution.classification.moving == ()
     assert solution.classification.scleronomic is False
+
+
+# -- statics -------------------------------------------------------------------------------------------------------------
+
+HELD = """
+title: A rod held by a moment and a pull
+parameters: [m, g, a, M_0]
+coordinates: [theta]
+unknowns: [P]
+bodies: {{rod: {{mass: m, inertia: m*a^2/3, position: a*e1_rod, angle: theta}}}}
+forces:
+  motor: {{on: rod, moment: {moment}}}
+  pull: {{on: rod, vector: -P*j, at: 2*a*e1_rod}}
+gravity: g*i
+find: equilibrium
+answers: {{equilibrium: [P = (M_0 - m*g*a*sin(theta))/(2*a*cos(theta))]}}
+"""
+
+
+def test_a_body_in_equilibrium(problem: Read) -> None:
+    """Moments about the pin: M_0 = m g a sin(theta) + P 2 a cos(theta)."""
+    found = report(problem(HELD.format(moment="M_0*k")))
+    assert found.holds
+    assert {a.name: a.verdict.value for a in found.answers}["equilibrium"] == "equivalent"
+    assert not report(problem(HELD.format(moment="2*M_0*k"))).holds
+
+
+def test_a_moment_that_depends_on_the_motion_has_no_place_in_statics(problem: Read) -> None:
+    with pytest.raises(ProblemError) as refused:
+        solve(problem(HELD.format(moment="(M_0 - m*theta')*k")))
+    assert [d.code for d in refused.value.diagnostics] == ["force-of-motion"]

@@ -98,11 +98,14 @@ def moments_on(configuration: Configuration) -> list[Block]:
         moments = configuration.moments_on(r.name)
         if not moments:
             continue
-        away = any(f.on == r.name for f in configuration.loads) and len(moments) > sum(
-            m.on == r.name for m in configuration.torques
-        )
-        words = "The moment of the applied forces" if away else "The applied moment"
-        also = ", applied moments included," if away and any(m.on == r.name for m in configuration.torques) else ""
+        beside = configuration.loads_beside(r.name)
+        own = any(m.on == r.name for m in configuration.torques)
+        if beside:
+            verb = plural(len(beside), " acts at", " act at")
+            lines = (Equation((VectorSymbol(f"r_{f.name}"), f.point), label=f"point-{f.name}") for f in beside)
+            found += [prose("Of these, ", *listed(spoken(f.name) for f in beside), verb), display(*lines)]
+        words = "The moment of the applied forces" if beside else "The applied moment"
+        also = ", applied moments included," if beside and own else ""
         moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")
         found += [prose(f"{words} on {r.name} about its mass centre{also} is"), display(moment)]
     return found
