@@ -16,7 +16,7 @@ velocities that the constraints admit where A depends on these.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -55,7 +55,8 @@ class Classification:
     redundancies  constraints that follow from those before them
     hidden     the finite relations that no single constraint shows, as far as they were found
     losses     special configurations where the constraints are not independent, as far as they were found
-    moving     names of particles whose position contains t
+    moving     names of particles and bodies whose position contains t
+    driven     names of bodies that time turns
     """
 
     constraints: tuple[ConstraintAnalysis, ...]
@@ -65,6 +66,7 @@ class Classification:
     hidden: HiddenRelations
     losses: tuple[RankLoss, ...]
     moving: tuple[str, ...]
+    driven: tuple[str, ...]
     coordinates: int
 
     @property
@@ -91,7 +93,7 @@ class Classification:
     def scleronomic(self) -> bool | None:
         """Whether neither the constraints nor the positions contain t."""
         verdicts = [c.depends_on_time for c in self.constraints]
-        if self.moving or True in verdicts:
+        if self.moving or self.driven or True in verdicts:
             return False
         return None if None in verdicts else True
 
@@ -146,6 +148,7 @@ def classify(problem: Problem) -> Classification:
         hidden=_hidden(constraints, independent, flag, surface, slots),
         losses=rank_losses(independent, surface, slots) if is_pfaffian(rows) else (),
         moving=_moving_positions(problem),
+        driven=_driven_rotations(problem),
         coordinates=len(slots.coordinates),
     )
 
@@ -217,10 +220,20 @@ def _hidden(
 
 def _moving_positions(problem: Problem) -> tuple[str, ...]:
     """The particles and bodies whose position contains t, explicitly or through a prescribed motion."""
-    prescribed = set(problem.slots.prescribed)
-    positions = [(p.name, p.position) for p in problem.particles] + [(b.name, b.position) for b in problem.bodies]
-    return tuple(
-        name
-        for name, r in positions
-        if any(s == t or base(s) in prescribed for c in r.components for s in c.free_symbols)
-    )
+    return tuple(p.name for p in problem.masses if _contains_time(p.position.fixed().components, problem))
+
+
+def _driven_rotations(problem: Problem) -> tuple[str, ...]:
+    """The bodies whose orientation contains t, or whose angular velocity has a part without velocities."""
+    rest: dict[sp.Basic, sp.Basic] = dict.fromkeys(problem.slots.velocities, sp.S.Zero)
+    found = []
+    for b in problem.bodies:
+        turned = [*b.angles, *(c for axis in b.axes for c in axis.fixed().components), b.angle or sp.S.Zero]
+        own = () if b.angular_velocity is None else b.angular_velocity.components
+        if _contains_time(turned, problem) or any(w.xreplace(rest) != 0 for w in own):
+            found.append(b.name)
+    return tuple(found)
+
+
+def _contains_time(parts: Iterable[sp.Expr], problem: Problem) -> bool:
+    return any(s == t or base(s) in problem.slots.prescribed for c in parts for s in c.free_symbols)

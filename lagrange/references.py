@@ -20,6 +20,7 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.notation import variation
 from lagrange.problem import Problem
 from lagrange.solution import Solution
 from lagrange.vectors import Vector
@@ -113,11 +114,12 @@ def reference_of_solution(solution: Solution) -> Reference:
             **_potential(solution),
             **_reactions(solution),
             **{a.name: a for a in angles},
+            **_lengths(solution),
             **scope.scalars,
             **signs,
         },
         slots=replace(scope.slots, coordinates=coordinates),
-        vectors={**_applied_forces(solution), **_reaction_forces(solution), **scope.vectors},
+        vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
     candidates = tuple(_with_meanings(list(_candidates(solution)), solution))
     return Reference(wider, candidates, _values(problem), problem.unknowns)
@@ -183,6 +185,28 @@ def _applied_forces(solution: Solution) -> dict[str, Vector]:
         if name not in solution.problem.scope.names():
             forces[name] = forces.get(name, Vector.zero()) + load.vector
     return forces
+
+
+def _of_bodies(solution: Solution) -> dict[str, Vector]:
+    """H_B, M_B and delta(pi_B) of each body B. Names of the file keep their meaning."""
+    configuration = solution.configuration
+    variations = [variation(q) for q in configuration.slots.coordinates]
+    found: dict[str, Vector] = {}
+    for r in configuration.rotations:
+        found |= {f"H_{r.name}": r.momentum, f"M_{r.name}": configuration.moment_on(r.name)}
+        found[f"delta(pi_{r.name})"] = r.virtual(variations)
+        found |= {f"r_{f.name}": f.point for f in configuration.loads_beside(r.name)}
+    declared = solution.problem.scope.names()
+    return {name: vector for name, vector in found.items() if name not in declared}
+
+
+def _lengths(solution: Solution) -> dict[str, sp.Expr]:
+    """d_s of each spring or damper s. Names of the file keep their meaning."""
+    configuration = solution.configuration
+    declared = solution.problem.scope.names()
+    lengths = {f"d_{s.name}": s.distance for s in configuration.springs}
+    lengths |= {f"d_{d.name}": d.distance for d in configuration.dampers}
+    return {name: length for name, length in lengths.items() if name not in declared}
 
 
 def _reactions(solution: Solution) -> dict[str, sp.Expr]:

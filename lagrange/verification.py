@@ -25,7 +25,7 @@ from lagrange.equations import EquationsOfMotion
 from lagrange.exact import Point, Surface, has_real_point
 from lagrange.exterior import Form, exterior_derivative, one_form, wedge
 from lagrange.kinematics import Configuration, Row, is_pfaffian
-from lagrange.lagrangian import kinetic_energy, lagrange_equations
+from lagrange.lagrangian import applied_power, kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
 from lagrange.potentials import differentiated
 from lagrange.reactions import Reactions
@@ -263,7 +263,9 @@ def _conserves_reactions(configuration: Configuration) -> bool:
     """Whether reactions have no power: no constraint has an a_t where it holds, and no position contains t."""
     slots = configuration.slots
     still = all(row.drift == 0 or _no_drift(row, configuration) for row in configuration.rows)
-    return still and all(not _contains_time(p.position.components, slots) for p in configuration.points)
+    moved = (p.position.frozen_derivative(slots) for p in configuration.points)
+    turned = (r.virtual(slots.velocities) - r.angular_velocity for r in configuration.rotations)
+    return still and all(v.is_zero for v in moved) and all(sp.expand(c) == 0 for w in turned for c in w.components)
 
 
 def _no_drift(row: Row, configuration: Configuration) -> bool:
@@ -276,12 +278,11 @@ def _contains_time(parts: tuple[sp.Expr, ...], slots: Slots) -> bool:
 
 
 def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
-    """dT/dt = Σ F·v − Σ (∂V/∂q) q', with the accelerations that the equations of motion give."""
+    """dT/dt = Σ F·v + Σ M·ω − Σ (∂V/∂q) q' − Σ c d'², with the accelerations that the equations of motion give."""
     configuration = motion.configuration
     slots = configuration.slots
     rate = slots.time_derivative(kinetic_energy(configuration))
-    power = sp.Add(*(f.vector.fixed().dot(f.point.fixed().time_derivative(slots)) for f in configuration.loads))
-    power -= sp.Add(
+    power = applied_power(configuration) - sp.Add(
         *(configuration.potential.diff(q) * v for q, v in zip(slots.coordinates, slots.velocities, strict=True))
     )
     system = System(configuration, motion.expressions)

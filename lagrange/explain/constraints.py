@@ -324,7 +324,11 @@ def _time(classification: Classification) -> Prose:
         words = plural(len(timed), "Time occurs in the finite form of the constraint ",
                        "Time occurs in the finite forms of the constraints ")  # fmt: skip
         return prose(words, *listed(spoken(c.row.name) for c in timed), ": it is ", Term("rheonomic"), ".")
-    return prose("Time occurs in the position of ", *listed(classification.moving), ": it is ", Term("rheonomic"), ".")
+    what = plural(len(classification.moving), "the position of ", "the positions of ")
+    where: list[Part] = [what, *listed(classification.moving)] if classification.moving else []
+    if classification.driven:
+        where += [" and " if where else "", "the orientation of ", *listed(classification.driven)]
+    return prose("Time occurs in ", *where, ": it is ", Term("rheonomic"), ".")
 
 
 def _difference(finite: int) -> str:

@@ -73,11 +73,14 @@ def _suffix(configuration: Configuration) -> str:
 
 
 def _principle(configuration: Configuration) -> sp.Expr:
-    """Σ F·δr, less δV where there is a potential."""
+    """Σ F·δr + Σ M·δπ, less δV where there is a potential."""
     loads = configuration.loads
-    acting = [p.name for p in configuration.points if any(f.on == p.name and not f.elsewhere for f in loads)]
+    free = [p for p in configuration.points if not configuration.is_pinned(p)]
+    acting = [p.name for p in free if any(f.on == p.name and not f.elsewhere for f in loads)]
     acting += [f.name for f in loads if f.elsewhere]
     terms = [Dot(VectorSymbol(f"F_{name}"), VectorSymbol(f"delta(r_{name})")) for name in acting]
+    turned = [r.name for r in configuration.rotations if configuration.moments_on(r.name)]
+    terms += [Dot(VectorSymbol(f"M_{name}"), VectorSymbol(f"delta(pi_{name})")) for name in turned]
     potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
     return sp.Add(*terms, -potential)
 
