@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import lcm
 
 import sympy as sp
 
@@ -156,9 +157,10 @@ def differential_of(function: sp.Expr, slots: Slots) -> Form:
 
 
 def _written(function: sp.Expr, slots: Slots) -> sp.Expr:
-    """Without a common factor; x/y for log x - log y."""
+    """Without a common factor; x y² for (log x)/2 + log y."""
     tidied = normalised(cleared(function, (*slots.coordinates, t), slots), slots.coordinates)
     parts = [term.as_coeff_Mul() for term in sp.Add.make_args(tidied)]
-    if all(isinstance(f, sp.log) and n.is_Integer for n, f in parts):
-        return sp.Mul(*(f.args[0].replace(sp.Abs, lambda a: a) ** n for n, f in parts))
+    if all(isinstance(f, sp.log) and n.is_Rational for n, f in parts):
+        whole = lcm(*(int(n.q) for n, _ in parts))
+        return sp.Mul(*(f.args[0].replace(sp.Abs, lambda a: a) ** (n * whole) for n, f in parts))
     return tidied

@@ -297,6 +297,13 @@ def test_the_textbook_relation_as_it_is_written(problem: Read) -> None:
     assert relation.combination in ((0, 1, -1), (0, -1, 1))
 
 
+def test_logarithms_are_written_as_a_product() -> None:
+    x, y, z = sp.symbols("x y z", real=True)
+    form = (y * z, 2 * x * z, 3 * x * y, sp.S.Zero)
+    found = hidden_relations([form], [], 1, Surface((), (x, y, z)), Slots((x, y, z)))
+    assert [r.function for r in found.found] == [x * y**2 * z**3]
+
+
 def test_json_and_prose(problem: Read) -> None:
     done = report(problem(FOUND[0].text))
     found = as_object(done)
