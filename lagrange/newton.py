@@ -18,7 +18,7 @@ constraint has one: its multiplier.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -189,6 +189,18 @@ def newton_equations(
     acting = _Acting(configuration, reactions)
     bodies = tuple(_free_body(p, basis, field_forces.get(p.name), acting) for p, basis in placed)
     return Newton(reactions, bodies, idle, *_counts(configuration, bodies, idle, rank))
+
+
+def at_rest(newton: Newton, counted: bool = True) -> Newton:
+    """Newton's law for particles that stay at rest: nothing is accelerated.
+
+    counted  whether unknowns are counted against equations: not where other forces are unknown too
+    """
+    bodies = newton.bodies and tuple(
+        replace(b, components=tuple(replace(c, inertia=sp.S.Zero) for c in b.components)) for b in newton.bodies
+    )
+    before, after = (newton.before, newton.after) if counted else (None, None)
+    return replace(newton, bodies=bodies, before=before, after=after)
 
 
 @dataclass(frozen=True)
