@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from lagrange.derivation import Block, Equation, Part, Prose, Ref, Rule, Step, display, listed, math, paragraph, prose
-from lagrange.dynamics import Motion
 from lagrange.explain.words import counted, plural, spoken
 from lagrange.friction import Rubbing
 from lagrange.kinematics import Configuration
@@ -21,7 +20,9 @@ LONGEST = 8
 """Operations of what stands in running text."""
 
 
-def explain_newton(newton: Newton, motion: Motion, configuration: Configuration, freedom: int) -> Step:
+def explain_newton(
+    newton: Newton, rubbed: Sequence[Rubbing], configuration: Configuration, freedom: int, at_rest: bool = False
+) -> Step:
     """Free bodies, the components of Newton's law, unknowns against equations."""
     body: list[Block] = []
     if newton.bodies is None:
@@ -30,11 +31,12 @@ def explain_newton(newton: Newton, motion: Motion, configuration: Configuration,
         body.append(paragraph(*(s for r in newton.reactions for s in _nature(r))))
         for b in newton.bodies:
             body += _free_body(b)
-        body += _friction(motion.rubbed)
-        body += _law(newton, newton.bodies)
+        body += _friction(rubbed)
+        body += _law(newton, newton.bodies, at_rest)
         if newton.before is not None and newton.after is not None:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
-    return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+    title = "The reactions" if at_rest else "Newton's law and the reactions"
+    return Step(Rule.REACTIONS, title, tuple(body))
 
 
 def _without_bodies(newton: Newton) -> list[Block]:
@@ -138,12 +140,18 @@ def _friction(rubbed: Sequence[Rubbing]) -> list[Block]:
     return found
 
 
-def _law(newton: Newton, bodies: Iterable[FreeBody]) -> list[Block]:
+def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Block]:
     lines = []
     for b in bodies:
         for n, c in enumerate(b.components, start=1):
             lines.append(Equation((c.inertia, c.right), label=f"newton-{b.particle.name}-{n}"))
-    found: list[Block] = [prose("Newton's law, inertia equal to applied force and reaction, has the components")]
+    found: list[Block] = [
+        prose(
+            "At rest nothing is accelerated: by Newton's law applied force and reaction cancel, in components"
+            if at_rest
+            else "Newton's law, inertia equal to applied force and reaction, has the components"
+        )
+    ]
     found.append(display(*lines))
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
