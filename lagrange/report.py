@@ -109,7 +109,8 @@ def _statics(solution: Solution) -> Iterator[Step]:
     shown = bool(solution.works) and law is not None and solution.dynamics is None
     if shown and law is not None:
         freedom = solution.classification.degrees_of_freedom
-        yield explain_newton(law.newton, (), solution.configuration, freedom, at_rest=True)
+        unknown = bool(solution.problem.unknowns)
+        yield explain_newton(law.newton, (), solution.configuration, freedom, at_rest=True, unknown_forces=unknown)
         yield explain_works(solution.works, solution.configuration)
     workless = shown and all(w.vanishes for w in solution.works)
     stability = None if solution.problem.choices else solution.stability

@@ -20,7 +20,7 @@ from lagrange.dynamics import Law, Motion, law_of_motion, motion
 from lagrange.equations import EquationsOfMotion, check_inertia
 from lagrange.equilibrium import Equilibrium, equilibrium
 from lagrange.kinematics import Configuration, file_configuration
-from lagrange.newton import Normal, at_rest, normals
+from lagrange.newton import Normal, normals
 from lagrange.problem import AppliedForce, AppliedMoment, Choice, Damper, Find, Friction, Potential, Problem, Spring
 from lagrange.spot import Spot, spot_value
 from lagrange.stability import SecondVariation, second_variation
@@ -146,14 +146,13 @@ def _with_equilibrium(solution: Solution) -> Solution:
     """The solution with the equilibria, in the file's coordinates and in every choice."""
     problem = solution.problem
     original = equilibrium(solution.configuration, solution.elimination, problem.unknowns)
-    law = solution.law or (_law(solution) if problem.constraints else None)
+    law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
     works = solution.works or (
         works_of_reactions(law.newton, solution.configuration, solution.elimination) if law else ()
     )
     reactions = static_reactions(original, original, law.newton, law.used) if law else None
     checks = [*solution.checks, *check_equilibrium(original, original), *check_reactions_at_rest(reactions)]
-    if law is not None and solution.law is None:
-        law = replace(law, newton=at_rest(law.newton, counted=not problem.unknowns))
+    if solution.law is None:
         checks += check_workless(works)
     choices = []
     for c in solution.choices:
@@ -175,11 +174,10 @@ def _with_equilibrium(solution: Solution) -> Solution:
     )
 
 
-def _law(solution: Solution) -> Law:
+def _law(solution: Solution, at_rest: bool = False) -> Law:
     """Newton's law in the file's coordinates."""
-    return law_of_motion(
-        solution.problem, solution.configuration, solution.elimination, solution.classification.rank
-    )
+    rank = solution.classification.rank
+    return law_of_motion(solution.problem, solution.configuration, solution.elimination, rank, at_rest)
 
 
 def _elimination_in(c: ChoiceSolution) -> Elimination:

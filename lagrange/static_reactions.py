@@ -42,7 +42,7 @@ class Points:
 
     values  of the letters at each point
     given   a parameter, where the branch exists for particular ones only
-    around  where the coordinates that the branch leaves open lie
+    around  where the coordinates that the branch leaves open lie: all of them, where it is not in closed form
     """
 
     solution: SolutionSet
@@ -57,11 +57,11 @@ class Points:
             raise DivisionByZeroError(e)
         return there
 
-    def verdicts(self, e: sp.Expr) -> Iterator[bool | None]:
-        """Whether an expression is zero, point by point. Raises DivisionByZeroError."""
+    def verdicts(self, e: sp.Expr, numbers: Mapping[sp.Symbol, sp.Expr] | None = None) -> Iterator[bool | None]:
+        """Whether an expression is zero, point by point, for given parameters. Raises DivisionByZeroError."""
         for point in self.values:
             try:
-                yield self.around.is_zero(self.at(point, e))
+                yield self.around.is_zero(self.at(point, e).xreplace(dict(numbers or {})))
             except NotAlgebraicError:
                 yield None
 
@@ -73,9 +73,9 @@ class Points:
             return None
         return found.pop() if len(found) == 1 else None
 
-    def holds(self, expression: sp.Expr) -> bool | None:
-        """Whether an expression is zero at every point. Raises DivisionByZeroError."""
-        found = [*self.verdicts(expression)]
+    def holds(self, expression: sp.Expr, numbers: Mapping[sp.Symbol, sp.Expr] | None = None) -> bool | None:
+        """Whether an expression is zero at every point, for given parameters. Raises DivisionByZeroError."""
+        found = [*self.verdicts(expression, numbers)]
         return False if False in found else None if None in found or not found else True
 
 
@@ -131,14 +131,15 @@ def _at(
     b: Branch, found: Equilibrium, original: Equilibrium, newton: Newton, used: Sequence[Reaction]
 ) -> ReactionsAtRest | None:
     """The reactions at one branch; None where they cannot be written down, or not be proved."""
-    if len(b.points) > MOST_TRIED or not b.points:
+    if len(b.points) > MOST_TRIED or not b.points or (b.left and len(found.branches) > 1):
         return None
     points = _points(b, found)
+    common = {} if b.left else b.common
     configuration, letters = found.configuration, found.solution.letters
 
     def write(e: sp.Expr) -> sp.Expr:
         there = letters.read(configuration.rewritten(e).xreplace(dict(points.given)))
-        there = letters.write(resolved(there, {s: v for s, v in b.common.items() if v.is_finite is not False}))
+        there = letters.write(resolved(there, common))
         return there.xreplace(dict(points.given))
 
     place = Place(write, points, tidy_quotient, lambda e: over_one_denominator(shown(e)))
@@ -168,7 +169,8 @@ def _points(b: Branch, found: Equilibrium) -> Points:
     configuration = found.configuration
     around = configuration.surface if found.given else Surface()
     if b.left:
-        around = Surface((*b.left, *configuration.finite_constraints), configuration.slots.coordinates)
+        unsolved = Surface(found.expressions, (*configuration.slots.coordinates, *found.forces))
+        return Points(found.solution, ({},), given, unsolved)
     return Points(found.solution, tuple({**p, **given} for p in b.points), given, around)
 
 

@@ -21,9 +21,13 @@ LONGEST = 8
 
 
 def explain_newton(
-    newton: Newton, rubbed: Sequence[Rubbing], configuration: Configuration, freedom: int, at_rest: bool = False
+    newton: Newton, rubbed: Sequence[Rubbing], configuration: Configuration, freedom: int, at_rest: bool = False,
+    unknown_forces: bool = False,
 ) -> Step:
-    """Free bodies, the components of Newton's law, unknowns against equations."""
+    """Free bodies, the components of Newton's law, unknowns against equations.
+
+    unknown_forces  whether applied forces are unknown too, which are not counted
+    """
     body: list[Block] = []
     if newton.bodies is None:
         body += _without_bodies(newton)
@@ -33,7 +37,7 @@ def explain_newton(
             body += _free_body(b)
         body += _friction(rubbed)
         body += _law(newton, newton.bodies, at_rest)
-        if newton.before is not None and newton.after is not None:
+        if newton.before is not None and newton.after is not None and not unknown_forces:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
     title = "The reactions" if at_rest else "Newton's law and the reactions"
     return Step(Rule.REACTIONS, title, tuple(body))
@@ -172,9 +176,9 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
         f"If nothing were known of the reactions but that they act, {counted(coordinates, 'coordinate')} and "
         f"{counted(components, 'component')} of reactions would be unknown, {before.unknowns} in all, in "
         f"{before.equations} equations: {counted(laws, 'component')} of Newton's law and "
-        f"{counted(constraints, 'independent constraint')}. {many} {plural(many, 'is', 'are')} missing"
+        f"{counted(constraints, 'independent constraint')}. {many or 'None'} {plural(many or 1, 'is', 'are')} missing"
     )
-    words += ", as many as there are degrees of freedom. " if many == freedom else ". "
+    words += ", as many as there are degrees of freedom. " if many == freedom and many else ". "
     multipliers = len(newton.reactions)
     unknown = counted(multipliers, "multiplier")
     words += f"The directions leave {unknown}: {after.unknowns} unknowns in {after.equations} equations."

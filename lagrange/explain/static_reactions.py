@@ -25,12 +25,12 @@ def explain_reactions_at_rest(found: StaticReactions, newton: Newton) -> Step | 
         place: tuple[Part, ...] = ("At ", Ref(f"equilibrium{suffix}-{n}")) if _labelled(found) else ()
         if there is None:
             words = "the reactions are" if place else "The reactions are"
-            body.append(prose(*place, " " if place else "", f"{words} not written down: they were not found."))
+            body.append(prose(*place, " " if place else "", f"{words} not found in a form that can be written down."))
             continue
         lines = _lines(there, newton, f"{suffix}-{n}" if several else suffix)
         if lines:
             if place and several:
-                body.append(prose(*place))
+                body.append(prose(*place, " it is" if len(lines) == 1 else " they are"))
             body.append(display(*lines, boxed=True, detail=Detail.BRIEF))
         body += _open(there, newton)
     if not name:
@@ -45,30 +45,47 @@ def _labelled(found: StaticReactions) -> bool:
 
 
 def _beginning(found: StaticReactions, newton: Newton) -> Iterator[Block]:
-    """The equations with multipliers, where nothing else has shown them."""
+    """The equations that are solved; those with multipliers, where nothing else has shown them."""
     if found.configuration.name:
         yield prose("In these coordinates the same equations give")
         return
-    yield prose(
-        "With multipliers for the reactions the forces are balanced for every coordinate, and not only for those whose "
-        "displacements are free:"
-    )
+    several = len(found.at) > 1
+    known = _balances(newton)
+    if not known:
+        yield prose(
+            "With multipliers for the reactions the forces are balanced for every coordinate, and not only for those "
+            "whose displacements are free:"
+        )
+        yield _written_out(found, newton)
+    where: list[Part] = ["At an equilibrium "]
+    if found.equilibrium.given:
+        where = ["With ", *listed(math(f) for f in found.equilibrium.forces), " as just found "]
+    elif _labelled(found):
+        where = ["At ", *listed(Ref(f"equilibrium-{n}") for n, _ in enumerate(found.at, start=1)), " "]
+    equations: list[Part] = [*(("the equations ", *listed(known)) if known else ("these equations",))]
+    unknowns = listed(math(r.multiplier) for r in newton.reactions)
+    yield prose(*where, *equations, " agree with one another, and give ", *unknowns, "." if several else ":")
+
+
+def _balances(newton: Newton) -> list[Part]:
+    """The equations between applied forces and reactions that the free bodies have given."""
+    if newton.bodies is None or any(c.inertia != 0 for b in newton.bodies for c in b.components):
+        return []
+    found: list[Part] = [
+        Ref(f"newton-{b.particle.name}-{n}") for b in newton.bodies for n, _ in enumerate(b.components, start=1)
+    ]
+    return [*found, *(Ref(f"idle-{q.name}") for q in newton.idle)]
+
+
+def _written_out(found: StaticReactions, newton: Newton) -> Block:
+    """Q_k + Σ λ_j a_jk = 0 for every coordinate."""
     work, slots = found.equilibrium.work, found.configuration.slots
     lines = []
     for k, force in enumerate(work.forces):
         reaction = sp.Add(*(r.multiplier * r.row.coefficients[k] for r in newton.reactions))
         if force != 0 or reaction != 0:
             lines.append(Equation((force + reaction, sp.S.Zero), label=f"balance-{slots.coordinates[k].name}"))
-    yield display(*lines)
-    if found.equilibrium.given:
-        where: tuple[Part, ...] = ("With the forces just found",)
-    elif _labelled(found):
-        places = listed(Ref(f"equilibrium-{n}") for n, _ in enumerate(found.at, start=1))
-        where = ("At ", *places)
-    else:
-        where = ("At an equilibrium",)
-    unknowns = listed(math(r.multiplier) for r in newton.reactions)
-    yield prose(*where, " these agree with one another, and give ", *unknowns, ":")
+    return display(*lines)
 
 
 def _lines(there: ReactionsAtRest, newton: Newton, suffix: str) -> list[Equation]:
