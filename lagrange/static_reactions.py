@@ -22,7 +22,7 @@ import sympy as sp
 
 from lagrange.closed_form import Values
 from lagrange.equilibrium import Equilibrium
-from lagrange.exact import DivisionByZeroError, Surface
+from lagrange.exact import DivisionByZeroError, Surface, is_zero
 from lagrange.kinematics import Configuration
 from lagrange.lagrangian import lagrange_equations
 from lagrange.linear import tidy_quotient
@@ -42,13 +42,16 @@ class Points:
 
     values  of the letters at each point
     given   a parameter, where the branch exists for particular ones only
-    around  where the coordinates that the branch leaves open lie: all of them, where it is not in closed form
+    around  where the coordinates that the branch leaves open lie
+    alone   the constraints leave single positions, not found in closed form: `around` may miss some of them, and only
+            an identity is zero at all
     """
 
     solution: SolutionSet
     values: tuple[Values, ...]
     given: Mapping[sp.Symbol, sp.Expr]
     around: Surface
+    alone: bool = False
 
     def at(self, point: Values, e: sp.Expr) -> sp.Expr:
         """An expression at one of the points. Raises NotAlgebraicError, DivisionByZeroError."""
@@ -61,7 +64,9 @@ class Points:
         """Whether an expression is zero, point by point, for given parameters. Raises DivisionByZeroError."""
         for point in self.values:
             try:
-                yield self.around.is_zero(self.at(point, e).xreplace(dict(numbers or {})))
+                there = self.at(point, e).xreplace(dict(numbers or {}))
+                zero = self.around.is_zero(there)
+                yield None if zero and self.alone and not is_zero(there) else zero
             except NotAlgebraicError:
                 yield None
 
@@ -131,7 +136,9 @@ def _at(
     b: Branch, found: Equilibrium, original: Equilibrium, newton: Newton, used: Sequence[Reaction]
 ) -> ReactionsAtRest | None:
     """The reactions at one branch; None where they cannot be written down, or not be proved."""
-    if len(b.points) > MOST_TRIED or not b.points or (b.left and len(found.branches) > 1):
+    if len(b.points) > MOST_TRIED or not b.points:
+        return None
+    if b.left and (len(found.branches) > 1 or original.elimination.independent):
         return None
     points = _points(b, found)
     common = {} if b.left else b.common
@@ -169,8 +176,7 @@ def _points(b: Branch, found: Equilibrium) -> Points:
     configuration = found.configuration
     around = configuration.surface if found.given else Surface()
     if b.left:
-        unsolved = Surface(found.expressions, (*configuration.slots.coordinates, *found.forces))
-        return Points(found.solution, ({},), given, unsolved)
+        return Points(found.solution, ({},), given, configuration.surface, alone=True)
     return Points(found.solution, tuple({**p, **given} for p in b.points), given, around)
 
 

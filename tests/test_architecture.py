@@ -29,11 +29,12 @@ LAYERS = {
         restrictions""",
     "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
     "stages": """kinematics bending constraints classification displacements coordinates linear rods newton workless principle
-        reactions friction equations comparison dynamics lagrangian spot verification equilibrium stability statics""",
+        reactions friction equations comparison dynamics lagrangian spot verification equilibrium stability
+        static_reactions statics""",
     "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.statement explain.nonlinear explain.displacements
-        explain.factors explain.constraints explain.newton explain.motion explain.reactions explain.statics
-        explain.checks""",
+        explain.factors explain.constraints explain.newton explain.motion explain.reactions explain.static_reactions
+        explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",
