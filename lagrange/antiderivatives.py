@@ -17,6 +17,7 @@ from collections.abc import Iterator
 from math import comb, prod
 
 import sympy as sp
+from sympy.polys.polyerrors import BasePolynomialError
 
 from lagrange.notation import Unspecified
 from lagrange.quadratics import logarithm, of_root, over_quadratic
@@ -141,9 +142,12 @@ def _of_rational(e: sp.Expr, v: sp.Symbol, depth: int) -> sp.Expr | None:
     top, bottom = sp.Poly(numerator, v), sp.Poly(denominator, v)
     if max(top.degree(), bottom.degree()) > 6 or bottom.degree() == 0:
         return None
-    if bottom.degree() == 2 and top.degree() < 2 and bottom.is_irreducible:
-        return over_quadratic(top, bottom, v)
-    pieces = sp.apart(e, v)
+    try:
+        if bottom.degree() == 2 and top.degree() < 2 and bottom.is_irreducible:
+            return over_quadratic(top, bottom, v)
+        pieces = sp.apart(e, v)
+    except BasePolynomialError:  # coefficients that SymPy does not factor
+        return None
     return _by_terms(pieces, v, depth) if pieces.is_Add else None
 
 

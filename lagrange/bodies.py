@@ -2,23 +2,24 @@
 
 A planar body turns by an angle α about k: ω = α' k. In space the orientation is a sequence of three rotations about
 body axes (`313`: first about e_3, then about the new e_1, then about the new e_3), or the file gives a triad for the
-inertia and the angular velocity. With R the product of the rotations (columns: the body's axes in i, j, k),
-
-    ω = a_1' n_1 + a_2' n_2 + a_3' n_3 ,   n_k the axis of rotation k, where the rotations before it have turned it.
+inertia and the angular velocity (`rotation.py`). A body adds vectors to the language: its position, its angular
+velocity and its axes, in components of a triad in which they are short (`orientation.py`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import cached_property
 
 import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, ProblemError
 from lagrange.exact import DivisionByZeroError
+from lagrange.nodes import Mapping as MappingNode
 from lagrange.nodes import Node, Scalar
 from lagrange.nodes import Sequence as ListNode
-from lagrange.notation import Slots
+from lagrange.orientation import axis_names, names_before_last, orientation
 from lagrange.problem import Body
 from lagrange.reading import Reading
 from lagrange.sections import Section, items_of, mapping_of, scalar_of, wrong_kind
@@ -34,25 +35,49 @@ _TURNING = (
 )
 
 
-def names_of_body(name: str) -> dict[str, str]:
-    """The vectors that a body adds to the language, and what they are."""
-    axes = {f"e{n}_{name}": f"an axis of the body `{name}`" for n in (1, 2, 3)}
-    return {f"r_{name}": f"the position of `{name}`", f"omega_{name}": f"the angular velocity of `{name}`"} | axes
+def names_of_turning(name: str, node: Node) -> dict[str, str]:
+    """The vectors that a body adds to the language beside its position, and what they are."""
+    found = {f"omega_{name}": f"the angular velocity of `{name}`"}
+    found |= dict.fromkeys(axis_names(name), f"an axis of the body `{name}`")
+    if isinstance(node, MappingNode) and any(key.text == "orientation" for key, _ in node.entries):
+        found |= dict.fromkeys(names_before_last(name), f"an axis before the last rotation of `{name}`")
+    return found
 
 
-def read_body(name: str, key: Scalar, node: Node, reading: Reading) -> tuple[Body, Mapping[str, Vector]]:
-    """One entry of `bodies`, and the vectors that it adds to the language."""
-    what = f"the body `{name}`"
-    section = Section(mapping_of(node, what, f"{name}: {_EXAMPLE}"), what, _KEYS, reading.findings)
-    mass, inertia, position = reading.findings.all_of(
-        lambda: mass_of(section.get("mass"), name, reading),
-        lambda: _inertia(section.required("inertia", key.span, "I_G"), reading),
-        lambda: reading.vector(section.required("position", key.span, "x*i + y*j"), f"the position of `{name}`"),
-    )
-    body = Body(name, mass, position, inertia, key.span)
-    turned, axes, spin = _turned_body(body, section, reading)
-    vectors = (position, spin, *axes)
-    return turned, dict(zip(names_of_body(name), vectors, strict=True))
+class BodyBeingRead:
+    """One entry of `bodies`. How the body is turned is read apart from where it is: a position may use its axes."""
+
+    def __init__(self, name: str, key: Scalar, node: Node, reading: Reading) -> None:
+        self.name = name
+        self.key = key
+        self.node = node
+        self.reading = reading
+        self._body: Body | None = None
+
+    @cached_property
+    def _section(self) -> Section:
+        what = f"the body `{self.name}`"
+        return Section(mapping_of(self.node, what, f"{self.name}: {_EXAMPLE}"), what, _KEYS, self.reading.findings)
+
+    def turning(self) -> Mapping[str, Vector]:
+        """Reads all but the position; the vectors that this adds to the language."""
+        section, reading = self._section, self.reading
+        mass, inertia = reading.findings.all_of(
+            lambda: mass_of(section.get("mass"), self.name, reading),
+            lambda: _inertia(section.required("inertia", self.key.span, "I_G"), reading),
+        )
+        self._body = _turned_body(Body(self.name, mass, Vector.zero(), inertia, self.key.span), section, reading)
+        found = orientation(self._body, reading.scope.slots)
+        return {f"omega_{self.name}": found.angular_velocity, **found.vectors}
+
+    def position(self) -> Vector:
+        """Reads the position of the mass centre."""
+        node = self._section.required("position", self.key.span, "x*i + y*j")
+        return self.reading.vector(node, f"the position of `{self.name}`")
+
+    def at(self, position: Vector) -> Body | None:
+        """The body; None where the rest of it could not be read."""
+        return None if self._body is None else replace(self._body, position=position)
 
 
 def constant(node: Node, what: str, reading: Reading) -> sp.Expr:
@@ -81,8 +106,8 @@ def _inertia(node: Node, reading: Reading) -> tuple[sp.Expr, ...]:
     return tuple(constant(item, "a moment of inertia", reading) for item in node.items)
 
 
-def _turned_body(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
-    """The body with what says how it is turned, its axes and its angular velocity."""
+def _turned_body(body: Body, section: Section, reading: Reading) -> Body:
+    """The body with what says how it is turned."""
     given = {k for k in ("angle", "orientation", "axes", "angular_velocity") if section.has(k)}
     planar = len(body.inertia) == 1
     if planar and given == {"angle"}:
@@ -95,13 +120,12 @@ def _turned_body(body: Body, section: Section, reading: Reading) -> tuple[Body, 
     raise ProblemError(Diagnostic("orientation", message, body.span, help=_TURNING))
 
 
-def _with_angle(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
+def _with_angle(body: Body, section: Section, reading: Reading) -> Body:
     angle = reading.scalar(section.required("angle", body.span, "theta"), f"the angle of `{body.name}`", POSITION)
-    axes, spin = _turned(((3, angle),), reading.scope.slots)
-    return replace(body, angle=angle), axes, spin
+    return replace(body, angle=angle)
 
 
-def _with_orientation(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
+def _with_orientation(body: Body, section: Section, reading: Reading) -> Body:
     example = "{axes: 313, angles: [phi, theta, psi]}"
     node = section.required("orientation", body.span, example)
     mapping = mapping_of(node, "`orientation`", f"orientation: {example}")
@@ -114,8 +138,7 @@ def _with_orientation(body: Body, section: Section, reading: Reading) -> tuple[B
         help_ = "write `angles: [phi, theta, psi]`"
         raise ProblemError(Diagnostic("orientation", message, angles_node.span, help=help_))
     angles = tuple(reading.scalar(i, f"an angle of `{body.name}`", POSITION) for i in items)
-    axes, spin = _turned(tuple(zip(map(int, sequence), angles, strict=True)), reading.scope.slots)
-    return replace(body, sequence=sequence, angles=angles), axes, spin
+    return replace(body, sequence=sequence, angles=angles)
 
 
 def _sequence(node: Node) -> str:
@@ -127,7 +150,7 @@ def _sequence(node: Node) -> str:
     return scalar.text
 
 
-def _with_axes(body: Body, section: Section, reading: Reading) -> tuple[Body, tuple[Vector, ...], Vector]:
+def _with_axes(body: Body, section: Section, reading: Reading) -> Body:
     node = section.required("axes", body.span, "[e1, e2, e3]")
     items = items_of(node, "`axes`", "axes: [e1, e2, e3]")
     if len(items) != 3:
@@ -136,7 +159,9 @@ def _with_axes(body: Body, section: Section, reading: Reading) -> tuple[Body, tu
     _check_triad((a, b, c), node, reading)
     spin_node = section.required("angular_velocity", body.span, "theta'*k")
     spin = reading.vector(spin_node, f"the angular velocity of `{body.name}`", RATE)
-    return replace(body, axes=(a, b, c), angular_velocity=spin), (a, b, c), spin
+    names = tuple(item.text for item in items if isinstance(item, Scalar) and item.text in reading.scope.vectors)
+    called = names if len(set(names)) == 3 else ()
+    return replace(body, axes=(a, b, c), axes_called=called, angular_velocity=spin)
 
 
 def _check_triad(axes: tuple[Vector, Vector, Vector], node: Node, reading: Reading) -> None:
@@ -157,24 +182,3 @@ def _differs(value: sp.Expr, number: int, reading: Reading) -> bool:
         return reading.is_zero(value - number) is False
     except DivisionByZeroError:
         return True
-
-
-def _rotation(axis: int, angle: sp.Expr) -> sp.Matrix:
-    """The rotation by `angle` about coordinate axis 1, 2 or 3; columns are the turned axes."""
-    s, c = sp.sin(angle), sp.cos(angle)
-    a, b = {1: (1, 2), 2: (2, 0), 3: (0, 1)}[axis]
-    matrix = sp.eye(3)
-    matrix[a, a] = matrix[b, b] = c
-    matrix[a, b], matrix[b, a] = -s, s
-    return matrix
-
-
-def _turned(rotations: tuple[tuple[int, sp.Expr], ...], slots: Slots) -> tuple[tuple[Vector, ...], Vector]:
-    """The body's axes and its angular velocity, in i, j, k."""
-    matrix = sp.eye(3)
-    spin = Vector.zero()
-    for axis, angle in rotations:
-        direction = Vector(tuple(matrix[:, axis - 1]))
-        spin = spin + direction * slots.time_derivative(angle)
-        matrix = matrix * _rotation(axis, angle)
-    return tuple(Vector(tuple(matrix[:, k])) for k in range(3)), spin

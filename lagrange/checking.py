@@ -96,7 +96,9 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> Verdict:
     reference = reference_of_solution(solution)
     at_rest = _at_rest(solution) if solution.motion is None else None
     found = [
-        at_rest.check_stated(fragment, reactions[name]) if at_rest else check_reaction(fragment, reactions[name], reference)
+        at_rest.check_stated(fragment, reactions[name])
+        if at_rest
+        else check_reaction(fragment, reactions[name], reference)
         for name, fragment in stated.items()
     ]
     order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
@@ -261,7 +263,9 @@ def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: 
     if not rest:
         return CheckedAnswer(AnswerVerdict(verdict, stated, notes=notes), reactions=True)
     positions = check_equilibria(alternatives_of(rest), found, reference)
-    both = next((v for v in _FIRST if v in (positions.verdict, verdict) and v is not Verdict.TRIVIAL), positions.verdict)
+    both = next(
+        (v for v in _FIRST if v in (positions.verdict, verdict) and v is not Verdict.TRIVIAL), positions.verdict
+    )
     return CheckedAnswer(
         replace(positions, verdict=both, equations=(*positions.equations, *stated), notes=(*positions.notes, *notes)),
         statics=True,

@@ -16,17 +16,34 @@ velocities that the constraints admit where A depends on these.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+import sympy as sp
+
 from lagrange.bending import bending_rank
+from lagrange.combinations import combination
+from lagrange.consistency import check_consistent, check_curved, check_follows
 from lagrange.constraints import ConstraintAnalysis, analysis, constraint_row
-from lagrange.diagnostics import Diagnostic, ProblemError, UndecidedError
-from lagrange.exact import NoPointError, Surface
+from lagrange.diagnostics import UndecidedError
+from lagrange.exact import Surface
+from lagrange.hidden_relations import HiddenRelations, differential_of, hidden_relations
 from lagrange.integrability import Flag, derived_flag
 from lagrange.kinematics import Row, admitted_states, is_pfaffian
 from lagrange.notation import Slots, base, t
 from lagrange.problem import Constraint, Problem
+from lagrange.rank_loss import RankLoss, rank_losses
+
+
+@dataclass(frozen=True)
+class Redundancy:
+    """A constraint that follows from those before it.
+
+    combination  (name, c) for ω = Σ c ω_name; None where it is too long to be shown, or there is no form
+    """
+
+    name: str
+    combination: tuple[tuple[str, sp.Expr], ...] | None
 
 
 @dataclass(frozen=True)
@@ -35,16 +52,32 @@ class Classification:
 
     rank       of A
     flag       the ranks of the derived flag
-    redundant  names of constraints that follow from those before them
-    moving     names of particles whose position contains t
+    redundancies  constraints that follow from those before them
+    hidden     the finite relations that no single constraint shows, as far as they were found
+    losses     special configurations where the constraints are not independent, as far as they were found
+    moving     names of particles and bodies whose position contains t
+    driven     names of bodies that time turns
     """
 
     constraints: tuple[ConstraintAnalysis, ...]
     rank: int
     flag: Flag
-    redundant: tuple[str, ...]
+    redundancies: tuple[Redundancy, ...]
+    hidden: HiddenRelations
+    losses: tuple[RankLoss, ...]
     moving: tuple[str, ...]
+    driven: tuple[str, ...]
     coordinates: int
+
+    @property
+    def redundant(self) -> tuple[str, ...]:
+        """The names of the constraints that follow from those before them."""
+        return tuple(r.name for r in self.redundancies)
+
+    @property
+    def independent(self) -> tuple[ConstraintAnalysis, ...]:
+        """The constraints that are not redundant."""
+        return tuple(c for c in self.constraints if c.row.name not in self.redundant)
 
     @property
     def integrable_rank(self) -> int | None:
@@ -60,7 +93,7 @@ class Classification:
     def scleronomic(self) -> bool | None:
         """Whether neither the constraints nor the positions contain t."""
         verdicts = [c.depends_on_time for c in self.constraints]
-        if self.moving or True in verdicts:
+        if self.moving or self.driven or True in verdicts:
             return False
         return None if None in verdicts else True
 
@@ -95,20 +128,27 @@ def classify(problem: Problem) -> Classification:
     rows = tuple(constraint_row(c, slots) for c in problem.constraints)
     geometric = [r for r in rows if r.finite is not None]
     surface = Surface([r.finite for r in geometric], slots.coordinates)
-    _check_consistent(problem.constraints, rows, surface)
+    check_consistent(problem.constraints, rows, surface)
     states = surface if is_pfaffian(rows) else admitted_states(rows, slots)
-    _check_curved(problem.constraints, rows, states)
+    check_curved(problem.constraints, rows, states)
     redundant = _redundant(problem.constraints, rows, states, slots)
-    independent = [r for r in geometric if r.name not in redundant]
+    names = {r.name for r in redundant}
+    independent = [r for r in rows if r.name not in names]
+    finite = [r for r in independent if r.finite is not None]
+    constraints = tuple(
+        analysis(c, row, finite, surface, slots) for c, row in zip(problem.constraints, rows, strict=True)
+    )
     rank = _rank(rows, states)
+    flag = _flag(rows, rank, slots, surface, states)
     return Classification(
-        constraints=tuple(
-            analysis(c, row, independent, surface, slots) for c, row in zip(problem.constraints, rows, strict=True)
-        ),
+        constraints=constraints,
         rank=rank,
-        flag=_flag(rows, rank, slots, surface, states),
-        redundant=redundant,
+        flag=flag,
+        redundancies=redundant,
+        hidden=_hidden(constraints, independent, flag, surface, slots),
+        losses=rank_losses(independent, surface, slots) if is_pfaffian(rows) else (),
         moving=_moving_positions(problem),
+        driven=_driven_rotations(problem),
         coordinates=len(slots.coordinates),
     )
 
@@ -141,123 +181,59 @@ def _rank(rows: Sequence[Row], surface: Surface) -> int:
     return found
 
 
-def _check_consistent(constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> None:
-    """Refuses constraints that exclude one another: f = 0 with f = 1, or a_t outside the range of A."""
-    pfaffian = [(c, r) for c, r in zip(constraints, rows, strict=True) if r.nonlinear is None]
-    constraints, rows = [c for c, _ in pfaffian], [r for _, r in pfaffian]
-    geometric = [c for c in constraints if not c.kinematic]
-    clash = [geometric[k] for k in surface.contradictory()]
-    if not clash or has_real_point(surface):
-        _check_regular(geometric, rows, surface)
-        clash = _clash_of_rates(constraints, rows, surface)
-    if clash:
-        raise _contradiction(clash)
-
-
-def _contradiction(clash: Sequence[Constraint]) -> ProblemError:
-    listed = " and ".join(f"`{c.name}`" for c in clash)
-    message = f"{listed} contradict each other" if len(clash) > 1 else f"{listed} cannot be satisfied"
-    help_ = "no position or velocity satisfies them; correct or remove one"
-    return ProblemError(Diagnostic("contradictory-constraints", message, clash[-1].span, help=help_))
-
-
-def _check_curved(constraints: Sequence[Constraint], rows: Sequence[Row], states: Surface) -> None:
-    """Refuses constraints, not linear in the velocities, that exclude others, or whose ∂φ/∂q' vanish where φ = 0."""
-    curved = [(c, r) for c, r in zip(constraints, rows, strict=True) if r.nonlinear is not None]
-    if not curved:
-        return
-    clash = states.contradictory()
-    if clash and not has_real_point(states):
-        finite = [c for c, r in zip(constraints, rows, strict=True) if r.finite is not None]
-        ordered = [*finite, *constraints]
-        raise _contradiction(list(dict.fromkeys(ordered[k] for k in clash)))
-    for constraint, row in curved:
-        if states.rank([row.coefficients]) == 0:
-            raise _singular(constraint)
-
-
-def _singular(constraint: Constraint) -> ProblemError:
-    message = f"the derivatives of `{constraint.name}` by the velocities vanish wherever the constraints hold"
-    help_ = "write it so that it changes sign there, as a product without squares"
-    return ProblemError(Diagnostic("singular-constraint", message, constraint.span, help=help_))
-
-
-def has_real_point(surface: Surface) -> bool:
-    """Whether a real configuration satisfies the constraints; found by Newton's iteration, so that True is certain."""
-    try:
-        surface.real_point()
-    except NoPointError:
-        return False
-    return True
-
-
-def _check_regular(geometric: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> None:
-    """Refuses constraints such as sin x = 1, whose differential vanishes where they hold and binds nothing."""
-    finite = [r for r in rows if r.finite is not None]
-    for constraint, row in zip(geometric, finite, strict=True):
-        if surface.rank([row.coefficients]) == 0:
-            message = f"the differential of `{constraint.name}` vanishes wherever the constraint holds"
-            help_ = "write it so that it changes sign there: `x = pi/2` and not `sin(x) = 1`"
-            raise ProblemError(Diagnostic("singular-constraint", message, constraint.span, help=help_))
-
-
-def _clash_of_rates(constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> list[Constraint]:
-    """The first constraint whose velocity form excludes those before it, with them."""
-    for count in range(1, len(rows) + 1):
-        some = rows[:count]
-        a = surface.rank([r.coefficients for r in some])
-        whole = surface.rank([(*r.coefficients, r.drift) for r in some])
-        if a is not None and whole is not None and whole > a:
-            return _smallest_clash(constraints[:count], some, surface)
-    return []
-
-
-def _smallest_clash(constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface) -> list[Constraint]:
-    """Without those constraints that the contradiction does not need."""
-    kept = list(zip(constraints, rows, strict=True))
-    for pair in list(kept):
-        fewer = [p for p in kept if p is not pair]
-        a = surface.rank([r.coefficients for _, r in fewer]) if fewer else 0
-        whole = surface.rank([(*r.coefficients, r.drift) for _, r in fewer]) if fewer else 0
-        if a is not None and whole is not None and whole > a:
-            kept = fewer
-    return [c for c, _ in kept]
-
-
 def _redundant(
     constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface, slots: Slots
-) -> tuple[str, ...]:
-    """The rows that raise the rank of those before them by nothing."""
-    found = []
-    before = 0
-    for count, row in enumerate(rows, start=1):
-        now = surface.rank([r.coefficients for r in rows[:count]])
+) -> tuple[Redundancy, ...]:
+    """The rows that raise the rank of those before them by nothing, as combinations of these."""
+    found: list[Redundancy] = []
+    independent: list[Row] = []
+    for count, (constraint, row) in enumerate(zip(constraints, rows, strict=True), start=1):
+        now = surface.rank([r.coefficients for r in (*independent, row)])
         if now is None:
             raise UndecidedError(f"whether the constraint `{row.name}` follows from the others")
-        if now == before:
-            _check_follows(constraints[count - 1], rows[:count], slots)
-            found.append(row.name)
-        before = now
+        if now > len(independent):
+            independent.append(row)
+            continue
+        check_follows(constraint, rows[:count], slots)
+        found.append(Redundancy(row.name, _combination(row, independent, surface)))
     return tuple(found)
 
 
-def _check_follows(constraint: Constraint, rows: Sequence[Row], slots: Slots) -> None:
-    """Refuses a constraint that only touches those before it: x' = 1 touches x'² + y'² = 1 where y' = 0."""
-    if is_pfaffian(rows):
-        return
-    follows = admitted_states(rows[:-1], slots).is_zero(rows[-1].velocity_form(slots))
-    if follows is None:
-        raise UndecidedError(f"whether the constraint `{constraint.name}` follows from the others", constraint.span)
-    if not follows:
-        raise _singular(constraint)
+def _combination(row: Row, others: Sequence[Row], surface: Surface) -> tuple[tuple[str, sp.Expr], ...] | None:
+    """The terms of ω = Σ c ω_name; None where they are long or there are no forms."""
+    if not is_pfaffian([*others, row]):
+        return None
+    values = combination(row.form, [r.form for r in others], surface) if others else ()
+    return None if values is None else tuple((r.name, c) for r, c in zip(others, values, strict=True) if c != 0)
+
+
+def _hidden(
+    constraints: Sequence[ConstraintAnalysis], independent: Sequence[Row], flag: Flag, surface: Surface, slots: Slots
+) -> HiddenRelations:
+    """The finite relations beyond the geometric constraints and the kinematic ones whose integral is known."""
+    known = [c.row.form for c in constraints if c.row.finite is not None]
+    integrals = [c.integral for c in constraints if c.row.finite is None and c.integral is not None]
+    known += [differential_of(f, slots) for f in integrals]
+    forms = [r.form for r in independent if r.nonlinear is None]
+    return hidden_relations(forms, known, flag.integrable_rank, surface, slots, flag.bound)
 
 
 def _moving_positions(problem: Problem) -> tuple[str, ...]:
     """The particles and bodies whose position contains t, explicitly or through a prescribed motion."""
-    prescribed = set(problem.slots.prescribed)
-    positions = [(p.name, p.position) for p in problem.particles] + [(b.name, b.position) for b in problem.bodies]
-    return tuple(
-        name
-        for name, r in positions
-        if any(s == t or base(s) in prescribed for c in r.components for s in c.free_symbols)
-    )
+    return tuple(p.name for p in problem.masses if _contains_time(p.position.fixed().components, problem))
+
+
+def _driven_rotations(problem: Problem) -> tuple[str, ...]:
+    """The bodies whose orientation contains t, or whose angular velocity has a part without velocities."""
+    rest: dict[sp.Basic, sp.Basic] = dict.fromkeys(problem.slots.velocities, sp.S.Zero)
+    found = []
+    for b in problem.bodies:
+        turned = [*b.angles, *(c for axis in b.axes for c in axis.fixed().components), b.angle or sp.S.Zero]
+        own = () if b.angular_velocity is None else b.angular_velocity.components
+        if _contains_time(turned, problem) or any(w.xreplace(rest) != 0 for w in own):
+            found.append(b.name)
+    return tuple(found)
+
+
+def _contains_time(parts: Iterable[sp.Expr], problem: Problem) -> bool:
+    return any(s == t or base(s) in problem.slots.prescribed for c in parts for s in c.free_symbols)

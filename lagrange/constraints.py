@@ -23,7 +23,7 @@ import sympy as sp
 from lagrange.bending import Bending, bending, bending_rank
 from lagrange.exact import Surface
 from lagrange.exterior import Form, one_form, wedge
-from lagrange.integrability import Exactness, exactness, frobenius_form, is_integrable
+from lagrange.integrability import Exactness, exactness, frobenius_form, is_integrable, writer
 from lagrange.kinematics import Row, admitted_states
 from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
@@ -178,8 +178,9 @@ def _frobenius(row: Row, geometric: Sequence[Row], surface: Surface, slots: Slot
     for other in geometric:
         form = wedge(form, one_form((*other.coefficients, other.drift)))
     found = []
+    written = writer(row.form)
     for indices, coefficient in sorted(form.items()):
-        short = in_differences(textbook_form(coefficient), slots.coordinates)
+        short = in_differences(written(coefficient), slots.coordinates)
         if short == 0:
             continue
         zero = surface.is_zero(short)

@@ -49,6 +49,7 @@ __all__ = [
     "UnsupportedError",
     "ZeroDivisorError",
     "are_equal",
+    "has_real_point",
     "is_zero",
     "process_fields",
     "rank",
@@ -225,6 +226,15 @@ def are_equal(a: sp.Expr, b: sp.Expr, surface: Surface | None = None) -> bool | 
 def rank(rows: Rows, surface: Surface | None = None) -> int | None:
     """`Surface.rank`, by default on no surface."""
     return (surface or Surface()).rank(rows)
+
+
+def has_real_point(surface: Surface) -> bool:
+    """Whether a real point of a surface was found; by Newton's iteration, so that True is certain."""
+    try:
+        surface.real_point()
+    except NoPointError:
+        return False
+    return True
 
 
 def _holds(at: Callable[[Point], bool], point: Point) -> bool:

@@ -163,12 +163,17 @@ def _moment(f: _Entry) -> Force:
 
 
 def _spring(f: _Entry) -> Force:
-    stiffness, ends, length = f.all_of(
+    stiffness, ends, length, sense = f.all_of(
         lambda: f.scalar("spring", "c", ENERGY),
         f.ends,
         lambda: f.scalar("length", "l_0", ENERGY) if f.section.get("length") else sp.S.Zero,
+        lambda: f.sense("sense"),
     )
-    return Spring(f.name, stiffness, ends, length, f.span)
+    if sense is not None and sum(c != 0 for c in (ends[1] - ends[0]).components) != 1:
+        message = f"the ends of the spring `{f.name}` are not on a line along a unit vector"
+        help_ = "leave `sense` out: it is the sign of the second end's coordinate less the first's, on such a line"
+        raise ProblemError(Diagnostic("sense-off-line", message, f.span, help=help_))
+    return Spring(f.name, stiffness, ends, length, f.span, sense)
 
 
 def _damper(f: _Entry) -> Force:
@@ -196,7 +201,7 @@ def _friction(f: _Entry) -> Force:
 _KINDS: dict[str, tuple[tuple[str, ...], Callable[[_Entry], Force]]] = {
     "vector": (("vector", "on", "at"), _applied),
     "moment": (("moment", "on"), _moment),
-    "spring": (("spring", "between", "length"), _spring),
+    "spring": (("spring", "between", "length", "sense"), _spring),
     "damper": (("damper", "between"), _damper),
     "potential": (("potential",), _potential),
     "friction": (("friction", "constraint", "on", "surface_velocity", "slip", "contact"), _friction),

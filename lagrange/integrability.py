@@ -41,6 +41,8 @@ POINTS = 2
 ROOT_POINTS = 8
 BRANCH_POINTS = 20
 REAL_POINTS = 4
+LONGEST_TIDIED = 60
+LONGEST_FORM = 40
 
 
 @dataclass(frozen=True)
@@ -110,16 +112,24 @@ def exactness(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Sl
 def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> tuple[Component, ...]:
     """The components of ω ∧ dω, in the order of the variables; those written as 0 are left out."""
     components = []
+    written = writer(form)
     indices = range(len(form))
     d = {(i, j): differentiated(form[j], variables[i], slots) for i in indices for j in indices if i != j}
     for i, j, k in combinations(indices, 3):
         cyclic = ((i, j, k), (j, k, i), (k, i, j))
-        coefficient = textbook_form(sp.Add(*(form[a] * (d[b, c] - d[c, b]) for a, b, c in cyclic)))
+        coefficient = written(sp.Add(*(form[a] * (d[b, c] - d[c, b]) for a, b, c in cyclic)))
         if coefficient != 0:
             zero = _compared(coefficient)
             triple = (variables[i], variables[j], variables[k])
             components.append(Component(triple, coefficient, None if zero is None else not zero))
     return tuple(components)
+
+
+def writer(form: Sequence[sp.Expr]) -> Callable[[sp.Expr], sp.Expr]:
+    """How components of ω ∧ dω are written: in textbook form, unless that would be too long for anybody to read."""
+    if sum(a.count_ops() for a in form) > LONGEST_FORM:
+        return lambda coefficient: coefficient
+    return lambda coefficient: textbook_form(coefficient) if coefficient.count_ops() <= LONGEST_TIDIED else coefficient
 
 
 def derived_flag(

@@ -4,6 +4,9 @@ With the coordinates q of a configuration,
 
     v = Σ (∂r/∂q_k) q_k' + ∂r/∂t ,     δr = Σ (∂r/∂q_k) δq_k   (time frozen) .
 
+A rigid body is its mass centre, a point with the mass, and a rotation (`rigid_bodies.py`). A force at another of its
+points r_A acts at the mass centre too, and has the moment (r_A − r_G) × F.
+
 The same functions serve the file's own coordinates and every choice of generalized coordinates: a choice is another
 configuration, with the positions, forces and remaining constraints written in its coordinates.
 """
@@ -17,8 +20,10 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.exact import Surface
+from lagrange.links import Damped, Stretched, damper_in, dampers_in, spring_in, stretched_springs
 from lagrange.notation import Slots, prime
-from lagrange.problem import AppliedForce, Potential, Problem, Spring
+from lagrange.problem import AppliedForce, AppliedMoment, Potential, Problem
+from lagrange.rigid_bodies import Rotation, rotation_in, rotation_of
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
@@ -52,6 +57,11 @@ class Row:
         return cls(name, coefficients, sp.Add(function, *(-p for p in powers)), nonlinear=function)
 
     @property
+    def form(self) -> tuple[sp.Expr, ...]:
+        """The coefficients of all differentials, dt among them, shape (n + 1,)."""
+        return (*self.coefficients, self.drift)
+
+    @property
     def is_identity(self) -> bool:
         """Whether it is written 0 = 0."""
         return self.drift == 0 and all(a == 0 for a in self.coefficients)
@@ -80,7 +90,10 @@ def admitted_states(rows: Sequence[Row], slots: Slots) -> Surface:
 
 @dataclass(frozen=True)
 class Load:
-    """An applied force and the point that it acts at; `elsewhere`: that is not the position of what it acts on."""
+    """An applied force and the point that it acts at; `elsewhere`: that is not where the particle is that it acts on.
+
+    On a body it acts anywhere: the arm from the mass centre gives it a moment.
+    """
 
     name: str
     on: str
@@ -90,28 +103,17 @@ class Load:
 
 
 @dataclass(frozen=True)
-class Stretched:
-    """A spring in a configuration: the distance d of its ends, its energy k (d − l)²/2, its pull k (d − l)."""
+class Torque:
+    """An applied moment on a rigid body."""
 
     name: str
-    stiffness: sp.Expr
-    length: sp.Expr
-    distance: sp.Expr
-
-    @property
-    def energy(self) -> sp.Expr:
-        """k (d − l)²/2."""
-        return self.stiffness * (self.distance - self.length) ** 2 / 2
-
-    @property
-    def pull(self) -> sp.Expr:
-        """The force with which it pulls its ends together."""
-        return self.stiffness * (self.distance - self.length)
+    on: str
+    vector: Vector
 
 
 @dataclass(frozen=True)
 class MassPoint:
-    """A particle and its motion. `partials`, shape (n,): the vectors ∂r/∂q_k."""
+    """A particle or mass centre and its motion. `partials`, shape (n,): the vectors ∂r/∂q_k."""
 
     name: str
     mass: sp.Expr
@@ -127,12 +129,15 @@ class Configuration:
 
     name        of the choice of generalized coordinates; empty for the file's own coordinates
     slots       the coordinates and the prescribed motions
-    points      the particles
+    points      the particles, and the mass centres of the bodies
     loads       the applied forces, weights included
     potential   the potential energy of what is given by a potential, and of the springs
-    springs     the springs
     rows        the constraints that these coordinates still have to satisfy
     expressed   each old coordinate that is replaced, in the present coordinates
+    springs     the springs
+    dampers     the dampers
+    rotations   of the bodies
+    torques     the applied moments
     """
 
     name: str
@@ -143,6 +148,37 @@ class Configuration:
     rows: tuple[Row, ...]
     expressed: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     springs: tuple[Stretched, ...] = ()
+    dampers: tuple[Damped, ...] = ()
+    rotations: tuple[Rotation, ...] = ()
+    torques: tuple[Torque, ...] = ()
+
+    @property
+    def particles(self) -> tuple[MassPoint, ...]:
+        """The points that are not mass centres of bodies."""
+        turning = {r.name for r in self.rotations}
+        return tuple(p for p in self.points if p.name not in turning)
+
+    def loads_beside(self, body: str) -> tuple[Load, ...]:
+        """The applied forces on a body that do not act at its mass centre."""
+        [centre] = (p.position for p in self.points if p.name == body)
+        return tuple(f for f in self.loads if f.on == body and not (f.point - centre).is_zero)
+
+    def moments_on(self, body: str) -> tuple[Vector, ...]:
+        """The applied moments on a body, and those of the forces that do not act at its mass centre, about that."""
+        [centre] = (p.position for p in self.points if p.name == body)
+        found = [(f.point - centre).cross(f.vector) for f in self.loads_beside(body)]
+        return tuple(m for m in (*found, *(m.vector for m in self.torques if m.on == body)) if not m.is_zero)
+
+    def moment_on(self, body: str) -> Vector:
+        """Their sum, along the axes that the angular momentum is along."""
+        [rotation] = (r for r in self.rotations if r.name == body)
+        triad = rotation.angular_velocity.triad
+        return sum(self.moments_on(body), Vector.zero(triad)).along(triad).map(textbook_form)
+
+    def is_pinned(self, point: MassPoint) -> bool:
+        """Whether a point is the mass centre of a body, and stays where it is."""
+        fixed = all(v.is_zero for v in (*point.partials, point.velocity))
+        return fixed and any(r.name == point.name for r in self.rotations)
 
     @property
     def finite_constraints(self) -> tuple[sp.Expr, ...]:
@@ -176,40 +212,33 @@ class Configuration:
 def applied_loads(problem: Problem) -> tuple[Load, ...]:
     """The weights, then the forces in the order of the file."""
     loads = []
-    for p in problem.particles:
+    for p in problem.masses:
         if problem.gravity is not None and p.mass != 0:
             loads.append(Load("weight", p.name, problem.gravity * p.mass, p.position))
-    positions = {p.name: p.position for p in problem.particles}
+    positions = {p.name: p.position for p in problem.masses}
+    bodies = {b.name for b in problem.bodies}
     for f in problem.forces:
         if isinstance(f, AppliedForce):
-            loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on], f.at is not None))
+            loads.append(Load(f.name, f.on, f.vector, f.at or positions[f.on], f.at is not None and f.on not in bodies))
     return tuple(loads)
 
 
 def file_configuration(problem: Problem, rows: tuple[Row, ...]) -> Configuration:
     """The system in the coordinates of the file."""
     springs = stretched_springs(problem)
-    energies = [f.energy for f in problem.forces if isinstance(f, Potential)]
-    potential = sp.Add(*energies, *(s.energy for s in springs))
+    energies = (f.energy for f in problem.forces if isinstance(f, Potential))
     return Configuration(
         name="",
         slots=problem.slots,
-        points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in problem.particles),
+        points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in problem.masses),
         loads=applied_loads(problem),
-        potential=potential,
+        potential=sp.Add(*energies, *(s.energy for s in springs)),
         rows=rows,
         springs=springs,
+        dampers=dampers_in(problem),
+        rotations=tuple(rotation_of(b, problem.slots) for b in problem.bodies),
+        torques=tuple(Torque(f.name, f.on, f.moment) for f in problem.forces if isinstance(f, AppliedMoment)),
     )
-
-
-def stretched_springs(problem: Problem) -> tuple[Stretched, ...]:
-    """The springs in the coordinates of the file."""
-    found = []
-    for f in problem.forces:
-        if isinstance(f, Spring):
-            apart = (f.ends[0] - f.ends[1]).fixed()
-            found.append(Stretched(f.name, f.stiffness, f.length, sp.sqrt(textbook_form(apart.dot(apart)))))
-    return tuple(found)
 
 
 def substituted_configuration(
@@ -225,12 +254,21 @@ def substituted_configuration(
     rule = blank.substitution
     points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
     loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
-    springs = tuple(
-        replace(f, distance=sp.sqrt(textbook_form(f.distance.xreplace(rule) ** 2))) for f in original.springs
+    springs = tuple(spring_in(s, rule) for s in original.springs)
+    others = original.potential - sp.Add(*(s.energy for s in original.springs))
+    return Configuration(
+        name,
+        slots,
+        points,
+        loads,
+        sp.Add(others.xreplace(rule), *(s.energy for s in springs)),
+        rows,
+        expressed,
+        springs,
+        dampers=tuple(damper_in(d, rule, slots) for d in original.dampers),
+        rotations=tuple(rotation_in(r, dict(expressed), rule, slots) for r in original.rotations),
+        torques=tuple(Torque(m.name, m.on, m.vector.xreplace(rule)) for m in original.torques),
     )
-    stretched = {f.energy: g.energy for f, g in zip(original.springs, springs, strict=True)}
-    potential = original.potential.xreplace(stretched).xreplace(rule)
-    return Configuration(name, slots, points, loads, potential, rows, expressed, springs)
 
 
 def _moving(name: str, mass: sp.Expr, position: Vector, slots: Slots) -> MassPoint:

@@ -9,7 +9,8 @@ A constraint is given by its form Σ a_k dq_k + a_t dt. Its direction at a parti
 a combination of the vectors ∂r_P/∂q_k: it is ∂f/∂r_P where the coordinates place every particle freely in its space or
 plane. Where they keep it on a surface or curve by themselves, the reaction of that is perpendicular to those vectors,
 and Newton's law is written along them only. Where coordinates place one particle with another by themselves, there is
-no such list: directions are None. A coordinate that moves no particle has λ_j a_k as its generalized force.
+no such list: directions are None, as they are where there are rigid bodies. A coordinate that moves no particle has
+λ_j a_k as its generalized force.
 
 Before directions are used, each particle on which reactions act has an unknown for each component; after, each
 constraint has one: its multiplier.
@@ -179,6 +180,9 @@ def newton_equations(
     taken        names that have a meaning, and cannot be that of a tension
     at_rest      nothing is accelerated; then massless points count as particles on which reactions may act
     """
+    if configuration.rotations:
+        pairs = zip(configuration.rows, constraints, strict=True)
+        return Newton(tuple(Reaction(c, row, c.reaction, None, {}) for row, c in pairs), None)
     placed = _placed(configuration)
     if at_rest and placed is not None:
         seen = {p.name for p, _ in placed}
@@ -353,11 +357,12 @@ def _directions(row: Row, placed: Placed, configuration: Configuration) -> dict[
 
 
 def _field(placed: Placed, configuration: Configuration) -> dict[str, Vector] | None:
-    """−∂V/∂r_P for each particle; None: not found."""
+    """−∂V/∂r_P for each particle, with the pull of the dampers; None: not found."""
     potential, slots = configuration.potential, configuration.slots
-    if potential == 0:
+    if potential == 0 and not configuration.dampers:
         return {}
-    slopes = tuple(-potential.diff(q) for q in slots.coordinates)
+    resistance = [sp.Add(*(d.pull * d.distance.diff(q) for d in configuration.dampers)) for q in slots.coordinates]
+    slopes = tuple(-potential.diff(q) - r for q, r in zip(slots.coordinates, resistance, strict=True))
     return _directions(Row("", slopes, sp.S.Zero), placed, configuration)
 
 

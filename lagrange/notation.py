@@ -56,6 +56,12 @@ class VectorSymbol(sp.Symbol):
     __slots__ = ()
 
 
+class FormSymbol(sp.Symbol):
+    """A named differential form ω_1, for printing combinations such as y ω_1 + ω_2."""
+
+    __slots__ = ()
+
+
 class Unspecified(sp.Expr):
     """An undefined function, or a partial derivative of one, at its arguments.
 

@@ -12,9 +12,10 @@ from functools import partial
 
 import sympy as sp
 
-from lagrange.bodies import mass_of, names_of_body, read_body
+from lagrange.bodies import BodyBeingRead, mass_of, names_of_turning
 from lagrange.diagnostics import Diagnostic, ProblemError
 from lagrange.names import names_in
+from lagrange.nodes import Mapping as MappingNode
 from lagrange.nodes import Node, Scalar, scalars
 from lagrange.problem import Body, Particle
 from lagrange.reading import Reading
@@ -122,17 +123,42 @@ def _bodies(root: Section, reading: Reading, found: dict[str, Body]) -> Iterator
             continue
         reading.points[name] = None
         reading.bodies.append(name)
-        gives = names_of_body(name)
-        for vector, what in gives.items():
+        body = BodyBeingRead(name, key, node, reading)
+        where, how = _parted(node)
+        turning = names_of_turning(name, node)
+        for vector, what in {f"r_{name}": f"the position of `{name}`", **turning}.items():
             reading.names.add(vector, what, key.span)
-        yield _Entry(key, tuple(gives), _uses(node), partial(_read_body, name, key, node, reading, found))
+        yield _Entry(key, tuple(turning), how, partial(_read_turning, body, reading, found))
+        yield _Entry(key, (f"r_{name}",), where, partial(_read_place, body, reading, found))
 
 
-def _read_body(name: str, key: Scalar, node: Node, reading: Reading, found: dict[str, Body]) -> None:
-    body, vectors = read_body(name, key, node, reading)
-    reading.points[name] = body.position
-    reading.add_vectors(vectors)
-    found[name] = body
+def _read_turning(body: BodyBeingRead, reading: Reading, found: dict[str, Body]) -> None:
+    reading.add_vectors(body.turning())
+    _complete(body, reading, found)
+
+
+def _read_place(body: BodyBeingRead, reading: Reading, found: dict[str, Body]) -> None:
+    position = body.position()
+    reading.points[body.name] = position
+    reading.add_vectors({f"r_{body.name}": position})
+    _complete(body, reading, found)
+
+
+def _complete(body: BodyBeingRead, reading: Reading, found: dict[str, Body]) -> None:
+    """The body, once both of its parts are read."""
+    position = reading.points[body.name]
+    whole = None if position is None else body.at(position)
+    if whole is not None:
+        found[body.name] = whole
+
+
+def _parted(node: Node) -> tuple[frozenset[str], frozenset[str]]:
+    """The names that the position of a body uses, and those that the rest of it uses."""
+    if not isinstance(node, MappingNode):
+        return frozenset(), _uses(node)
+    uses = [(key.text == "position", _uses(value)) for key, value in node.entries]
+    place, rest = ([names for is_place, names in uses if is_place == wanted] for wanted in (True, False))
+    return frozenset().union(*place), frozenset().union(*rest)
 
 
 def _uses(node: Node) -> frozenset[str]:

@@ -3,8 +3,9 @@
     Σ (m r'' − F)·δr = 0        for every virtual displacement,
 
 which, with δr = Σ (∂r/∂q_k) δq_k, is Σ D_k δq_k = 0. D_k is the inertia Σ m r''·∂r/∂q_k less the generalized force
-Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k. The δq_k are free only where the coordinates are independent; otherwise A δq = 0 binds
-them. Everything is built in the ring of Fourier sums, where it comes out reduced.
+Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k. A rigid body, whose r is that of its mass centre, adds (dH/dt − M)·δπ to the sum, and to
+D_k (dH/dt − M)·ω_k; a damper adds c d' ∂d/∂q_k. The δq_k are free only where the coordinates are independent;
+otherwise A δq = 0 binds them. Everything is built in the ring of Fourier sums, where it comes out reduced.
 """
 
 from __future__ import annotations
@@ -28,7 +29,8 @@ class Principle:
     coefficients  shape (n,): D_k, as ring elements
     forces        shape (n,): Q_k, in textbook form
     statement     Σ D_k δq_k, in textbook form
-    accelerations of the particles, by name, in textbook form
+    accelerations of the particles and mass centres, by name, in textbook form
+    momentum_rates dH/dt of the bodies, by name, in textbook form
     textbook      what writes ring elements down
     """
 
@@ -37,6 +39,7 @@ class Principle:
     forces: tuple[sp.Expr, ...]
     statement: sp.Expr
     accelerations: Mapping[str, Vector]
+    momentum_rates: Mapping[str, Vector]
     textbook: Textbook
 
     @property
@@ -59,22 +62,35 @@ def dalembert(configuration: Configuration) -> Principle:
         coefficients=coefficients,
         forces=tuple(textbook.form(q) for q in forces),
         statement=textbook.form(statement),
-        accelerations={p.name: p.acceleration.map(textbook.form) for p in configuration.points if p.mass != 0},
+        accelerations={
+            p.name: p.acceleration.map(textbook.form)
+            for p in configuration.points
+            if p.mass != 0 and not configuration.is_pinned(p)
+        },
+        momentum_rates={r.name: r.momentum_rate.map(textbook.form) for r in configuration.rotations if r.has_inertia},
         textbook=textbook,
     )
 
 
 def generalized_forces(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
-    """Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k, shape (n,)."""
+    """Q_k = Σ F·∂r/∂q_k + Σ M·ω_k − ∂V/∂q_k − Σ c d' ∂d/∂q_k, shape (n,)."""
+    centres = {p.name: p for p in configuration.points}
+    turning = {r.name: r for r in configuration.rotations}
+    moments = {name: configuration.moment_on(name) for name in turning}
     found = []
-    for q in configuration.slots.coordinates:
-        work = [_dot(load.vector, load.point.partial(q), ring) for load in configuration.loads]
-        found.append(ring.total(work) - ring.from_sympy(configuration.potential.diff(q)))
+    for k, q in enumerate(configuration.slots.coordinates):
+        work = []
+        for load in configuration.loads:
+            moved = centres[load.on].partials[k] if load.on in turning else load.point.partial(q)
+            work.append(_dot(load.vector, moved, ring))
+        work += [_dot(moments[name], r.partials[k], ring) for name, r in turning.items()]
+        resistance = [ring.from_sympy(d.pull) * ring.from_sympy(d.distance.diff(q)) for d in configuration.dampers]
+        found.append(ring.total(work) - ring.total(resistance) - ring.from_sympy(configuration.potential.diff(q)))
     return tuple(found)
 
 
 def _inertia(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
-    """Σ m r''·∂r/∂q_k, shape (n,)."""
+    """Σ m r''·∂r/∂q_k + Σ dH/dt·ω_k, shape (n,)."""
     total = [ring.zero] * len(configuration.slots.coordinates)
     for p in configuration.points:
         if p.mass == 0:
@@ -83,6 +99,10 @@ def _inertia(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
         for k, partial in enumerate(p.partials):
             if not partial.is_zero:
                 total[k] = total[k] + mass * _dot(p.acceleration, partial, ring)
+    for r in configuration.rotations:
+        for k, partial in enumerate(r.partials):
+            if not partial.is_zero:
+                total[k] = total[k] + _dot(r.momentum_rate, partial, ring)
     return tuple(total)
 
 

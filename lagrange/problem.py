@@ -72,7 +72,8 @@ class Particle:
 @dataclass(frozen=True)
 class Body:
     """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: three principal
-    moments and either an Euler sequence with its angles, or a triad with the angular velocity.
+    moments and either an Euler sequence with its angles, or a triad with the angular velocity. `axes_called` are the
+    names that the file has for the vectors of that triad.
     """
 
     name: str
@@ -84,6 +85,7 @@ class Body:
     sequence: str = ""
     angles: tuple[sp.Expr, ...] = ()
     axes: tuple[Vector, ...] = ()
+    axes_called: tuple[str, ...] = ()
     angular_velocity: Vector | None = None
 
 
@@ -142,13 +144,17 @@ class AppliedMoment:
 
 @dataclass(frozen=True)
 class Spring:
-    """A linear spring of stiffness k and free length between two points."""
+    """A linear spring of stiffness k and free length between two points.
+
+    `sense` is the sign of r_2 − r_1 along a unit vector, where the file gives it.
+    """
 
     name: str
     stiffness: sp.Expr
     ends: tuple[Vector, Vector]
     length: sp.Expr
     span: Span
+    sense: int | None = None
 
 
 @dataclass(frozen=True)
@@ -240,6 +246,11 @@ class Problem:
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None
     notes: tuple[Diagnostic, ...] = ()
+
+    @property
+    def masses(self) -> tuple[Particle | Body, ...]:
+        """The particles, then the bodies."""
+        return (*self.particles, *self.bodies)
 
     @property
     def geometric(self) -> tuple[Constraint, ...]:

@@ -129,8 +129,8 @@ class AtRest:
         yield tensions
         named = [r for r in self.newton.reactions if r.named and r.tension is not None]
         if named:
-            yield {**tensions, **{r.tension: r.multiplier for r in named}}  # type: ignore[dict-item]
-            yield {**tensions, **{r.tension: -tensions[r.tension] for r in named}}  # type: ignore[index, dict-item]
+            yield {**tensions, **{r.tension: r.multiplier for r in named}}
+            yield {**tensions, **{r.tension: -tensions[r.tension] for r in named}}
 
     def _holds(
         self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], found: StaticReactions

@@ -20,6 +20,7 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.notation import variation
 from lagrange.problem import Problem
 from lagrange.solution import Solution
 from lagrange.vectors import Vector
@@ -104,13 +105,21 @@ def reference_of_solution(solution: Solution) -> Reference:
     problem = solution.problem
     signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
     scope = problem.scope
-    new = [q for c in problem.choices for q in c.coordinates]
+    angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
+    new = [*(q for c in problem.choices for q in c.coordinates), *angles]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
-        scalars={**_potential(solution), **_reactions(solution), **scope.scalars, **signs},
+        scalars={
+            **_potential(solution),
+            **_reactions(solution),
+            **{a.name: a for a in angles},
+            **_lengths(solution),
+            **scope.scalars,
+            **signs,
+        },
         slots=replace(scope.slots, coordinates=coordinates),
-        vectors={**_applied_forces(solution), **_reaction_forces(solution), **scope.vectors},
+        vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
     candidates = tuple(_with_meanings(list(_candidates(solution)), solution))
     return Reference(wider, candidates, _values(problem), problem.unknowns)
@@ -150,6 +159,13 @@ def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> I
         yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
 
 
+def _angles_on_surfaces(solution: Solution) -> Iterator[sp.Symbol]:
+    """The angles with which a derivation writes forms on circles, spheres, ...: intermediate lines have them."""
+    for c in solution.classification.constraints:
+        if c.finite_form is not None and c.finite_form.restriction is not None:
+            yield from (a.symbol for a in c.finite_form.restriction.angles)
+
+
 def _potential(solution: Solution) -> dict[str, sp.Expr]:
     """V, as a derivation writes the given potential energy."""
     potential = solution.configuration.potential
@@ -169,6 +185,28 @@ def _applied_forces(solution: Solution) -> dict[str, Vector]:
         if name not in solution.problem.scope.names():
             forces[name] = forces.get(name, Vector.zero()) + load.vector
     return forces
+
+
+def _of_bodies(solution: Solution) -> dict[str, Vector]:
+    """H_B, M_B and delta(pi_B) of each body B. Names of the file keep their meaning."""
+    configuration = solution.configuration
+    variations = [variation(q) for q in configuration.slots.coordinates]
+    found: dict[str, Vector] = {}
+    for r in configuration.rotations:
+        found |= {f"H_{r.name}": r.momentum, f"M_{r.name}": configuration.moment_on(r.name)}
+        found[f"delta(pi_{r.name})"] = r.virtual(variations)
+        found |= {f"r_{f.name}": f.point for f in configuration.loads_beside(r.name)}
+    declared = solution.problem.scope.names()
+    return {name: vector for name, vector in found.items() if name not in declared}
+
+
+def _lengths(solution: Solution) -> dict[str, sp.Expr]:
+    """d_s of each spring or damper s. Names of the file keep their meaning."""
+    configuration = solution.configuration
+    declared = solution.problem.scope.names()
+    lengths = {f"d_{s.name}": s.distance for s in configuration.springs}
+    lengths |= {f"d_{d.name}": d.distance for d in configuration.dampers}
+    return {name: length for name, length in lengths.items() if name not in declared}
 
 
 def _reactions(solution: Solution) -> dict[str, sp.Expr]:

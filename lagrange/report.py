@@ -77,8 +77,8 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
-        yield explain_integrability(classification, names_of(problem))
-    yield explain_classification(classification)
+        yield explain_integrability(classification, problem.slots, names_of(problem))
+    yield explain_classification(classification, names_of(problem))
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     yield from _statics(solution)
@@ -102,7 +102,7 @@ def names_of(problem: Problem) -> frozenset[str]:
 
 
 def _statics(solution: Solution) -> Iterator[Step]:
-    """From the free bodies to the equilibria and the reactions there; where motion is asked too, that shows the bodies."""
+    """From the free bodies, unless those of motion are shown, to the equilibria and the reactions there."""
     if solution.equilibrium is None:
         return
     law = solution.law

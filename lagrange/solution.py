@@ -13,6 +13,7 @@ import sympy as sp
 
 from lagrange.classification import Classification, classify
 from lagrange.comparison import System
+from lagrange.constant_inertia import check_constant_inertia
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.displacements import Elimination, carrying_rates, eliminate
@@ -21,7 +22,7 @@ from lagrange.equations import EquationsOfMotion, check_inertia
 from lagrange.equilibrium import Equilibrium, equilibrium
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.newton import Normal, normals
-from lagrange.problem import AppliedForce, AppliedMoment, Choice, Damper, Find, Friction, Potential, Problem, Spring
+from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
 from lagrange.stability import SecondVariation, second_variation
 from lagrange.static_reactions import StaticReactions, static_reactions
@@ -32,6 +33,7 @@ from lagrange.verification import (
     check_choice,
     check_displacements,
     check_finite_forms,
+    check_hidden,
     check_integrability,
     check_motion,
     check_reactions,
@@ -124,6 +126,7 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         *check_integrability(classification),
         *check_finite_forms(classification, problem.slots, configuration.surface),
         *check_displacements(configuration, elimination, carried),
+        *check_hidden(classification, elimination, configuration),
     ]
     solution = Solution(
         problem,
@@ -195,6 +198,7 @@ def _with_motion(solution: Solution) -> Solution:
     problem = law.problem
     reactions = law.newton.multipliers_by_name
     given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    check_constant_inertia(problem, original)
     works = works_of_reactions(law.newton, original, solution.elimination)
     dynamics = motion(law, original, solution.elimination)
     found = dynamics.equations
@@ -248,19 +252,10 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
     return found
 
 
-_KINDS = {Friction: "friction", Damper: "the damper", AppliedMoment: "the moment"}
-
-
 def _refuse_what_is_not_covered(problem: Problem) -> None:
-    for body in problem.bodies:
-        raise NotCoveredError(f"the rigid body `{body.name}`", body.span)
     for force in problem.forces:
-        if isinstance(force, Friction) and Find.EQUILIBRIUM not in problem.find:
-            continue
-        if isinstance(force, Damper) and problem.find == (Find.EQUILIBRIUM,):
-            continue  # refused with its reason
-        if not isinstance(force, AppliedForce | Potential | Spring):
-            raise NotCoveredError(f"{_KINDS[type(force)]} `{force.name}`", force.span)
+        if isinstance(force, Friction) and Find.EQUILIBRIUM in problem.find:
+            raise NotCoveredError(f"friction `{force.name}`", force.span)
     if problem.speeds:
         raise NotCoveredError("a choice of quasi-velocities (`speeds`)")
     if problem.equations:

@@ -152,9 +152,7 @@ def _at(
     place = Place(write, points, tidy_quotient, lambda e: over_one_denominator(shown(e)))
     slots = original.configuration.slots
     try:
-        rows = tuple(
-            tuple(write(r.row.coefficients[k]) for r in used) for k, _ in enumerate(slots.coordinates)
-        )
+        rows = tuple(tuple(write(r.row.coefficients[k]) for r in used) for k, _ in enumerate(slots.coordinates))
         system = LinearSystem(rows, tuple(-write(q) for q in original.work.forces), tuple(r.multiplier for r in used))
         reactions = reactions_at(place, system, newton, used, configuration)
         opened = _open(system, reactions, points)
@@ -214,4 +212,3 @@ def _balance(found: ReactionsAtRest, original: Equilibrium, newton: Newton) -> b
         if holds is True or not claim.free_symbols & {*found.open}:
             verdicts.append(holds)  # otherwise it determines a combination of the open ones
     return False if False in verdicts else None if None in verdicts else True
-

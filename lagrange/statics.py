@@ -21,7 +21,7 @@ from lagrange.exact import DivisionByZeroError
 from lagrange.kinematics import Configuration
 from lagrange.lagrangian import lagrange_equations
 from lagrange.notation import base, t
-from lagrange.problem import AppliedForce, Damper, Potential, Problem, Spring
+from lagrange.problem import AppliedForce, AppliedMoment, Damper, Potential, Problem, Spring
 from lagrange.static_reactions import StaticReactions
 from lagrange.unit_circle import NotAlgebraicError
 from lagrange.verification import Check
@@ -32,7 +32,7 @@ EXACT = "exact"
 def check_statics(problem: Problem, configuration: Configuration) -> None:
     """Refuses what is no problem of statics. Raises ProblemError, with all that is wrong."""
     found = [*_forces(problem), *_moving(problem, configuration)]
-    if not found and not configuration.loads and configuration.potential == 0:
+    if not found and not configuration.loads and not configuration.torques and configuration.potential == 0:
         help_ = "give forces, a potential, or gravity and masses"
         message = "no force acts, so that every position is one of equilibrium"
         found.append(Diagnostic("no-forces", message, help=help_))
@@ -46,6 +46,8 @@ def _forces(problem: Problem) -> Iterable[Diagnostic]:
         match f:
             case AppliedForce():
                 parts = (*f.vector.components, *(f.at.components if f.at is not None else ()))
+            case AppliedMoment():
+                parts = f.moment.components
             case Potential():
                 parts = (f.energy,)
             case Spring():
@@ -78,8 +80,8 @@ def _moving(problem: Problem, configuration: Configuration) -> Iterable[Diagnost
             message = f"the constraint `{row.name}` moves"
             help_ = "what moves by itself has no equilibrium: keep its time fixed as a parameter"
             yield Diagnostic("moving-constraint", message, spans.get(row.name), help=help_)
-    for p in problem.particles:
-        if any(_has_time(c, problem) for c in p.position.components):
+    for p in problem.masses:
+        if any(_has_time(c, problem) for c in p.position.fixed().components):
             message = f"the position of `{p.name}` contains time"
             yield Diagnostic("moving-constraint", message, p.span, help="keep its time fixed as a parameter")
 

@@ -38,7 +38,7 @@ class Meaning(ScalarMeaning):
             case Call(name="diff", arguments=arguments):
                 return self.is_vector(arguments[0])
             case Call(name=name, arguments=(inner,)) if name in DIFFERENTIALS and name not in self.scope.functions:
-                return self.is_vector(inner)
+                return self.virtual_rotation(tree) is not None or self.is_vector(inner)
             case _:
                 return False
 
@@ -67,8 +67,15 @@ class Meaning(ScalarMeaning):
             case Call(name="diff", arguments=(inner, _)) if self._can_be_vector(inner):
                 return self._differentiated(tree)
             case Call(arguments=(inner,)) if tree.name in DIFFERENTIALS and self.is_vector(tree):
-                return self._displacement(tree, self.vector(inner))
+                return self.virtual_rotation(tree) or self._displacement(tree, self.vector(inner))
         return self._zero_or_mistake(self.scalar(tree), tree, "a scalar")
+
+    def virtual_rotation(self, tree: Tree) -> Vector | None:
+        """delta(pi_B), which is no variation of a vector, where a derivation has given it a meaning."""
+        match tree:
+            case Call(name="delta", arguments=(Name(text=text),)):
+                return self.scope.vectors.get(f"delta({text})")
+        return None
 
     def _displacement(self, call: Call, vector: Vector) -> Vector:
         """d(a) = Σ (∂a/∂q) dq + (∂a/∂t) dt, and delta(a), where time is frozen."""

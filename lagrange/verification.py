@@ -18,14 +18,14 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.classification import Classification, has_real_point
+from lagrange.classification import Classification
 from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.equations import EquationsOfMotion
-from lagrange.exact import Point, Surface
+from lagrange.exact import Point, Surface, has_real_point
 from lagrange.exterior import Form, exterior_derivative, one_form, wedge
 from lagrange.kinematics import Configuration, Row, is_pfaffian
-from lagrange.lagrangian import kinetic_energy, lagrange_equations
+from lagrange.lagrangian import applied_power, kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
 from lagrange.potentials import differentiated
 from lagrange.reactions import Reactions
@@ -106,6 +106,22 @@ def _vanishes_beside(form: Form, around: Sequence[Row], surface: Surface) -> boo
         form = wedge(form, one_form((*row.coefficients, row.drift)))
     verdicts = [surface.is_zero(a) for a in form.values()]
     return False if False in verdicts else None if None in verdicts else True
+
+
+def check_hidden(classification: Classification, elimination: Elimination, configuration: Configuration) -> list[Check]:
+    """The hidden relations, found at random points, against the virtual displacements, solved in symbols."""
+    found = classification.hidden.found
+    if not found:
+        return []
+    columns = displacement_basis(elimination, len(configuration.slots.coordinates))
+    verdicts = [
+        configuration.surface.is_zero(sp.Add(*(a * x for a, x in zip(r.differential, column, strict=False))))
+        for r in found
+        for column in columns
+    ]
+    passed = False if False in verdicts else None if None in verdicts else True
+    how = "exact: their differentials in the solved displacements"
+    return [Check("the hidden relations hold in every virtual displacement", passed, how)]
 
 
 def check_reality(configuration: Configuration) -> list[Check]:
@@ -247,7 +263,9 @@ def _conserves_reactions(configuration: Configuration) -> bool:
     """Whether reactions have no power: no constraint has an a_t where it holds, and no position contains t."""
     slots = configuration.slots
     still = all(row.drift == 0 or _no_drift(row, configuration) for row in configuration.rows)
-    return still and all(not _contains_time(p.position.components, slots) for p in configuration.points)
+    moved = (p.position.frozen_derivative(slots) for p in configuration.points)
+    turned = (r.virtual(slots.velocities) - r.angular_velocity for r in configuration.rotations)
+    return still and all(v.is_zero for v in moved) and all(sp.expand(c) == 0 for w in turned for c in w.components)
 
 
 def _no_drift(row: Row, configuration: Configuration) -> bool:
@@ -260,12 +278,11 @@ def _contains_time(parts: tuple[sp.Expr, ...], slots: Slots) -> bool:
 
 
 def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
-    """dT/dt = Σ F·v − Σ (∂V/∂q) q', with the accelerations that the equations of motion give."""
+    """dT/dt = Σ F·v + Σ M·ω − Σ (∂V/∂q) q' − Σ c d'², with the accelerations that the equations of motion give."""
     configuration = motion.configuration
     slots = configuration.slots
     rate = slots.time_derivative(kinetic_energy(configuration))
-    power = sp.Add(*(f.vector.fixed().dot(f.point.fixed().time_derivative(slots)) for f in configuration.loads))
-    power -= sp.Add(
+    power = applied_power(configuration) - sp.Add(
         *(configuration.potential.diff(q) * v for q, v in zip(slots.coordinates, slots.velocities, strict=True))
     )
     system = System(configuration, motion.expressions)

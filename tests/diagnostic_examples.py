@@ -173,6 +173,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unknown-question": ("Ask for constraints, equilibrium, motion or linearization.", problem("find: movement")),
     "unknown-sense": ("Write positive or negative.", problem(
         PARTICLE + ROD + "forces: {rub: {friction: g, constraint: rod, on: P, slip: up}}")),
+    "sense-off-line": ("Only along a unit vector has a spring a sense.", problem(
+        PARTICLE + "forces: {s: {spring: m, between: [P, '[0, 0]'], length: l, sense: positive}}")),
     "unknown-sequence": ("One of the twelve sequences of rotations.", problem(
         "bodies: {B: {mass: m, inertia: [m, m, m], position: x*i, orientation: {axes: 311, angles: [x, y, x]}}}")),
     "value-against-assumption": ("Change the value or the assumption.",
@@ -202,8 +204,13 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "generalized_coordinates: {line: {coordinates: [s], substitute: {x: s, y: s}}}")),
     "no-inertia": ("Something moves without mass; the equations do not determine its acceleration.", problem(
         "particles: {P: {mass: m, position: x*i}}\n")),
+    "varying-inertia": ("Axes that spin in the body need two equal moments of inertia.", problem(
+        "bodies: {B: {inertia: [m, l, l], position: 0*i, axes: [i, j, k], angular_velocity: x'*k}}\n"
+        "particles: {P: {mass: m, position: y*j}}\n")),
     "singular-constraint": ("The derivatives of the constraint vanish where it holds, so that it binds nothing.",
         problem("constraints: {a: sin(x) = 1}")),
+    "unstated-condition": ("These constraints can be met only where one more relation holds. Add it.",
+        problem("constraints: {a: x = 0, b: \"x' = y\"}")),
     "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
         PARTICLE + "find: linearization")),
     "several-branches": ("The constraint is satisfied in several ways; a problem is about one of them.", problem(

@@ -16,7 +16,17 @@ from functools import cached_property, lru_cache
 
 import sympy as sp
 from mpmath import mp, mpf
-from sympy.physics.mechanics import KanesMethod, LagrangesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
+from sympy.physics.mechanics import (
+    KanesMethod,
+    LagrangesMethod,
+    Particle,
+    Point,
+    ReferenceFrame,
+    RigidBody,
+    Vector,
+    dynamicsymbols,
+)
+from sympy.physics.mechanics import inertia as sp_inertia
 
 t = dynamicsymbols._t
 
@@ -194,6 +204,90 @@ def kane(
     rates = {s: sp.diff(x, t) for x, s in zip(q, u, strict=True)}
     equations = tuple(e.xreplace(back).xreplace(rates) for e in fr + frstar)
     return Route(tuple(names), equations, geometric, kinematic)
+
+
+@dataclass(frozen=True)
+class Rigid:
+    """A rigid body: mass centre, matrix whose columns are its principal axes, principal moments, what acts on it.
+
+    `moment` is about the mass centre; `spin`, the angular velocity, follows from the matrix where it is not given.
+    """
+
+    mass: sp.Expr
+    at: Sequence[sp.Expr]
+    turned: sp.Matrix
+    inertia: Sequence[sp.Expr]
+    force: Sequence[sp.Expr] = (0, 0, 0)
+    moment: Sequence[sp.Expr] = (0, 0, 0)
+    spin: Sequence[sp.Expr] | None = None
+
+    @property
+    def omega(self) -> sp.Matrix:
+        """The angular velocity, from the skew matrix R' R^T."""
+        if self.spin is not None:
+            return sp.Matrix(self.spin)
+        skew = sp.diff(self.turned, t) * self.turned.T
+        return sp.Matrix([skew[2, 1], skew[0, 2], skew[1, 0]])
+
+
+def rotation(axis: str, angle: sp.Expr) -> sp.Matrix:
+    """Rodrigues' formula about x, y or z."""
+    n = sp.Matrix([int(axis == a) for a in "xyz"])
+    skew = sp.Matrix([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
+    return sp.eye(3) + sp.sin(angle) * skew + (1 - sp.cos(angle)) * skew * skew
+
+
+def newton_euler(
+    coordinates: str,
+    bodies: Sequence[Rigid],
+    geometric: Mapping[str, sp.Expr] | None = None,
+    kinematic: Mapping[str, sp.Expr] | None = None,
+) -> Route:
+    """(m r'' - F) . dr/dq_k + (dH/dt - M) . d omega/dq_k' = A^T lambda, all in fixed components."""
+    q = moving(coordinates)
+    geometric, kinematic = dict(geometric or {}), dict(kinematic or {})
+    lam = {n: sp.Symbol(f"lambda_{n}") for n in (*geometric, *kinematic)}
+    equations = []
+    for x in q:
+        total = -sum(lam[n] * sp.diff(f, x) for n, f in geometric.items())
+        total -= sum(lam[n] * sp.diff(f, sp.diff(x, t)) for n, f in kinematic.items())
+        for body in bodies:
+            r, force = sp.Matrix([*body.at, 0][:3]), sp.Matrix([*body.force, 0][:3])
+            total += (body.mass * sp.diff(r, t, 2) - force).dot(sp.diff(r, x))
+            omega = body.omega
+            momentum = body.turned * sp.diag(*body.inertia) * body.turned.T * omega
+            total += (sp.diff(momentum, t) - sp.Matrix(body.moment)).dot(sp.diff(omega, sp.diff(x, t)))
+        equations.append(total)
+    names = tuple(s.name for s in lam.values())
+    return Route(tuple(coordinates.split()), tuple(equations), geometric, kinematic, names)
+
+
+def kane_of_bodies(
+    coordinates: str,
+    order: str,
+    angles: Sequence[sp.Expr],
+    inertia: Sequence[sp.Expr],
+    mass: sp.Expr,
+    centre: Sequence[sp.Expr],
+    force: Sequence[sp.Expr],
+) -> Route:
+    """SymPy's KanesMethod for a body with a fixed point, its mass centre at `centre` in the body; u = q'."""
+    q = moving(coordinates)
+    u = dynamicsymbols(" ".join(f"speed_{n}" for n in coordinates.split()))
+    rates = {sp.diff(x, t): s for x, s in zip(q, u, strict=True)}
+    frame, origin = ReferenceFrame("N"), Point("O")
+    origin.set_vel(frame, 0)
+    own = frame.orientnew("B", "Body", angles, order)
+    own.set_ang_vel(frame, own.ang_vel_in(frame).subs(rates))
+    at = origin.locatenew("G", sum((c * e for c, e in zip(centre, own, strict=True)), Vector(0)))
+    at.v2pt_theory(origin, frame, own)
+    body = RigidBody("body", at, own, mass, (sp_inertia(own, *inertia), at))
+    load = (at, sum((c * e for c, e in zip(force, frame, strict=True)), Vector(0)))
+    method = KanesMethod(frame, list(q), list(u), [s - sp.diff(x, t) for x, s in zip(q, u, strict=True)])
+    fr, frstar = method.kanes_equations([body], [load])
+    back = {sp.diff(s, t): sp.diff(x, t, 2) for x, s in zip(q, u, strict=True)}
+    speeds = {s: sp.diff(x, t) for x, s in zip(q, u, strict=True)}
+    return Route(tuple(coordinates.split()), tuple(e.xreplace(back).xreplace(speeds) for e in fr + frstar))
 
 
 def literature(

@@ -14,7 +14,7 @@ import pytest
 from conftest import ROOT
 
 LAYERS = {
-    "words and symbols": "lagrange diagnostics notation vectors",
+    "words and symbols": "lagrange diagnostics notation vectors rotation",
     "exact evaluation": """elimination graph field evaluation points residues reals walls branches blocks projection
         triangular sampler exact sampling""",
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
@@ -22,19 +22,20 @@ LAYERS = {
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
         meaning vector_meaning expressions tidying""",
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
-         velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame bodies forces constraint_equations answer_key choices
+         velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
+        forces constraint_equations answer_key choices
         particles loader""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
-        restrictions""",
+        restrictions combinations candidates first_integrals hidden_relations""",
     "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
-    "stages": """kinematics bending constraints classification displacements coordinates linear rods newton workless principle
-        reactions friction equations comparison dynamics lagrangian spot verification equilibrium stability
-        static_reactions statics""",
+    "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
+        coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia dynamics
+        lagrangian spot verification equilibrium stability static_reactions statics""",
     "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
-    "derivations": """derivation explain explain.words explain.statement explain.nonlinear explain.displacements
-        explain.factors explain.constraints explain.newton explain.motion explain.reactions explain.static_reactions
-        explain.statics explain.checks""",
+    "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
+        explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
+        explain.reactions explain.static_reactions explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",

@@ -130,8 +130,6 @@ gravity: g*j
     [
         ("find: linearization", "linearization"),
         ('speeds: {u: "x\'"}', "speeds"),
-        ("forces: {d: {damper: m, between: [P, '[0, 0]']}}", "damper"),
-        ("bodies: {B: {mass: m, inertia: m*l^2, position: x*i, angle: y}}", "body"),
     ],
 )
 def test_what_is_not_covered_is_refused_and_never_guessed(problem: Read, more: str, what: str) -> None:

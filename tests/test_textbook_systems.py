@@ -1,4 +1,4 @@
-"""The problems of `textbook_systems`: what the program derives against a second route, as solution sets.
+"""The problems of `textbook_systems` and `body_systems`: what the program derives against a second route, as solution sets.
 
 At random states on the constraint surface, in numbers of sixty digits, both give the accelerations; so do the equations
 in every choice of coordinates, on every branch, and the reactions where the second route has them.
@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 import sympy as sp
 import yaml
+from body_systems import BODIES
 from mpmath import mp, mpf
 from second_route import (
     AGREED,
@@ -28,7 +29,8 @@ from second_route import (
     solved,
     states,
 )
-from textbook_systems import SYSTEMS, Textbook
+from textbook_systems import SYSTEMS as PARTICLES
+from textbook_systems import Textbook
 
 from lagrange.diagnostics import ProblemError, Source
 from lagrange.kinematics import Configuration
@@ -39,6 +41,7 @@ from lagrange.report import Report, report
 from lagrange.solution import ChoiceSolution
 from lagrange.spot import Spot
 
+SYSTEMS = {**PARTICLES, **BODIES}
 FOLDER = Path(__file__).parent / "systems"
 STATES = 3
 

@@ -28,13 +28,17 @@ from lagrange.derivation import (
 )
 from lagrange.displacements import possible_displacement
 from lagrange.explain.factors import SHOWN_PAIRS, equal, explain_factor
-from lagrange.explain.nonlinear import explain_bending, explain_reduction, together, without_form
+from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
+from lagrange.explain.systems import (
+    explain_hidden,
+    explain_losses,
+    explain_redundant,
+    explain_together,
+    form_letter,
+)
 from lagrange.explain.words import brief, counted, in_words, plural, spoken
 from lagrange.integrability import Comparison
 from lagrange.notation import CONSTANT, Partial, Slots, Wedge, differential, t
-
-LETTERS = ("omega", "eta", "chi", "zeta", "xi")
-"""What a form may be called; the first that the problem does not use."""
 
 
 def explain_constraints(classification: Classification) -> Step:
@@ -111,9 +115,9 @@ def _coefficients(constraints: Sequence[ConstraintAnalysis], slots: Slots) -> Ta
     return Table(tuple(header), tuple(rows))
 
 
-def explain_integrability(classification: Classification, taken: Collection[str] = ()) -> Step:
+def explain_integrability(classification: Classification, slots: Slots, taken: Collection[str] = ()) -> Step:
     """Exactness by pairs, finite forms, Frobenius, and the system as a whole. `taken`: names that the problem has."""
-    letter = next((n for n in LETTERS if not any(name.startswith(n) for name in taken)), LETTERS[0])
+    letter = form_letter(taken)
     finite = [c for c in classification.constraints if c.row.finite is not None]
     independent = [c for c in finite if c.row.name not in classification.redundant]
     body = _explain_finite(finite)
@@ -130,7 +134,8 @@ def explain_integrability(classification: Classification, taken: Collection[str]
         else:
             body += _explain_not_exact(c, independent, letter)
             explained = bool(c.exactness.differing)
-    body += _explain_together(classification)
+    body += explain_together(classification, letter)
+    body += explain_hidden(classification, slots, letter)
     return Step(Rule.INTEGRABILITY, "Integrability", tuple(body))
 
 
@@ -266,31 +271,8 @@ def _unequal(p: Comparison) -> tuple[Part, ...]:
     return math(Partial(a, r), left), " ≠\u00a0", math(right, Partial(b, q))
 
 
-def _explain_together(classification: Classification) -> list[Block]:
-    """The derived systems, where they add something."""
-    if len(classification.constraints) < 2 or all(c.row.finite is not None for c in classification.constraints):
-        return []
-    if not all(c.pfaffian for c in classification.constraints):
-        return together(classification)
-    flag = classification.flag
-    if flag.integrable_rank is None:
-        return [prose("How many finite relations the constraints hold together could not be decided.")]
-    ranks = " and ".join(
-        (", ".join(map(str, flag.ranks[:-1])), str(flag.ranks[-1])) if flag.ranks[1:] else map(str, flag.ranks)
-    )
-    systems = plural(len(flag.ranks), f"the system has the rank {ranks} and loses nothing in its derived system",
-                     f"the system and its derived systems have the ranks {ranks}")  # fmt: skip
-    relations = counted(flag.integrable_rank, "finite relation") if flag.integrable_rank else "no finite relation"
-    words = f"Taken together, {systems}: the constraints come to {relations} between the coordinates"
-    known = sum(1 for c in classification.constraints if c.integrable) - len(classification.redundant)
-    extra = flag.integrable_rank - known
-    if extra > 0:
-        words += f", of which {counted(extra, 'one') if extra > 1 else 'one'} is shown by no single constraint"
-    return [prose(words.replace(" ones is", " are") + ".")]
-
-
-def explain_classification(classification: Classification) -> Step:
-    """Holonomic or not, scleronomic or rheonomic, and why."""
+def explain_classification(classification: Classification, taken: Collection[str] = ()) -> Step:
+    """Holonomic or not, scleronomic or rheonomic, and why. `taken`: names that the problem has."""
     constraints = classification.constraints
     words: list[Part]
     if classification.holonomic is None:
@@ -312,16 +294,13 @@ def explain_classification(classification: Classification) -> Step:
             Term("nonholonomic"),
             ".",
         ]
-    sentences = (prose(*words), _time(classification), *_redundant(classification))
+    sentences = (
+        prose(*words),
+        _time(classification),
+        *explain_redundant(classification, form_letter(taken)),
+        *explain_losses(classification),
+    )
     return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences)),))
-
-
-def _redundant(classification: Classification) -> list[Prose]:
-    if not classification.redundant:
-        return []
-    names = listed(spoken(n) for n in classification.redundant)
-    verb = plural(len(classification.redundant), " follows", " follow")
-    return [prose(*names, f"{verb} from the constraints before: redundant, and not counted.")]
 
 
 def _time(classification: Classification) -> Prose:
@@ -345,7 +324,11 @@ def _time(classification: Classification) -> Prose:
         words = plural(len(timed), "Time occurs in the finite form of the constraint ",
                        "Time occurs in the finite forms of the constraints ")  # fmt: skip
         return prose(words, *listed(spoken(c.row.name) for c in timed), ": it is ", Term("rheonomic"), ".")
-    return prose("Time occurs in the position of ", *listed(classification.moving), ": it is ", Term("rheonomic"), ".")
+    what = plural(len(classification.moving), "the position of ", "the positions of ")
+    where: list[Part] = [what, *listed(classification.moving)] if classification.moving else []
+    if classification.driven:
+        where += [" and " if where else "", "the orientation of ", *listed(classification.driven)]
+    return prose("Time occurs in ", *where, ": it is ", Term("rheonomic"), ".")
 
 
 def _difference(finite: int) -> str:

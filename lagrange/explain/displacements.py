@@ -8,6 +8,7 @@ import sympy as sp
 
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
 from lagrange.displacements import Elimination, carried_along, displaced, displaced_force, virtual_displacement
+from lagrange.explain.bodies import virtual_rotations
 from lagrange.explain.nonlinear import by_chetaev
 from lagrange.explain.words import plural
 from lagrange.kinematics import Configuration, MassPoint, Row, is_pfaffian
@@ -177,21 +178,29 @@ def of_points(configuration: Configuration, elimination: Elimination) -> list[Bl
     lines = [
         Equation((VectorSymbol(f"delta(r_{p.name})"), displaced(p, slots).xreplace(zero)),
                  label=f"delta{suffix}-{p.name}")
-        for p in configuration.points
+        for p in configuration.points if not configuration.is_pinned(p)
     ]  # fmt: skip
+    turned = virtual_rotations(configuration, dict(zero))
     elsewhere = [
         Equation((VectorSymbol(f"delta(r_{f.name})"), displaced_force(f, slots).xreplace(zero)))
         for f in configuration.loads
         if f.elsewhere
     ]
     if not lines:
-        return []
-    words = (
-        "The virtual displacement of the particle is"
-        if len(lines) == 1
-        else "The virtual displacements of the particles are"
+        return turned
+    whose = points_called(configuration)
+    words = plural(
+        len(lines), f"The virtual displacement of the {whose} is", f"The virtual displacements of the {whose} are"
     )
     if elsewhere:
-        words = "The virtual displacements of the particles, and of where forces act, are"
+        words = f"The virtual displacements of the {whose}, and of where forces act, are"
         lines += elsewhere
-    return [prose(words), display(*lines)]
+    return [prose(words), display(*lines), *turned]
+
+
+def points_called(configuration: Configuration) -> str:
+    """`particle`, `mass centres`, ..."""
+    particles = len(configuration.particles)
+    centres = sum(not configuration.is_pinned(p) for p in configuration.points) - particles
+    words = [plural(particles, "particle", "particles")] * bool(particles)
+    return " and ".join(words + [plural(centres, "mass centre", "mass centres")] * bool(centres))

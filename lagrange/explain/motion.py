@@ -23,6 +23,7 @@ from lagrange.derivation import (
 )
 from lagrange.displacements import virtual_displacement
 from lagrange.equations import EquationsOfMotion
+from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
 from lagrange.kinematics import Configuration
@@ -47,30 +48,37 @@ def explain_principle(motion: EquationsOfMotion) -> Step:
 def _multiplied(configuration: Configuration) -> Block:
     """How the principle follows from Newton's law."""
     if not configuration.rows:
-        words = "There are no reactions. Newton's law for each particle, multiplied by its virtual displacement and "
-        return prose(words + "added up, reads")
+        said = laws(configuration, ", multiplied")
+        terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
+        one = " and added up, reads" if terms > 1 or not configuration.rotations else ", reads"
+        ending = ", added up, read" if " and " in said else one
+        return prose(f"There are no reactions. {said[0].upper()}{said[1:]}{ending}")
     return prose(
-        "Multiply Newton's law for each particle, inertia equal to applied force and reaction, by its virtual "
-        "displacement, and add: the reactions drop out by ",
+        f"Multiply {laws(configuration, ', inertia equal to applied force and reaction,')}, and add: the reactions "
+        "drop out by ",
         Ref("virtual-work"),
         ", and d'Alembert's principle remains:",
     )
 
 
 def _principle(configuration: Configuration) -> sp.Expr:
-    """Σ (m r'' − F)·δr, and δV where there is a potential."""
+    """Σ (m r'' − F)·δr + Σ (dH/dt − M)·δπ, and δV where there is a potential."""
     terms = []
     for p in configuration.points:
+        if configuration.is_pinned(p):
+            continue
         acting = any(f.on == p.name and not f.elsewhere for f in configuration.loads)
         force = VectorSymbol(f"F_{p.name}") if acting else ZERO
-        bracket = p.mass * VectorSymbol(f"r_{p.name}''") - force
-        if bracket != 0:
-            terms.append(Dot(bracket, VectorSymbol(f"delta(r_{p.name})")))
+        moved = VectorSymbol(f"delta(r_{p.name})")
+        if p.mass != 0:
+            terms.append(Dot(p.mass * VectorSymbol(f"r_{p.name}''") - force, moved))
+        elif acting:
+            terms.append(-Dot(force, moved))
     for load in configuration.loads:
         if load.elsewhere:
             terms.append(-Dot(VectorSymbol(f"F_{load.name}"), VectorSymbol(f"delta(r_{load.name})")))
     potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
-    return sp.Add(*terms, potential)
+    return sp.Add(*terms, *terms_of_bodies(configuration), *terms_of_dampers(configuration), potential)
 
 
 def _accelerations(motion: EquationsOfMotion) -> list[Block]:
@@ -80,9 +88,18 @@ def _accelerations(motion: EquationsOfMotion) -> list[Block]:
         Equation((VectorSymbol(f"r_{name}''"), a), label=f"acceleration{suffix}-{name}")
         for name, a in accelerations.items()
     ]
-    if not lines:
+    rates = [
+        Equation((VectorSymbol(f"H_{name}'"), rate), label=f"momentum-rate{suffix}-{name}")
+        for name, rate in motion.principle.momentum_rates.items()
+    ]
+    whats = [plural(len(lines), "the acceleration", "the accelerations")] * bool(lines)
+    turning = plural(len(rates), "rate of change of the angular momentum", "rates of change of the angular momenta")
+    whats += [f"the {turning}"] * bool(rates)
+    if not whats:
         return []
-    return [prose("The acceleration is" if len(lines) == 1 else "The accelerations are"), display(*lines)]
+    words = " and ".join(whats)
+    verb = "is" if len(lines) + len(rates) == 1 else "are"
+    return [prose(f"{words[0].upper()}{words[1:]} {verb}"), display(*lines, *rates)]
 
 
 def _suffix(configuration: Configuration) -> str:

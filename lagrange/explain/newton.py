@@ -21,7 +21,11 @@ LONGEST = 8
 
 
 def explain_newton(
-    newton: Newton, rubbed: Sequence[Rubbing], configuration: Configuration, freedom: int, at_rest: bool = False,
+    newton: Newton,
+    rubbed: Sequence[Rubbing],
+    configuration: Configuration,
+    freedom: int,
+    at_rest: bool = False,
     unknown_forces: bool = False,
 ) -> Step:
     """Free bodies, the components of Newton's law, unknowns against equations.
@@ -30,11 +34,11 @@ def explain_newton(
     """
     body: list[Block] = []
     if newton.bodies is None:
-        body += _without_bodies(newton)
+        body += _without_bodies(newton, bool(configuration.rotations))
     else:
         body.append(paragraph(*(s for r in newton.reactions for s in _nature(r))))
         for b in newton.bodies:
-            body += _free_body(b)
+            body += _free_body(b, field_called(configuration))
         body += _friction(rubbed)
         body += _law(newton, newton.bodies, at_rest)
         if newton.before is not None and newton.after is not None and not unknown_forces:
@@ -43,7 +47,7 @@ def explain_newton(
     return Step(Rule.REACTIONS, title, tuple(body))
 
 
-def _without_bodies(newton: Newton) -> list[Block]:
+def _without_bodies(newton: Newton, rigid: bool) -> list[Block]:
     one = len(newton.reactions) == 1
     multipliers = listed(math(r.multiplier) for r in newton.reactions)
     return [
@@ -52,7 +56,7 @@ def _without_bodies(newton: Newton) -> list[Block]:
             "the coefficients of its form, times an unknown " if one
             else "the coefficients of each form, times an unknown ",
             *multipliers, ", are its generalized forces. " if one else ", are the generalized forces. ",
-            "How it is shared out among particles the coordinates do not tell." if one
+            "" if rigid else "How it is shared out among particles the coordinates do not tell." if one
             else "How they are shared out among particles the coordinates do not tell.",
         )
     ]  # fmt: skip
@@ -90,13 +94,19 @@ def _capital(name: str) -> str:
     return f"The constraint {name}"
 
 
-def _free_body(body: FreeBody) -> list[Block]:
+def field_called(configuration: Configuration) -> str:
+    """What has a force without a name: fields, springs, dampers."""
+    springs, dampers = configuration.springs, configuration.dampers
+    fields = configuration.potential - sp.Add(*(s.energy for s in springs)) != 0
+    whats = ["the field"] * fields + [plural(len(springs), "the spring", "the springs")] * bool(springs)
+    whats += [plural(len(dampers), "the damper", "the dampers")] * bool(dampers)
+    return "the force of " + "".join(str(p) for p in listed(whats))
+
+
+def _free_body(body: FreeBody, of_field: str) -> list[Block]:
     """Everything that acts on one particle."""
     name = body.particle.name
-    acting = [
-        "its weight" if n == "weight" else f"the force {spoken(n)}" if n else "the force of the field"
-        for n in body.loads
-    ]
+    acting = ["its weight" if n == "weight" else f"the force {spoken(n)}" if n else of_field for n in body.loads]
     acting += [f"the reaction of {spoken(r.name)}" for r, _ in body.reactions]
     if not acting:
         return [prose(f"Nothing acts on {name}.")]
@@ -110,11 +120,6 @@ def _free_body(body: FreeBody) -> list[Block]:
     found.append(prose(f"On {name} {verb} ", *listed(acting), f"; {_with(body.reactions)}"))
     found.append(display(Equation((VectorSymbol(f"R_{name}"), total), label=f"reaction-{name}")))
     return found
-
-
-def _load(name: str) -> str:
-    """What an applied force is called; without a name it is that of a potential."""
-    return "its weight" if name == "weight" else f"the force {spoken(name)}" if name else "the force of the field"
 
 
 def _with(reactions: Sequence[tuple[Reaction, Vector]]) -> str:

@@ -8,8 +8,9 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from lagrange.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
+from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, MassPoint
 from lagrange.notation import VectorSymbol
 from lagrange.problem import Assumption, Coordinate, Friction, Parameter, Problem
 from lagrange.vectors import UNITS, Vector
@@ -26,8 +27,9 @@ def explain_statement(problem: Problem, configuration: Configuration) -> Step:
     body += _symbols(problem)
     body += _functions(problem)
     body += _frame(problem)
+    body += triads_of_bodies(problem, configuration)
     body += _abbreviations(problem)
-    body += _positions(configuration)
+    body += _positions(problem, configuration)
     body += _forces(configuration, [f for f in problem.forces if isinstance(f, Friction)])
     return Step(Rule.STATEMENT, "The system", tuple(body))
 
@@ -156,14 +158,29 @@ def _frame(problem: Problem) -> list[Block]:
     return found
 
 
-def _positions(configuration: Configuration) -> list[Block]:
+def _body(configuration: Configuration, centre: MassPoint) -> Block:
+    """Its mass, and where its mass centre is."""
+    if configuration.is_pinned(centre):
+        mass: tuple[Part, ...] = (", of mass ", math(centre.mass), ",") if centre.mass != 0 else ()
+        return prose(f"The mass centre of the rigid body {centre.name}", *mass, " stays at")
+    has: tuple[Part, ...] = ("the mass ", math(centre.mass)) if centre.mass != 0 else ("no mass",)
+    return prose(f"The rigid body {centre.name} has ", *has, ". The position of its mass centre is")
+
+
+def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     """Where the particles are. That a point has no mass is worth saying only where others have some."""
     found: list[Block] = []
     massless = ", a massless point," if any(p.mass != 0 for p in configuration.points) else ""
+    bodies = {b.name: b for b in problem.bodies}
+    turning = {r.name: r for r in configuration.rotations}
     for p in configuration.points:
         what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (massless,)
         position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
-        found += [prose(f"The position of {p.name}", *what, " is"), display(position)]
+        if p.name in bodies:
+            found.append(_body(configuration, p))
+            found += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
+        else:
+            found += [prose(f"The position of {p.name}", *what, " is"), display(position)]
     return found
 
 
@@ -201,16 +218,12 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list
                 Equation((VectorSymbol(f"r_{f.name}"), f.point)),
             )
             found += [prose(f"The force {f.name} on {f.on}, and the point where it acts, are"), display(*lines)]
-    for s in configuration.springs:
-        length: tuple[Part, ...] = (" and free length ", math(s.length)) if s.length != 0 else (" and free length 0",)
-        found.append(
-            prose(f"The spring {s.name} has stiffness ", math(s.stiffness), *length, "; its ends are ",
-                  math(s.distance), " apart, so that it pulls them together with the force ", math(s.pull), ".")
-        )  # fmt: skip
+    found += moments_on(configuration)
+    found += explain_links(configuration)
     if configuration.potential != 0:
-        what = "of the given fields and springs" if configuration.springs else "of the given fields"
+        of = "" if configuration.springs else " of the given fields"
         found += [
-            prose(f"The potential energy {what} is"),
+            prose(f"The potential energy{of} is"),
             display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
         ]
     return found

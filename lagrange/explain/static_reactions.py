@@ -117,6 +117,6 @@ def _open(there: ReactionsAtRest, newton: Newton) -> Iterator[Block]:
     if there.open:
         one = len(there.open) == 1
         yield prose(
-            *listed(math(s) for s in there.open), " is" if one else " are", " not determined here: in this position the "
-            "constraints depend on one another, to first order."
+            *listed(math(s) for s in there.open), " is" if one else " are", " not determined here: in this position "
+            "the constraints depend on one another, to first order."
         )  # fmt: skip

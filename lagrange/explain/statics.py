@@ -33,8 +33,8 @@ def explain_virtual_work(found: Equilibrium, stability: SecondVariation | None, 
             "where the applied forces do none either, whatever the virtual displacement. This is the principle of "
             "virtual work:"
             if workless
-            else "The constraints are ideal: in a virtual displacement their reactions do no work. The system, at rest, "
-            "is in equilibrium exactly where the applied forces do none either, whatever the virtual displacement. "
+            else "The constraints are ideal: in a virtual displacement their reactions do no work. The system, at "
+            "rest, is in equilibrium exactly where the applied forces do none either, whatever the virtual displacement. "
             "This is the principle of virtual work:"
             if configuration.rows
             else "The system, at rest, is in equilibrium exactly where the applied forces do no work in any virtual "
@@ -80,11 +80,14 @@ def _suffix(configuration: Configuration) -> str:
 
 
 def _principle(configuration: Configuration) -> sp.Expr:
-    """Σ F·δr, less δV where there is a potential."""
+    """Σ F·δr + Σ M·δπ, less δV where there is a potential."""
     loads = configuration.loads
-    acting = [p.name for p in configuration.points if any(f.on == p.name and not f.elsewhere for f in loads)]
+    free = [p for p in configuration.points if not configuration.is_pinned(p)]
+    acting = [p.name for p in free if any(f.on == p.name and not f.elsewhere for f in loads)]
     acting += [f.name for f in loads if f.elsewhere]
     terms = [Dot(VectorSymbol(f"F_{name}"), VectorSymbol(f"delta(r_{name})")) for name in acting]
+    turned = [r.name for r in configuration.rotations if configuration.moments_on(r.name)]
+    terms += [Dot(VectorSymbol(f"M_{name}"), VectorSymbol(f"delta(pi_{name})")) for name in turned]
     potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
     return sp.Add(*terms, -potential)
 

@@ -14,7 +14,7 @@ import sympy as sp
 
 from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
 from lagrange.displacements import possible_displacement, virtual_displacement
-from lagrange.notation import Wedge
+from lagrange.notation import FormSymbol, Wedge
 from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
 
@@ -27,8 +27,8 @@ if TYPE_CHECKING:
     from lagrange.report import Report
     from lagrange.solution import ChoiceSolution, Solution
     from lagrange.spot import Spot
-    from lagrange.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.stability import SecondVariation
+    from lagrange.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.workless import WorkOfReaction
 
 VERSION = 1
@@ -61,7 +61,7 @@ def as_object(report: Report) -> dict[str, Any]:
             "catastatic": classification.catastatic,
             "rank": classification.rank,
             "integrable_rank": classification.integrable_rank,
-            "hidden": [],
+            "hidden": [write(r.function) for r in classification.hidden.found],
             "redundant": list(classification.redundant),
         },
         "degrees_of_freedom": classification.degrees_of_freedom,
@@ -199,7 +199,9 @@ def _reactions_at_rest(
 
     Of reactions that are not determined one by one `reactions_determined` has the combinations that are.
     """
-    names = [w.reaction.name for w in works] or [*dict.fromkeys(n for r in found.at if r for n in r.reactions.multipliers)]
+    names = [w.reaction.name for w in works] or [
+        *dict.fromkeys(n for r in found.at if r for n in r.reactions.multipliers)
+    ]
     reactions: dict[str, Any] = {}
     for name in names:
         there = [r and _at_rest(name, r, write) for r in found.at]
@@ -282,7 +284,7 @@ def _block(block: Block, write: Write) -> dict[str, Any]:
 
 def _equation(equation: Equation, write: Write) -> dict[str, Any]:
     """An equation; `text` can be read back. An equation between exterior forms cannot, and is called `form`."""
-    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge) for s in equation.sides)
+    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge, FormSymbol) for s in equation.sides)
     written = f" {equation.relation} ".join(write(_shown(s)) for s in equation.sides)
     found: dict[str, Any] = {"form" if of_forms else "text": written}
     if equation.label:

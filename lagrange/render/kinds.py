@@ -13,7 +13,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.notation import Sign, UnitVector, VectorSymbol
+from lagrange.notation import FormSymbol, Sign, UnitVector, VectorSymbol
 from lagrange.render.names import GREEK, Name
 
 Place = tuple[int, str, tuple[str, ...]]  # declared order, then alphabetic
@@ -65,6 +65,8 @@ class Notation:
 
     def kind(self, symbol: sp.Symbol) -> Kind:
         """What a symbol is; an undeclared one is judged by its name."""
+        if isinstance(symbol, FormSymbol):
+            return Kind.DIFFERENTIAL
         if isinstance(symbol, UnitVector | VectorSymbol):
             return Kind.VECTOR
         name = symbol.name

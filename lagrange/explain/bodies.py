@@ -1,0 +1,200 @@
+"""Rigid bodies, springs and dampers: how they are stated, and what they add to d'Alembert's principle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import sympy as sp
+
+from lagrange.derivation import Block, Equation, Part, display, listed, math, prose
+from lagrange.explain.words import plural, spoken
+from lagrange.kinematics import Configuration
+from lagrange.links import Damped, Stretched
+from lagrange.notation import Dot, VectorSymbol, prime, variation
+from lagrange.orientation import names_before_last
+from lagrange.problem import Body, Problem
+from lagrange.rigid_bodies import Rotation
+from lagrange.vectors import FIXED, UNITS, Triad, Vector
+
+ZERO = sp.S.Zero
+ORDINALS = ("first", "second", "third")
+
+
+# -- the statement ---------------------------------------------------------------------------------------------------
+
+
+def triads_of_bodies(problem: Problem, configuration: Configuration) -> list[Block]:
+    """The unit vectors that turn with bodies, in i, j, k, each once."""
+    positions = (p.position.triad for p in configuration.points)
+    turning = (r.angular_velocity.triad for r in configuration.rotations)
+    lines: dict[str, Equation] = {}
+    for triad in dict.fromkeys((*positions, *turning)):
+        if triad not in (FIXED, problem.frame):
+            known = {*UNITS, *problem.abbreviations}
+            lines |= {unit.name: Equation((unit, v)) for unit, v in _directions(triad) if unit.name not in known}
+    if not lines:
+        return []
+    return [prose("The unit vectors that turn with the bodies are"), display(*lines.values())]
+
+
+def _directions(triad: Triad) -> Iterator[tuple[sp.Symbol, Vector]]:
+    assert triad.directions is not None
+    for n, unit in enumerate(triad.units):
+        row = triad.directions[n, :]
+        yield unit, Vector((row[0], row[1], row[2]))
+
+
+def explain_rotation(body: Body, rotation: Rotation) -> list[Block]:
+    """Moments of inertia, angular velocity, angular momentum of a body."""
+    name = body.name
+    lines = [Equation((VectorSymbol(f"omega_{name}"), rotation.angular_velocity), label=f"spin-{name}")]
+    if rotation.has_inertia:
+        lines.append(Equation((VectorSymbol(f"H_{name}"), rotation.momentum), label=f"momentum-{name}"))
+    both = plural(len(lines), "is", "and its angular momentum about the mass centre are")
+    return [prose(*_inertia(body, rotation), f" Its angular velocity {both}"), display(*lines)]
+
+
+def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
+    if not rotation.has_inertia:
+        return (*_turns(body), " It has no moment of inertia.")
+    if body.angle is not None:
+        moment = math(body.inertia[0])
+        return (*_turns(body), " Its moment of inertia about the axis through the mass centre is ", moment, ".")
+    units = rotation.angular_velocity.triad.units
+    moments = listed(math(m) for m in rotation.inertia)
+    about = listed(math(e) for e in units)
+    parts = (
+        *_turns(body),
+        " Its moments of inertia about the axes ",
+        *about,
+        " through the mass centre are ",
+        *moments,
+    )
+    before = set(names_before_last(body.name))
+    if any(e.name in before for e in units):
+        own = listed(math(e) for e in units if e.name in before)
+        return (*parts, "; two of them are equal, so that ", *own, " need not take part in the last rotation.")
+    return (*parts, ".")
+
+
+def _turns(body: Body) -> tuple[Part, ...]:
+    """By which angles."""
+    if body.angle is not None:
+        return ("It is turned by the angle ", math(body.angle), ".")
+    if not body.sequence:
+        return ()
+    steps: list[Part] = []
+    for n, (axis, angle) in enumerate(zip(body.sequence, body.angles, strict=True)):
+        new = "the new " if n else "its "
+        steps += [("" if n == 0 else " and then " if n == 2 else ", ") + "by ", math(angle)]
+        steps.append(f" about {new}{ORDINALS[int(axis) - 1]} axis")
+    return ("It is turned ", *steps, ".")
+
+
+def moments_on(configuration: Configuration) -> list[Block]:
+    """The applied moment on each body, about its mass centre."""
+    found: list[Block] = []
+    for r in configuration.rotations:
+        moments = configuration.moments_on(r.name)
+        if not moments:
+            continue
+        beside = configuration.loads_beside(r.name)
+        own = any(m.on == r.name for m in configuration.torques)
+        if beside:
+            verb = plural(len(beside), " acts at", " act at")
+            lines = (Equation((VectorSymbol(f"r_{f.name}"), f.point), label=f"point-{f.name}") for f in beside)
+            found += [prose("Of these, ", *listed(spoken(f.name) for f in beside), verb), display(*lines)]
+        words = "The moment of the applied forces" if beside else "The applied moment"
+        also = ", applied moments included," if beside and own else ""
+        moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")
+        found += [prose(f"{words} on {r.name} about its mass centre{also} is"), display(moment)]
+    return found
+
+
+def explain_links(configuration: Configuration) -> list[Block]:
+    """The springs and dampers, their lengths, and with what forces they pull."""
+    found: list[Block] = []
+    for s in configuration.springs:
+        length = sp.Symbol(f"d_{s.name}", real=True)
+        free: tuple[Part, ...] = (" and of free length ", math(s.length)) if s.length != 0 else ()
+        found += [
+            prose(f"The {_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
+                  ". Its length, and the force with which it pulls its ends together, are"),
+            display(Equation((length, s.distance), label=f"length-{s.name}"),
+                    Equation((s.stiffness * (length - s.length), s.pull), label=f"pull-{s.name}")),
+        ]  # fmt: skip
+    for d in configuration.dampers:
+        length = sp.Symbol(f"d_{d.name}", real=True)
+        either = "" if d.distance.is_Pow else " (or its negative, which serves as well)"
+        found += [
+            prose(f"The {_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
+                  f". Its length{either}, and the force with which it pulls its ends together, are"),
+            display(Equation((length, d.distance), label=f"length-{d.name}"),
+                    Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
+        ]  # fmt: skip
+    return found
+
+
+def _called(name: str, kind: str) -> str:
+    """`spring left`, or `spring` where that is its name."""
+    return kind if spoken(name) == kind else f"{kind} {spoken(name)}"
+
+
+def _joins(link: Stretched | Damped) -> tuple[Part, ...]:
+    first, second = (e if isinstance(e, str) else math(e) for e in _ends(link))
+    return (" joins ", first, " and ", second)
+
+
+def _ends(link: Stretched | Damped) -> Iterable[str | Vector | sp.Symbol]:
+    for end in link.ends:
+        yield sp.Symbol("O") if isinstance(end, Vector) and end.is_zero else end
+
+
+# -- displacements and the principle ---------------------------------------------------------------------------------
+
+
+def virtual_rotations(configuration: Configuration, zero: dict[sp.Basic, sp.Basic]) -> list[Block]:
+    """δπ of each body, without the δq that are zero."""
+    if not configuration.rotations:
+        return []
+    suffix = f"-{configuration.name}" if configuration.name else ""
+    steps = [variation(q).xreplace(zero) for q in configuration.slots.coordinates]
+    lines = [
+        Equation((VectorSymbol(f"delta(pi_{r.name})"), r.virtual(steps)), label=f"rotation{suffix}-{r.name}")
+        for r in configuration.rotations
+    ]
+    whose = plural(len(lines), "rotation of the body", "rotations of the bodies")
+    verb = plural(len(lines), "is", "are")
+    like = "made of virtual displacements as an angular velocity is of velocities"
+    return [prose(f"The virtual {whose}, {like}, {verb}"), display(*lines)]
+
+
+def terms_of_bodies(configuration: Configuration) -> list[sp.Expr]:
+    """(dH/dt − M)·δπ of each body."""
+    terms = []
+    for r in configuration.rotations:
+        rate = VectorSymbol(f"H_{r.name}'") if r.has_inertia else ZERO
+        moment = VectorSymbol(f"M_{r.name}") if configuration.moments_on(r.name) else ZERO
+        if rate - moment != 0:
+            terms.append(Dot(rate - moment, VectorSymbol(f"delta(pi_{r.name})")))
+    return terms
+
+
+def terms_of_dampers(configuration: Configuration) -> list[sp.Expr]:
+    """c d' δd of each damper."""
+    lengths = [(d.coefficient, sp.Symbol(f"d_{d.name}", real=True)) for d in configuration.dampers]
+    return [c * prime(length) * variation(length) for c, length in lengths]
+
+
+def laws(configuration: Configuration, acting: str) -> str:
+    """What is multiplied by what: `Newton's law for each particle, <acting>, by its virtual displacement`."""
+    bodies, particles = configuration.rotations, configuration.particles
+    if not bodies:
+        return f"Newton's law for each particle{acting} by its virtual displacement"
+    whom = "each particle and mass centre" if particles else plural(len(bodies), "the mass centre", "each mass centre")
+    turning = plural(len(bodies), "the law of angular momentum", "the law of angular momentum for each body")
+    its = plural(len(bodies), "the", "its")
+    moving = [p for p in configuration.points if not configuration.is_pinned(p)]
+    if not moving:
+        return f"{turning}{acting} by {its} virtual rotation"
+    return f"Newton's law for {whom}{acting} by its virtual displacement, and {turning} by {its} virtual rotation"
