@@ -7,14 +7,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from lagrange.answers import EXIT_STATUS, AnswerVerdict, Verdict, check_equations
+from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict, check_equations
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.equilibrium import Equilibrium
 from lagrange.equilibrium_answers import alternatives_of, check_equilibria
 from lagrange.notation import base
 from lagrange.problem import Problem
-from lagrange.reaction_answers import check_reaction
+from lagrange.reaction_answers import AtRest, check_reaction
 from lagrange.references import Reference, read_answer, reference_of_equations, reference_of_solution
 from lagrange.solution import Solution, solve
 
@@ -93,9 +94,23 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> Verdict:
         return Verdict.UNDECIDED
     reactions = {r.name: r for r in solution.law.newton.reactions}
     reference = reference_of_solution(solution)
-    found = [check_reaction(fragment, reactions[name], reference) for name, fragment in stated.items()]
+    at_rest = _at_rest(solution) if solution.motion is None else None
+    found = [
+        at_rest.check_stated(fragment, reactions[name])
+        if at_rest
+        else check_reaction(fragment, reactions[name], reference)
+        for name, fragment in stated.items()
+    ]
     order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
     return next((v for v in order if v in found), Verdict.EQUIVALENT)
+
+
+def _at_rest(solution: Solution) -> AtRest | None:
+    """The reactions at the equilibria, where there are constraints."""
+    if solution.law is None or solution.reactions_at_rest is None:
+        return None
+    found = [solution.reactions_at_rest, *(c.reactions_at_rest for c in solution.choices if c.reactions_at_rest)]
+    return AtRest(solution.law.newton, found, reference_of_solution(solution))
 
 
 def _agrees(same: bool | None) -> Verdict:
@@ -122,12 +137,14 @@ def _class(solution: Solution, word: str) -> bool | None:
 class CheckedAnswer:
     """The outcome of `lagsolve check`: the verdict on equations; of the file's own answers, on the others too.
 
-    statics  whether the equations are those of an equilibrium
+    statics    whether the equations are those of an equilibrium
+    reactions  whether they are about the reactions there
     """
 
     equations: AnswerVerdict
     others: tuple[ComparedAnswer, ...] = ()
     statics: bool = False
+    reactions: bool = False
 
     @property
     def verdict(self) -> Verdict:
@@ -158,6 +175,7 @@ class CheckedAnswer:
     def as_text(self) -> str:
         """The verdict for a person."""
         headlines = _HEADLINES | (_HEADLINES_OF_STATICS if self.statics else {})
+        headlines |= _HEADLINES_OF_REACTIONS[self.statics] if self.reactions else {}
         headlines |= _HEADLINES_OF_FILE if self.others else {}
         missing = _missing_equilibria if self.statics else _missing
         lines = [headlines[self.verdict].format(missing=missing(self.equations.missing))]
@@ -182,6 +200,19 @@ _HEADLINES_OF_STATICS = {
     Verdict.WRONG: "wrong: not every solution is an equilibrium",
     Verdict.TRIVIAL: "trivial: the equations say nothing of the equilibrium",
     Verdict.UNDECIDED: "undecided: it could not be settled whether these are the equilibria",
+}
+_HEADLINES_OF_REACTIONS = {
+    False: {
+        Verdict.EQUIVALENT: "equivalent: these are reactions at every position of equilibrium",
+        Verdict.WRONG: "wrong: these are not the reactions at every position of equilibrium",
+        Verdict.TRIVIAL: "trivial: the equations say nothing of the reactions",
+        Verdict.UNDECIDED: "undecided: it could not be settled whether these are the reactions",
+    },
+    True: {
+        Verdict.EQUIVALENT: "equivalent: these are the positions of equilibrium, all of them, and reactions there",
+        Verdict.WRONG: "wrong: not every solution is an equilibrium, or the reactions are others",
+        Verdict.UNDECIDED: "undecided: it could not be settled whether these are the equilibria and reactions",
+    },
 }
 _HEADLINES_OF_FILE = {
     Verdict.EQUIVALENT: "equivalent: the file's answers agree with what is derived",
@@ -212,10 +243,40 @@ def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswe
         return CheckedAnswer(check_equations(answer, reference_of_equations(problem)))
     solution = solve(problem)
     if solution.equilibrium is not None and (solution.motion is None or not _moves(answer, solution)):
-        found = [solution.equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
-        alternatives = alternatives_of(answer)
-        return CheckedAnswer(check_equilibria(alternatives, found, reference_of_solution(solution)), statics=True)
+        return _check_statics(answer, solution, solution.equilibrium)
     return CheckedAnswer(check_equations(answer, _reference_of(solution)))
+
+
+def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: Equilibrium) -> CheckedAnswer:
+    """The verdict on equilibria, and on what is said of reactions there."""
+    found = [equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
+    reference = reference_of_solution(solution)
+    at_rest = _at_rest(solution)
+    readings = [(f, read_answer(f, reference.scope)) for f in answer] if at_rest else []
+    about = [(f, r) for f, r in readings if at_rest and at_rest.is_about(r)]
+    rest = [f for f in answer if all(f is not other for other, _ in about)]
+    if not about or at_rest is None:
+        return CheckedAnswer(check_equilibria(alternatives_of(answer), found, reference), statics=True)
+    stated = tuple(at_rest.check(r) for _, r in about)
+    verdict = _together(stated)
+    notes = tuple(n for _, r in about for n in r.notes)
+    if not rest:
+        return CheckedAnswer(AnswerVerdict(verdict, stated, notes=notes), reactions=True)
+    positions = check_equilibria(alternatives_of(rest), found, reference)
+    both = next(
+        (v for v in _FIRST if v in (positions.verdict, verdict) and v is not Verdict.TRIVIAL), positions.verdict
+    )
+    return CheckedAnswer(
+        replace(positions, verdict=both, equations=(*positions.equations, *stated), notes=(*positions.notes, *notes)),
+        statics=True,
+        reactions=True,
+    )
+
+
+def _together(stated: Sequence[EquationVerdict]) -> Verdict:
+    """The verdict on several equations; identities count where there is nothing else."""
+    verdicts = {v.verdict for v in stated}
+    return next((v for v in (*_FIRST[:-1], Verdict.EQUIVALENT) if v in verdicts), Verdict.TRIVIAL)
 
 
 def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:

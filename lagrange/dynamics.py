@@ -87,10 +87,12 @@ class Motion:
         return self.symbolic or self.equations
 
 
-def law_of_motion(problem: Problem, configuration: Configuration, elimination: Elimination, rank: int) -> Law:
+def law_of_motion(
+    problem: Problem, configuration: Configuration, elimination: Elimination, rank: int, at_rest: bool = False
+) -> Law:
     """Newton's law for the particles of a problem, in the file's coordinates."""
     taken = frozenset(problem.scope.names())
-    newton = newton_equations(configuration, problem.constraints, rank, taken)
+    newton = newton_equations(configuration, problem.constraints, rank, taken, at_rest)
     renamed = tuple(
         replace(c, reaction=r.multiplier) for c, r in zip(problem.constraints, newton.reactions, strict=True)
     )

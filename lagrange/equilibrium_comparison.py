@@ -22,7 +22,7 @@ from lagrange.equilibrium import Equilibrium, is_balanced
 from lagrange.exact import DivisionByZeroError, Surface, is_zero
 from lagrange.polynomial_roots import factors, numerator
 from lagrange.references import Reading
-from lagrange.solution_sets import Branch, SolutionSet
+from lagrange.solution_sets import Branch, SolutionSet, parameters_given
 from lagrange.unit_circle import CIRCULAR, Letters, NotAlgebraicError
 
 RESTATED = "it restates a constraint"
@@ -191,7 +191,7 @@ class EquilibriumComparison:
     def _judged(self, a: _Alternative) -> _Judged:
         rest = [x for es in a.equations for x in es]
         covered = frozenset(n for n, (_, p) in enumerate(self.points) if self._holds(p, rest, a.angles))
-        _, given = _parameters_given(rest, self.unknowns)
+        _, given = parameters_given(rest, self.unknowns)
         verdicts = [self._of_one(r, es, a, given) for r, es in zip(a.readings, a.equations, strict=True)]
         if any(v.verdict is Verdict.WRONG for v in verdicts):
             return _Judged(False, covered, False, tuple(verdicts))
@@ -265,7 +265,7 @@ class EquilibriumComparison:
         self, equations: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr]
     ) -> tuple[bool | None, bool, str]:
         """Whether all solutions of the equations are equilibria; whether they leave something open; why not."""
-        equations, values = _parameters_given(equations, self.unknowns)
+        equations, values = parameters_given(equations, self.unknowns)
         conditions = [c.xreplace(values) for c in self.conditions]
         rows = [r.xreplace(values) for r in self.rows]
         try:
@@ -333,31 +333,8 @@ def _points(b: Branch, unknowns: Sequence[sp.Symbol]) -> list[Values]:
         return []
     given: Values = {}
     if b.special:
-        _, given = _parameters_given([r.residual for r in b.relations], unknowns)
+        _, given = parameters_given([r.residual for r in b.relations], unknowns)
     return [{**p, **given} for p in b.points]
-
-
-def _parameters_given(
-    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
-) -> tuple[list[sp.Expr], dict[sp.Symbol, sp.Expr]]:
-    """Equations between parameters alone, solved for one of these: W_1 a = W_2 b."""
-    values: dict[sp.Symbol, sp.Expr] = {}
-    kept = []
-    for e in equations:
-        e = e.xreplace(values)
-        symbols = sorted(e.free_symbols, key=str)
-        if not symbols or e.free_symbols & {*unknowns}:
-            kept.append(e)
-            continue
-        above, _ = sp.fraction(sp.together(e))
-        for s in symbols:
-            rate = sp.expand(above).diff(s)
-            if rate != 0 and s not in rate.free_symbols:
-                values[s] = sp.factor(s - above / rate)
-                break
-        else:
-            kept.append(e)
-    return kept, values
 
 
 def _stated(b: Branch) -> str:

@@ -11,10 +11,10 @@ Shapes: A (m, n), b (m,), x (n,).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Protocol
 
 import sympy as sp
 
-from lagrange.exact import Surface
 from lagrange.textbook import textbook_form
 
 MOST_OPERATIONS = 400
@@ -25,6 +25,13 @@ MOST_CANCELLED = 120
 """Operations of a quotient that is still brought to lowest terms with its sines as they are."""
 
 Tidy = Callable[[sp.Expr], sp.Expr]
+
+
+class Decides(Protocol):
+    """What says of an expression whether it is zero, such as `exact.Surface`."""
+
+    def is_zero(self, expression: sp.Expr) -> bool | None:
+        """Whether an expression is zero; None: undecided."""
 
 
 class TooLargeError(Exception):
@@ -47,7 +54,7 @@ class _Bounded:
 
 
 def solved_linear(
-    rows: Sequence[Sequence[sp.Expr]], right: Sequence[sp.Expr], surface: Surface, tidy: Tidy | None = None
+    rows: Sequence[Sequence[sp.Expr]], right: Sequence[sp.Expr], surface: Decides, tidy: Tidy | None = None
 ) -> list[sp.Expr | None] | None:
     """The x with A x = b. An entry of x is None where the equations leave it open; None where they are too large.
 
@@ -78,7 +85,7 @@ def tidy_quotient(entry: sp.Expr) -> sp.Expr:
     return textbook_form(sp.cancel(formed))
 
 
-def _reduce(work: list[list[sp.Expr]], width: int, surface: Surface, tidy: Tidy) -> dict[int, int]:
+def _reduce(work: list[list[sp.Expr]], width: int, surface: Decides, tidy: Tidy) -> dict[int, int]:
     """Reduces the rows [A | b] in place; the column of the pivot of each row that has one."""
     pivot_of: dict[int, int] = {}
     while True:
@@ -99,7 +106,7 @@ def _reduce(work: list[list[sp.Expr]], width: int, surface: Surface, tidy: Tidy)
 
 
 def _pivot(
-    work: Sequence[Sequence[sp.Expr]], width: int, pivot_of: dict[int, int], surface: Surface
+    work: Sequence[Sequence[sp.Expr]], width: int, pivot_of: dict[int, int], surface: Decides
 ) -> tuple[int, int] | None:
     """The place of the next pivot; None where only zeros are left."""
     rows = [r for r in range(len(work)) if r not in pivot_of]

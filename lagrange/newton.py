@@ -19,7 +19,7 @@ constraint has one: its multiplier.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -167,18 +167,27 @@ class Newton:
 
 
 def newton_equations(
-    configuration: Configuration, constraints: Sequence[Constraint], rank: int, taken: frozenset[str] = frozenset()
+    configuration: Configuration,
+    constraints: Sequence[Constraint],
+    rank: int,
+    taken: frozenset[str] = frozenset(),
+    at_rest: bool = False,
 ) -> Newton:
     """Newton's law for the particles of a configuration.
 
     constraints  those that `configuration.rows` are the forms of, in the same order
     rank         the number of independent constraints
     taken        names that have a meaning, and cannot be that of a tension
+    at_rest      nothing is accelerated; then massless points count as particles on which reactions may act
     """
     if configuration.rotations:
         pairs = zip(configuration.rows, constraints, strict=True)
         return Newton(tuple(Reaction(c, row, c.reaction, None, {}) for row, c in pairs), None)
     placed = _placed(configuration)
+    if at_rest and placed is not None:
+        seen = {p.name for p, _ in placed}
+        hidden = (p for p in configuration.points if p.name not in seen)
+        placed = None if any(not along.is_zero for p in hidden for along in p.partials) else placed
     reactions = tuple(
         _reaction(row, c, placed, configuration, taken) for row, c in zip(configuration.rows, constraints, strict=True)
     )
@@ -192,6 +201,10 @@ def newton_equations(
         return Newton(reactions, None, idle)
     acting = _Acting(configuration, reactions)
     bodies = tuple(_free_body(p, basis, field_forces.get(p.name), acting) for p, basis in placed)
+    if at_rest:
+        bodies = tuple(
+            replace(b, components=tuple(replace(c, inertia=sp.S.Zero) for c in b.components)) for b in bodies
+        )
     return Newton(reactions, bodies, idle, *_counts(configuration, bodies, idle, rank))
 
 

@@ -14,13 +14,13 @@ Shapes: M (n, n), A (m, n), h (n,), β (m,).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
 
 from lagrange.kinematics import Configuration
-from lagrange.linear import MOST_CANCELLED, Tidy, solved_linear, tidy_quotient
+from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_linear, tidy_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.principle import Principle
 from lagrange.textbook import common_factor, textbook_form
@@ -71,6 +71,22 @@ class LinearSystem:
     rows: tuple[tuple[sp.Expr, ...], ...]
     right: tuple[sp.Expr, ...]
     unknowns: tuple[sp.Symbol, ...]
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where a system is solved: on the constraint surface, in the coordinates of a choice, at an equilibrium.
+
+    write    an expression of the file's coordinates as it is there
+    surface  says what is zero there
+    tidy     for what arises on the way
+    show     for results
+    """
+
+    write: Callable[[sp.Expr], sp.Expr]
+    surface: Decides
+    tidy: Tidy
+    show: Tidy
 
 
 def motion_system(principle: Principle, used: Sequence[Reaction]) -> LinearSystem:
@@ -136,11 +152,20 @@ def solved_reactions(
     rows, right = _in_coordinates(system, configuration, dragging)
     for k, force in enumerate(applied):
         right[k] = right[k] + force
-    found = solved_linear(rows, right, configuration.states, tidy)
+    place = Place(lambda e: e.xreplace(rule), configuration.states, tidy, over_one_denominator)
+    there = LinearSystem(tuple(tuple(row) for row in rows), tuple(right), system.unknowns)
+    return reactions_at(place, there, newton, used, configuration)
+
+
+def reactions_at(
+    place: Place, system: LinearSystem, newton: Newton, used: Sequence[Reaction], configuration: Configuration
+) -> Reactions:
+    """The unknowns of a system that is written as it is at a place."""
+    found = solved_linear(system.rows, system.right, place.surface, place.tidy)
     found = found or [None] * len(system.unknowns)
-    values = dict(zip(system.unknowns, [v if v is None else over_one_denominator(v) for v in found], strict=True))
+    values = dict(zip(system.unknowns, [v if v is None else place.show(v) for v in found], strict=True))
     unused = [r for r in newton.reactions if r not in used]
-    combinations = _combinations(used, unused, values, configuration) if unused else ()
+    combinations = _combinations(used, unused, values, place) if unused else ()
     loose = {symbol for c in combinations if len(c.terms) > 1 for _, symbol in c.terms}
     sole = [r for r in used if r.multiplier not in loose]
     multipliers = {r.name: values[r.multiplier] for r in sole}
@@ -148,12 +173,12 @@ def solved_reactions(
         configuration=configuration,
         multipliers=multipliers,
         tensions={
-            r.name: over_one_denominator(textbook_form(r.rod.factor.xreplace(rule) * v))
+            r.name: place.show(textbook_form(place.write(r.rod.factor) * v))
             for r in sole
             if r.rod is not None and (v := values[r.multiplier]) is not None
         },
         forces={
-            r.name: {p: _force(g, v, rule, tidy) for p, g in r.directions.items()}
+            r.name: {p: _force(g, v, place) for p, g in r.directions.items()}
             for r in sole
             if r.directions and (v := values[r.multiplier]) is not None
         },
@@ -199,9 +224,9 @@ def over_one_denominator(value: sp.Expr) -> sp.Expr:
     return common.expression * rest
 
 
-def _force(direction: Vector, value: sp.Expr, rule: dict[sp.Basic, sp.Basic], tidy: Tidy) -> Vector:
-    force: Vector = direction.xreplace(rule) * value
-    return force.map(lambda c: tidy(c) if c.count_ops() < MOST_CANCELLED else c)
+def _force(direction: Vector, value: sp.Expr, place: Place) -> Vector:
+    force: Vector = direction.map(place.write) * value
+    return force.map(lambda c: place.tidy(c) if c.count_ops() < MOST_CANCELLED else c)
 
 
 def _positions_and_velocities(configuration: Configuration) -> dict[sp.Basic, sp.Basic]:
@@ -213,16 +238,15 @@ def _combinations(
     used: Sequence[Reaction],
     unused: Sequence[Reaction],
     values: Mapping[sp.Symbol, sp.Expr | None],
-    configuration: Configuration,
+    place: Place,
 ) -> tuple[Determined, ...]:
     """With a_u = Σ c_uj a_j for each dependent form, λ_j + Σ_u c_uj λ_u is what the equations determine."""
-    rule = _positions_and_velocities(configuration)
     columns = range(len(used[0].row.coefficients)) if used else range(0)
     terms: dict[sp.Symbol, list[tuple[sp.Expr, sp.Symbol]]] = {r.multiplier: [(sp.S.One, r.multiplier)] for r in used}
     for u in unused:
-        matrix = [[r.row.coefficients[k].xreplace(rule) for r in used] for k in columns]
-        target = [u.row.coefficients[k].xreplace(rule) for k in columns]
-        shares = solved_linear(matrix, target, configuration.states)
+        matrix = [[place.write(r.row.coefficients[k]) for r in used] for k in columns]
+        target = [place.write(u.row.coefficients[k]) for k in columns]
+        shares = solved_linear(matrix, target, place.surface)
         for r, c in zip(used, shares or [None] * len(used), strict=True):
             if c is None:
                 return ()

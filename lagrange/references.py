@@ -211,10 +211,11 @@ def _lengths(solution: Solution) -> dict[str, sp.Expr]:
 
 def _reactions(solution: Solution) -> dict[str, sp.Expr]:
     """Multipliers, tensions of rods and the signs that friction leaves open, by name."""
-    if solution.law is None or solution.dynamics is None:
+    if solution.law is None:
         return {}
     newton = solution.law.newton
-    named = (*newton.multipliers_by_name.values(), *newton.tensions, *solution.dynamics.signs)
+    signs = solution.dynamics.signs if solution.dynamics is not None else ()
+    named = (*newton.multipliers_by_name.values(), *newton.tensions, *signs)
     return {s.name: s for s in named}
 
 

@@ -30,10 +30,12 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
+from lagrange.explain.static_reactions import explain_reactions_at_rest
 from lagrange.explain.statics import explain_equilibrium_in_choice, explain_virtual_work
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
+from lagrange.static_reactions import StaticReactions
 
 
 @dataclass(frozen=True)
@@ -79,13 +81,13 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_classification(classification, names_of(problem))
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
-    if solution.equilibrium is not None:
-        yield explain_virtual_work(solution.equilibrium, None if problem.choices else solution.stability)
+    yield from _statics(solution)
     yield from _motion(solution)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
+            yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
             yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
             yield from _reactions(solution, c.dynamics, c.name)
@@ -99,6 +101,30 @@ def names_of(problem: Problem) -> frozenset[str]:
     return frozenset({*scope.scalars, *scope.vectors, *scope.functions, *(s.name for s in symbols)})
 
 
+def _statics(solution: Solution) -> Iterator[Step]:
+    """From the free bodies, unless those of motion are shown, to the equilibria and the reactions there."""
+    if solution.equilibrium is None:
+        return
+    law = solution.law
+    shown = bool(solution.works) and law is not None and solution.dynamics is None
+    if shown and law is not None:
+        freedom = solution.classification.degrees_of_freedom
+        unknown = bool(solution.problem.unknowns)
+        yield explain_newton(law.newton, (), solution.configuration, freedom, at_rest=True, unknown_forces=unknown)
+        yield explain_works(solution.works, solution.configuration)
+    workless = shown and all(w.vanishes for w in solution.works)
+    stability = None if solution.problem.choices else solution.stability
+    yield explain_virtual_work(solution.equilibrium, stability, workless)
+    yield from _reactions_at_rest(solution, solution.reactions_at_rest)
+
+
+def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Iterator[Step]:
+    if found is not None and solution.law is not None:
+        step = explain_reactions_at_rest(found, solution.law.newton)
+        if step is not None:
+            yield step
+
+
 def _motion(solution: Solution) -> Iterator[Step]:
     """From Newton's law to the equations of motion; friction needs the reactions first."""
     law, dynamics = solution.law, solution.dynamics
@@ -106,7 +132,7 @@ def _motion(solution: Solution) -> Iterator[Step]:
         return
     if solution.works:
         freedom = solution.classification.degrees_of_freedom
-        yield explain_newton(law.newton, dynamics, solution.configuration, freedom)
+        yield explain_newton(law.newton, dynamics.rubbed, solution.configuration, freedom)
         yield explain_works(solution.works, solution.configuration)
     if dynamics.rubbed:
         yield from _reactions(solution, dynamics)

@@ -25,7 +25,8 @@ from lagrange.newton import Normal, normals
 from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
 from lagrange.stability import SecondVariation, second_variation
-from lagrange.statics import check_equilibrium, check_statics
+from lagrange.static_reactions import StaticReactions, static_reactions
+from lagrange.statics import check_equilibrium, check_reactions_at_rest, check_statics
 from lagrange.verification import (
     EXACT,
     Check,
@@ -50,6 +51,7 @@ class ChoiceSolution:
     dynamics: Motion | None = None
     spot: Spot | None = None
     equilibrium: Equilibrium | None = None
+    reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
 
     @property
@@ -71,10 +73,11 @@ class Solution:
     elimination    of the dependent virtual displacements there
     carried        shape (n,): rates w with which moving constraints carry the coordinates along, dq = δq + w dt
     normals        gradients of the geometric constraints on one particle, where no motion is asked
-    law            Newton's law there, where motion is asked
+    law            Newton's law there, where motion is asked, or the reactions of a system at rest
     works          the work of the reactions
     dynamics       the motion and the reactions there
     equilibrium    its equilibria, where these are asked for; their stability, where there is a potential
+    reactions_at_rest  the reactions there, where there are constraints
     """
 
     problem: Problem
@@ -90,6 +93,7 @@ class Solution:
     choices: tuple[ChoiceSolution, ...] = ()
     checks: tuple[Check, ...] = field(default=())
     equilibrium: Equilibrium | None = None
+    reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
 
     @property
@@ -135,29 +139,48 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         checks=(*checks, *_substitutions(chosen)),
     )
     if Find.EQUILIBRIUM in problem.find:
-        solution = _with_equilibrium(solution)
-    return _with_motion(solution) if Find.MOTION in problem.find else solution
+        check_statics(problem, configuration)
+    if Find.MOTION in problem.find:
+        solution = _with_motion(solution)
+    return _with_equilibrium(solution) if Find.EQUILIBRIUM in problem.find else solution
 
 
 def _with_equilibrium(solution: Solution) -> Solution:
     """The solution with the equilibria, in the file's coordinates and in every choice."""
     problem = solution.problem
-    check_statics(problem, solution.configuration)
     original = equilibrium(solution.configuration, solution.elimination, problem.unknowns)
-    checks = [*solution.checks, *check_equilibrium(original, original)]
+    law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
+    works = solution.works or (
+        works_of_reactions(law.newton, solution.configuration, solution.elimination) if law else ()
+    )
+    reactions = static_reactions(original, original, law.newton, law.used) if law else None
+    checks = [*solution.checks, *check_equilibrium(original, original), *check_reactions_at_rest(reactions)]
+    if solution.law is None:
+        checks += check_workless(works)
     choices = []
     for c in solution.choices:
         configuration = c.coordinates.configuration
         found = equilibrium(configuration, _elimination_in(c), problem.unknowns)
-        checks += check_equilibrium(found, original)
-        choices.append(replace(c, equilibrium=found, stability=second_variation(found)))
+        there = static_reactions(found, original, law.newton, law.used) if law else None
+        checks += [*check_equilibrium(found, original), *check_reactions_at_rest(there)]
+        choices.append(replace(c, equilibrium=found, stability=second_variation(found), reactions_at_rest=there))
     return replace(
         solution,
+        problem=law.problem if law else problem,
+        law=law,
+        works=tuple(works),
+        reactions_at_rest=reactions,
         equilibrium=original,
         stability=second_variation(original),
         choices=tuple(choices),
         checks=tuple(checks),
     )
+
+
+def _law(solution: Solution, at_rest: bool = False) -> Law:
+    """Newton's law in the file's coordinates."""
+    rank = solution.classification.rank
+    return law_of_motion(solution.problem, solution.configuration, solution.elimination, rank, at_rest)
 
 
 def _elimination_in(c: ChoiceSolution) -> Elimination:
@@ -171,7 +194,7 @@ def _elimination_in(c: ChoiceSolution) -> Elimination:
 def _with_motion(solution: Solution) -> Solution:
     """The solution with the equations of motion, in the file's coordinates and in every choice."""
     original = solution.configuration
-    law = law_of_motion(solution.problem, original, solution.elimination, solution.classification.rank)
+    law = _law(solution)
     problem = law.problem
     reactions = law.newton.multipliers_by_name
     given = {p.symbol: p.value for p in problem.parameters if p.value is not None}

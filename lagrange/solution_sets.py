@@ -195,3 +195,26 @@ def without_repetitions(found: Sequence[Branch]) -> list[Branch]:
         if b.special or not any(wider):
             kept.append(b)
     return kept
+
+
+def parameters_given(
+    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
+) -> tuple[list[sp.Expr], dict[sp.Symbol, sp.Expr]]:
+    """Equations between parameters alone, solved for one of these: W_1 a = W_2 b."""
+    values: dict[sp.Symbol, sp.Expr] = {}
+    kept = []
+    for e in equations:
+        e = e.xreplace(values)
+        symbols = sorted(e.free_symbols, key=str)
+        if not symbols or e.free_symbols & {*unknowns}:
+            kept.append(e)
+            continue
+        above, _ = sp.fraction(sp.together(e))
+        for s in symbols:
+            rate = sp.expand(above).diff(s)
+            if rate != 0 and s not in rate.free_symbols:
+                values[s] = sp.factor(s - above / rate)
+                break
+        else:
+            kept.append(e)
+    return kept, values

@@ -5,6 +5,7 @@ have no place in it, and are refused by name.
 
     Lagrange's generalized forces    −(d/dt ∂T/∂q' − ∂T/∂q − Q) at rest, from T, V and F, against the virtual work
     substitution                     every equilibrium put back into the equations it was found from, exactly
+    reactions                        put back into Lagrange's equations at rest, in the file's coordinates
     coordinates                      at every equilibrium of a choice, Q = −Aᵀ λ in the file's coordinates, by ranks
 """
 
@@ -21,6 +22,7 @@ from lagrange.kinematics import Configuration
 from lagrange.lagrangian import lagrange_equations
 from lagrange.notation import base, t
 from lagrange.problem import AppliedForce, AppliedMoment, Damper, Potential, Problem, Spring
+from lagrange.static_reactions import StaticReactions
 from lagrange.unit_circle import NotAlgebraicError
 from lagrange.verification import Check
 
@@ -106,6 +108,16 @@ def check_equilibrium(found: Equilibrium, original: Equilibrium) -> list[Check]:
             Check("the forces are balanced in the file's coordinates as well", _holds_there(found, original), how, name)
         )
     return checks
+
+
+def check_reactions_at_rest(found: StaticReactions | None) -> list[Check]:
+    """The check of the reactions at the equilibria of one configuration, where there are some."""
+    verdicts = [r.verified for r in (found.at if found is not None else ()) if r is not None]
+    if found is None or not verdicts:
+        return []
+    passed = False if False in verdicts else None if None in verdicts else True
+    name = "with the reactions Lagrange's equations hold at every equilibrium"
+    return [Check(name, passed, "exact, put back", found.configuration.name)]
 
 
 def _same_forces(found: Equilibrium) -> bool | None:

@@ -59,7 +59,8 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
             )
             drift = drift + direction.dot(p.position.frozen_derivative(slots))
     loose = sp.Add(*(a * variation(q) for q, a in reaction.others.items()))
-    virtual = sp.Add(*shares.values(), loose) if shares or loose != 0 else virtual_displacement(reaction.row, slots)
+    known = reaction.directions is not None and (shares or loose != 0)
+    virtual = sp.Add(*shares.values(), loose) if known else virtual_displacement(reaction.row, slots)
     solved = dict(elimination.solved(slots))
     free = [variation(slots.coordinates[k]) for k in elimination.independent]
 

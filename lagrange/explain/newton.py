@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from lagrange.derivation import Block, Equation, Part, Prose, Ref, Rule, Step, display, listed, math, paragraph, prose
-from lagrange.dynamics import Motion
 from lagrange.explain.words import counted, plural, spoken
 from lagrange.friction import Rubbing
 from lagrange.kinematics import Configuration
@@ -21,8 +20,18 @@ LONGEST = 8
 """Operations of what stands in running text."""
 
 
-def explain_newton(newton: Newton, motion: Motion, configuration: Configuration, freedom: int) -> Step:
-    """Free bodies, the components of Newton's law, unknowns against equations."""
+def explain_newton(
+    newton: Newton,
+    rubbed: Sequence[Rubbing],
+    configuration: Configuration,
+    freedom: int,
+    at_rest: bool = False,
+    unknown_forces: bool = False,
+) -> Step:
+    """Free bodies, the components of Newton's law, unknowns against equations.
+
+    unknown_forces  whether applied forces are unknown too, which are not counted
+    """
     body: list[Block] = []
     if newton.bodies is None:
         body += _without_bodies(newton, bool(configuration.rotations))
@@ -30,11 +39,12 @@ def explain_newton(newton: Newton, motion: Motion, configuration: Configuration,
         body.append(paragraph(*(s for r in newton.reactions for s in _nature(r))))
         for b in newton.bodies:
             body += _free_body(b, field_called(configuration))
-        body += _friction(motion.rubbed)
-        body += _law(newton, newton.bodies)
-        if newton.before is not None and newton.after is not None:
+        body += _friction(rubbed)
+        body += _law(newton, newton.bodies, at_rest)
+        if newton.before is not None and newton.after is not None and not unknown_forces:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
-    return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+    title = "The reactions" if at_rest else "Newton's law and the reactions"
+    return Step(Rule.REACTIONS, title, tuple(body))
 
 
 def _without_bodies(newton: Newton, rigid: bool) -> list[Block]:
@@ -139,12 +149,18 @@ def _friction(rubbed: Sequence[Rubbing]) -> list[Block]:
     return found
 
 
-def _law(newton: Newton, bodies: Iterable[FreeBody]) -> list[Block]:
+def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Block]:
     lines = []
     for b in bodies:
         for n, c in enumerate(b.components, start=1):
             lines.append(Equation((c.inertia, c.right), label=f"newton-{b.particle.name}-{n}"))
-    found: list[Block] = [prose("Newton's law, inertia equal to applied force and reaction, has the components")]
+    found: list[Block] = [
+        prose(
+            "At rest nothing is accelerated: by Newton's law applied force and reaction cancel, in components"
+            if at_rest
+            else "Newton's law, inertia equal to applied force and reaction, has the components"
+        )
+    ]
     found.append(display(*lines))
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
@@ -165,9 +181,9 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
         f"If nothing were known of the reactions but that they act, {counted(coordinates, 'coordinate')} and "
         f"{counted(components, 'component')} of reactions would be unknown, {before.unknowns} in all, in "
         f"{before.equations} equations: {counted(laws, 'component')} of Newton's law and "
-        f"{counted(constraints, 'independent constraint')}. {many} {plural(many, 'is', 'are')} missing"
+        f"{counted(constraints, 'independent constraint')}. {many or 'None'} {plural(many or 1, 'is', 'are')} missing"
     )
-    words += ", as many as there are degrees of freedom. " if many == freedom else ". "
+    words += ", as many as there are degrees of freedom. " if many == freedom and many else ". "
     multipliers = len(newton.reactions)
     unknown = counted(multipliers, "multiplier")
     words += f"The directions leave {unknown}: {after.unknowns} unknowns in {after.equations} equations."

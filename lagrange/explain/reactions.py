@@ -46,7 +46,7 @@ def explain_reactions(motion: Motion, newton: Newton, choice: str = "", shorter:
     body += _undetermined(reactions, newton)
     body += _signs(motion)
     if not choice:
-        body += _conditions(newton)
+        body += explain_bounds(newton)
     title = f"Reactions: {spoken(choice)}" if choice else plural(len(newton.reactions), "The reaction", "The reactions")
     return Step(Rule.SOLVED_REACTIONS, title, tuple(body)) if body else None
 
@@ -90,7 +90,7 @@ def _signs(motion: Motion) -> list[Block]:
     return found
 
 
-def _conditions(newton: Newton) -> list[Block]:
+def explain_bounds(newton: Newton) -> list[Block]:
     """What rods, strings and surfaces can bear."""
     found: list[Block] = []
     rods = [r for r in newton.reactions if r.rod is not None and r.tension is not None]

@@ -21,19 +21,26 @@ from lagrange.stability import SecondVariation, Stability, Verdict
 ZERO = sp.S.Zero
 
 
-def explain_virtual_work(found: Equilibrium, stability: SecondVariation | None) -> Step:
-    """The principle, written out in the file's own coordinates, and what follows from it there."""
+def explain_virtual_work(found: Equilibrium, stability: SecondVariation | None, workless: bool = False) -> Step:
+    """The principle, written out in the file's own coordinates, and what follows from it there.
+
+    workless  whether it has been shown that the reactions do no virtual work
+    """
     configuration = found.configuration
     body: list[Block] = [
         prose(
-            "The constraints are ideal: in a virtual displacement their reactions do no work. The system, at rest, is "
-            "in equilibrium exactly where the applied forces do none either, whatever the virtual displacement. This "
-            "is the principle of virtual work:"
+            "In a virtual displacement the reactions do no work. So the system, at rest, is in equilibrium exactly "
+            "where the applied forces do none either, whatever the virtual displacement. This is the principle of "
+            "virtual work:"
+            if workless
+            else "The constraints are ideal: in a virtual displacement their reactions do no work. The system, at "
+            "rest, is in equilibrium exactly where the applied forces do none either, whatever the virtual displacement. "
+            "This is the principle of virtual work:"
             if configuration.rows
             else "The system, at rest, is in equilibrium exactly where the applied forces do no work in any virtual "
             "displacement. This is the principle of virtual work:"
         ),
-        display(Equation((_principle(configuration), ZERO), label="virtual-work")),
+        display(Equation((_principle(configuration), ZERO), label="principle-of-virtual-work")),
         prose("Written out, it reads"),
         display(Equation((found.work.statement, ZERO), label="work-written-out")),
     ]
@@ -57,7 +64,7 @@ def explain_equilibrium_in_choice(
         body += solved_displacements(found.elimination, configuration)
     body += [
         *of_points(configuration, found.elimination),
-        prose("and the principle of virtual work ", Ref("virtual-work"), " reads"),
+        prose("and the principle of virtual work ", Ref("principle-of-virtual-work"), " reads"),
         display(Equation((found.work.statement, ZERO), label=f"work-written-out{_suffix(configuration)}")),
     ]
     if configuration.rows:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from lagrange.solution import ChoiceSolution, Solution
     from lagrange.spot import Spot
     from lagrange.stability import SecondVariation
+    from lagrange.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.workless import WorkOfReaction
 
 VERSION = 1
@@ -74,11 +75,13 @@ def as_object(report: Report) -> dict[str, Any]:
     if solution.equilibrium is not None:
         found |= _statics(solution.equilibrium, solution.stability, write)
     if solution.law is not None:
-        found |= _newton(solution.law.newton, write)
+        found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
     if solution.dynamics is not None:
         found["equations"] = _equations(solution.dynamics.written, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
         found |= _reactions(solution, solution.dynamics.reactions, write)
+    if solution.reactions_at_rest is not None:
+        found |= _reactions_at_rest(solution.reactions_at_rest, solution.works, found.get("reactions", {}), write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [solution.spot, *(c.spot for c in solution.choices)]
     first = next((s for s in spots if s is not None), None)
@@ -140,18 +143,21 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
             | ({"tension": write(tensions[name])} if name in tensions else {})
             for name, value in values.items()
         }
+    if c.reactions_at_rest is not None:
+        found |= _reactions_at_rest(c.reactions_at_rest, (), found.get("reactions", {}), write)
     if c.spot is not None:
         found["spot"] = _spot(c.spot, write)
     return found
 
 
-def _newton(newton: Newton, write: Write) -> dict[str, Any]:
+def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
     """Newton's law, and the count of unknowns; left out where the coordinates give no free bodies."""
     if newton.equations is None or newton.before is None or newton.after is None:
         return {}
     directed = {"count": newton.after.unknowns, "equations": newton.after.equations}
     counts = {"count": newton.before.unknowns, "equations": newton.before.equations, "with_directions": directed}
-    return {"newton": [f"{write(a)} = {write(b)}" for a, b in newton.equations], "unknowns": counts}
+    equations = {"newton": [f"{write(a)} = {write(b)}" for a, b in newton.equations]}
+    return equations | ({"unknowns": counts} if counted else {})
 
 
 def _reactions(solution: Solution, reactions: Reactions, write: Write) -> dict[str, Any]:
@@ -184,6 +190,48 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
         found["choice"] = choice
     work_done = "0" if work.vanishes else None
     return found | {"virtual_work": work_done, "possible_work": write(work.possible)}
+
+
+def _reactions_at_rest(
+    found: StaticReactions, works: Sequence[WorkOfReaction], moving: dict[str, Any], write: Write
+) -> dict[str, Any]:
+    """The reactions: `at_equilibrium` goes with the alternatives of `equilibrium`; those of the only one stand outside.
+
+    Of reactions that are not determined one by one `reactions_determined` has the combinations that are.
+    """
+    names = [w.reaction.name for w in works] or [
+        *dict.fromkeys(n for r in found.at if r for n in r.reactions.multipliers)
+    ]
+    reactions: dict[str, Any] = {}
+    for name in names:
+        there = [r and _at_rest(name, r, write) for r in found.at]
+        reactions[name] = dict(moving.get(name, (len(there) == 1 and there[0]) or {}))
+        if name not in moving:
+            reactions[name] |= next(
+                ({"virtual_work": "0" if w.vanishes else None, "possible_work": write(w.possible)}
+                 for w in works if w.reaction.name == name), {}
+            )  # fmt: skip
+        reactions[name]["at_equilibrium"] = there
+    determined = [
+        [
+            f"{write(sp.Add(*(share * symbol for share, symbol in c.terms)))} = {write(c.value)}"
+            for c in (r.reactions.combinations if r else ())
+        ]
+        for r in found.at
+    ]
+    return {"reactions": reactions} | ({"reactions_determined": determined} if any(determined) else {})
+
+
+def _at_rest(name: str, found: ReactionsAtRest, write: Write) -> dict[str, Any]:
+    """One reaction at one equilibrium; what is not determined is left out."""
+    reactions = found.reactions
+    value = reactions.multipliers.get(name)
+    result: dict[str, Any] = {} if value is None else {"multiplier": write(value)}
+    if name in reactions.tensions:
+        result["tension"] = write(reactions.tensions[name])
+    if name in reactions.forces:
+        result["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
+    return result
 
 
 def _statics(found: Equilibrium, stability: SecondVariation | None, write: Write) -> dict[str, Any]:
