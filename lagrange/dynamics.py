@@ -111,8 +111,7 @@ def law_of_motion(
 
 def motion(law: Law, configuration: Configuration, elimination: Elimination) -> Motion:
     """The motion in the coordinates of a configuration without friction: the file's own, or those of a choice."""
-    coordinates = law.configuration.slots.coordinates
-    if not law.used and (len(coordinates) > MOST_FREE or configuration.expressed):
+    if _is_left_out(law, configuration):
         return Motion(equations_of_motion(dalembert(configuration), elimination), None, (), configuration)
     reactions = solved_reactions(law.system, law.newton, law.used, configuration)
     rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
@@ -134,6 +133,16 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination) -> 
         signs=signs,
         symbolic=equations_of_motion(dalembert(shown), elimination) if long else None,
     )
+
+
+def _is_left_out(law: Law, configuration: Configuration) -> bool:
+    """Whether nothing is solved for: accelerations of many free coordinates, or several reactions with square roots."""
+    if law.frictions:
+        return False
+    if not law.used:
+        return len(law.configuration.slots.coordinates) > MOST_FREE or bool(configuration.expressed)
+    roots = any(isinstance(s, Sign) for e in configuration.expressed.values() for s in e.free_symbols)
+    return roots and len(law.used) > 1
 
 
 def _generalized(law: Law, configuration: Configuration, force: Vector, on: str) -> list[sp.Expr]:
@@ -178,6 +187,5 @@ def _with_friction(law: Law, configuration: Configuration, reactions: Reactions,
         found,
         multipliers=kept(found.multipliers, reactions.multipliers),
         tensions={**found.tensions, **{n: v for n, v in reactions.tensions.items() if n in needed}},
-        forces={**found.forces, **{n: v for n, v in reactions.forces.items() if n in needed}},
         values={**found.values, **{s: reactions.values[s] for s in needed.values()}},
     )

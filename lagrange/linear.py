@@ -75,6 +75,80 @@ def solved_linear(
     return found
 
 
+def solved_in_blocks(
+    rows: Sequence[Sequence[sp.Expr]],
+    right: Sequence[sp.Expr],
+    size: int,
+    surface: Decides,
+    tidy: Tidy,
+    constant: Callable[[sp.Expr], bool],
+    leading: bool,
+) -> list[sp.Expr | None] | None:
+    """The same, where the first `size` equations have a constant block M in the first `size` unknowns,
+
+        M y + B x = h ,   A y + C x = c ,     that is   (C − A M⁻¹ B) x = c − A M⁻¹ h ,   y = M⁻¹ (h − B x) .
+
+    constant  says of an entry whether it is constant
+    leading   whether y is wanted too; else it is left open
+
+    Far fewer entries arise than by elimination of all unknowns. What `solved_linear` gives where M is not constant.
+    """
+    block = [list(row[:size]) for row in rows[:size]]
+    inverse = _inverse(block, surface) if all(constant(e) for row in block for e in row) else None
+    if inverse is None:
+        return solved_linear(rows, right, surface, tidy)
+    tidied = _Bounded(tidy)
+    others = [[*row[size:], b] for row, b in zip(rows[:size], right, strict=False)]
+    try:
+        moved = [[tidied(_dot(row, column)) for column in zip(*others, strict=True)] for row in inverse]
+        reduced = [
+            [
+                tidied(e - _dot(row[:size], column))
+                for e, column in zip((*row[size:], b), zip(*moved, strict=True), strict=True)
+            ]
+            for row, b in zip(rows[size:], right[size:], strict=True)
+        ]
+    except TooLargeError:
+        return None
+    found = solved_linear([row[:-1] for row in reduced], [row[-1] for row in reduced], surface, tidy)
+    if found is None:
+        return None
+    return [*(_leading(row, found, tidied) if leading else None for row in moved), *found]
+
+
+def _leading(row: Sequence[sp.Expr], found: Sequence[sp.Expr | None], tidied: Tidy) -> sp.Expr | None:
+    """b − Σ row_j x_j; None where an x_j that it needs is open, or where it is too large."""
+    total = row[-1]
+    for e, x in zip(row, found, strict=False):
+        if e != 0:
+            if x is None:
+                return None
+            total = total - e * x
+    try:
+        return tidied(total)
+    except TooLargeError:
+        return None
+
+
+def _inverse(block: Sequence[Sequence[sp.Expr]], surface: Decides) -> list[list[sp.Expr]] | None:
+    """M⁻¹ of a constant matrix; None where it is singular or large."""
+    size = len(block)
+    tidied = _Bounded(tidy_quotient)
+    work = [[*row, *(sp.Integer(k == r) for k in range(size))] for r, row in enumerate(block)]
+    try:
+        pivot_of = _reduce(work, size, surface, tidied)
+    except TooLargeError:
+        return None
+    if len(pivot_of) < size:
+        return None
+    row_of = {c: r for r, c in pivot_of.items()}
+    return [work[row_of[c]][size:] for c in range(size)]
+
+
+def _dot(row: Sequence[sp.Expr], column: Sequence[sp.Expr]) -> sp.Expr:
+    return sp.Add(*(a * b for a, b in zip(row, column, strict=True) if a != 0 and b != 0))
+
+
 def tidy_quotient(entry: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms, in textbook form."""
     if entry.is_number or entry.is_Symbol:

@@ -16,12 +16,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import sympy as sp
 
 from lagrange.kinematics import Configuration
-from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_linear, tidy_quotient
+from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_in_blocks, solved_linear, tidy_quotient
 from lagrange.newton import Newton, Reaction
+from lagrange.notation import Unspecified, t
 from lagrange.principle import Principle
 from lagrange.textbook import common_factor, textbook_form
 from lagrange.vectors import Vector
@@ -44,7 +46,7 @@ class Reactions:
 
     multipliers    by name of the constraint; without those that are not determined
     tensions       of the rods, by name of the constraint
-    forces         the reaction of each constraint on each particle
+    directions     of the reaction of each constraint on each particle, for a multiplier of 1
     accelerations  q'' of the file's coordinates
     values         what was found: multipliers and accelerations, by symbol
     combinations   of the multipliers that are not determined one by one
@@ -53,10 +55,20 @@ class Reactions:
     configuration: Configuration
     multipliers: Mapping[str, sp.Expr | None]
     tensions: Mapping[str, sp.Expr] = field(default_factory=dict)
-    forces: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
+    directions: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
     accelerations: Mapping[sp.Symbol, sp.Expr | None] = field(default_factory=dict)
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     combinations: tuple[Determined, ...] = ()
+    tidy: Tidy = tidy_quotient
+
+    @cached_property
+    def forces(self) -> Mapping[str, Mapping[str, Vector]]:
+        """The reaction of each constraint on each particle."""
+        return {
+            name: {p: _force(g, value, self.tidy) for p, g in directions.items()}
+            for name, directions in self.directions.items()
+            if (value := self.multipliers.get(name)) is not None
+        }
 
     @property
     def complete(self) -> bool:
@@ -161,7 +173,17 @@ def reactions_at(
     place: Place, system: LinearSystem, newton: Newton, used: Sequence[Reaction], configuration: Configuration
 ) -> Reactions:
     """The unknowns of a system that is written as it is at a place."""
-    found = solved_linear(system.rows, system.right, place.surface, place.tidy)
+    accelerations = sum(s.name.endswith("''") for s in system.unknowns)
+    moving = {*configuration.slots.coordinates, *configuration.slots.velocities, *configuration.slots.prescribed, t}
+    found = solved_in_blocks(
+        system.rows,
+        system.right,
+        accelerations,
+        place.surface,
+        place.tidy,
+        constant=lambda e: e.free_symbols.isdisjoint(moving) and not e.has(Unspecified),
+        leading=not configuration.expressed,
+    )
     found = found or [None] * len(system.unknowns)
     values = dict(zip(system.unknowns, [v if v is None else place.show(v) for v in found], strict=True))
     unused = [r for r in newton.reactions if r not in used]
@@ -177,14 +199,11 @@ def reactions_at(
             for r in sole
             if r.rod is not None and (v := values[r.multiplier]) is not None
         },
-        forces={
-            r.name: {p: _force(g, v, place) for p, g in r.directions.items()}
-            for r in sole
-            if r.directions and (v := values[r.multiplier]) is not None
-        },
+        directions={r.name: {p: g.map(place.write) for p, g in r.directions.items()} for r in sole if r.directions},
         accelerations={s: values[s] for s in system.unknowns if s.name.endswith("''")},
         values={s: v for s, v in values.items() if v is not None and s not in loose},
         combinations=tuple(c for c in combinations if len(c.terms) > 1),
+        tidy=place.tidy,
     )
 
 
@@ -224,9 +243,9 @@ def over_one_denominator(value: sp.Expr) -> sp.Expr:
     return common.expression * rest
 
 
-def _force(direction: Vector, value: sp.Expr, place: Place) -> Vector:
-    force: Vector = direction.map(place.write) * value
-    return force.map(lambda c: place.tidy(c) if c.count_ops() < MOST_CANCELLED else c)
+def _force(direction: Vector, value: sp.Expr, tidy: Tidy) -> Vector:
+    force: Vector = direction * value
+    return force.map(lambda c: tidy(c) if c.count_ops() < MOST_CANCELLED else c)
 
 
 def _positions_and_velocities(configuration: Configuration) -> dict[sp.Basic, sp.Basic]:
