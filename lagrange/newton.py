@@ -185,9 +185,8 @@ def newton_equations(
         return Newton(tuple(Reaction(c, row, c.reaction, None, {}) for row, c in pairs), None)
     placed = _placed(configuration)
     if at_rest and placed is not None:
-        seen = {p.name for p, _ in placed}
-        hidden = (along for p in configuration.points if p.name not in seen for along in p.partials)
-        placed = placed if all(along.is_zero for along in hidden) else None
+        moving = {p.name for p in configuration.points if any(not e.is_zero for e in p.partials)}
+        placed = placed if moving <= {p.name for p, _ in placed} else None
     reactions = tuple(
         _reaction(row, c, placed, configuration, taken) for row, c in zip(configuration.rows, constraints, strict=True)
     )
@@ -373,7 +372,7 @@ def _free_body(point: MassPoint, basis: Sequence[int], field_force: Vector | Non
     acting = tuple((r, g) for r in newton.reactions if (g := r.per_unit(point.name)) is not None)
     components = []
     for unit in _units(point, basis):
-        inertia = sp.S.Zero if acting.at_rest else point.mass * textbook_form(point.acceleration.dot(unit))
+        inertia = sp.S.Zero if newton.at_rest else point.mass * textbook_form(point.acceleration.dot(unit))
         force = textbook_form(applied.dot(unit))
         components.append(
             Component(unit, inertia, force, sp.Add(*(r.force * textbook_form(g.dot(unit)) for r, g in acting)))
