@@ -216,7 +216,12 @@ def check_reactions(
         return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, unknowns)])
 
     passed = agreed(configuration.states, follow, (*known, *claims))
-    name = "the reactions satisfy Lagrange's equations with multipliers"
+    what = (
+        "reactions satisfy Lagrange's equations with multipliers"
+        if multipliers
+        else ("accelerations, solved for, satisfy Lagrange's equations")
+    )
+    name = f"the {what}"
     return [Check(name, passed, EXACT, configuration.name)]
 
 
