@@ -19,7 +19,7 @@ constraint has one: its multiplier.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import sympy as sp
 
@@ -185,9 +185,8 @@ def newton_equations(
         return Newton(tuple(Reaction(c, row, c.reaction, None, {}) for row, c in pairs), None)
     placed = _placed(configuration)
     if at_rest and placed is not None:
-        seen = {p.name for p, _ in placed}
-        hidden = (p for p in configuration.points if p.name not in seen)
-        placed = None if any(not along.is_zero for p in hidden for along in p.partials) else placed
+        moving = {p.name for p in configuration.points if any(not e.is_zero for e in p.partials)}
+        placed = placed if moving <= {p.name for p, _ in placed} else None
     reactions = tuple(
         _reaction(row, c, placed, configuration, taken) for row, c in zip(configuration.rows, constraints, strict=True)
     )
@@ -199,12 +198,8 @@ def newton_equations(
     field_forces = None if placed is None else _field(placed, configuration)
     if placed is None or field_forces is None or any(r.directions is None for r in reactions):
         return Newton(reactions, None, idle)
-    acting = _Acting(configuration, reactions)
+    acting = _Acting(configuration, reactions, at_rest)
     bodies = tuple(_free_body(p, basis, field_forces.get(p.name), acting) for p, basis in placed)
-    if at_rest:
-        bodies = tuple(
-            replace(b, components=tuple(replace(c, inertia=sp.S.Zero) for c in b.components)) for b in bodies
-        )
     return Newton(reactions, bodies, idle, *_counts(configuration, bodies, idle, rank))
 
 
@@ -236,6 +231,7 @@ class _Acting:
 
     configuration: Configuration
     reactions: tuple[Reaction, ...]
+    at_rest: bool
 
 
 def _counts(
@@ -376,7 +372,7 @@ def _free_body(point: MassPoint, basis: Sequence[int], field_force: Vector | Non
     acting = tuple((r, g) for r in newton.reactions if (g := r.per_unit(point.name)) is not None)
     components = []
     for unit in _units(point, basis):
-        inertia = point.mass * textbook_form(point.acceleration.dot(unit))
+        inertia = sp.S.Zero if newton.at_rest else point.mass * textbook_form(point.acceleration.dot(unit))
         force = textbook_form(applied.dot(unit))
         components.append(
             Component(unit, inertia, force, sp.Add(*(r.force * textbook_form(g.dot(unit)) for r, g in acting)))

@@ -63,8 +63,10 @@ def _beginning(found: StaticReactions, newton: Newton) -> Iterator[Block]:
     elif _labelled(found):
         where = ["At ", *listed(Ref(f"equilibrium-{n}") for n, _ in enumerate(found.at, start=1)), " "]
     equations: list[Part] = [*(("the equations ", *listed(known)) if known else ("these equations",))]
-    unknowns = listed(math(r.multiplier) for r in newton.reactions)
-    yield prose(*where, *equations, " agree with one another, and give ", *unknowns, "." if several else ":")
+    sole = not any(there and there.reactions.combinations for there in found.at)
+    unknowns = listed(math(r.multiplier) for r in newton.reactions) if sole else []
+    words = " agree with one another, and give " if sole else " agree with one another, and give"
+    yield prose(*where, *equations, words, *unknowns, "." if several else ":")
 
 
 def _balances(newton: Newton) -> list[Part]:

@@ -34,8 +34,8 @@ def explain_virtual_work(found: Equilibrium, stability: SecondVariation | None, 
             "virtual work:"
             if workless
             else "The constraints are ideal: in a virtual displacement their reactions do no work. The system, at "
-            "rest, is in equilibrium exactly where the applied forces do none either, whatever the virtual displacement. "
-            "This is the principle of virtual work:"
+            "rest, is in equilibrium exactly where the applied forces do none either, whatever the virtual "
+            "displacement. This is the principle of virtual work:"
             if configuration.rows
             else "The system, at rest, is in equilibrium exactly where the applied forces do no work in any virtual "
             "displacement. This is the principle of virtual work:"
