@@ -15,7 +15,10 @@ from typing import Protocol
 
 import sympy as sp
 
-from lagrange.textbook import textbook_form
+from lagrange.division import exact_quotient
+from lagrange.fourier import Element
+from lagrange.textbook import Textbook, common_factor, textbook_form
+from lagrange.trigonometry import Ring
 
 MOST_OPERATIONS = 400
 """Operations of an entry, before it is tidied, beyond which the equations are not solved."""
@@ -23,6 +26,8 @@ MOST_WORK = 2500
 """Operations of all entries together, each counted whenever it is tidied."""
 MOST_CANCELLED = 120
 """Operations of a quotient that is still brought to lowest terms with its sines as they are."""
+MOST_BY_DETERMINANTS = 2
+"""Unknowns that are found by Cramer's rule."""
 
 Tidy = Callable[[sp.Expr], sp.Expr]
 
@@ -98,7 +103,11 @@ def solved_in_blocks(
     if inverse is None:
         return solved_linear(rows, right, surface, tidy)
     tidied = _Bounded(tidy)
+    width = len(rows[0]) - size
+    if 0 < width <= MOST_BY_DETERMINANTS and len(rows) == size + width:
+        return _by_determinants(rows, right, inverse, surface, tidy, leading)
     others = [[*row[size:], b] for row, b in zip(rows[:size], right, strict=False)]
+    tidied = _Bounded(tidy)
     try:
         moved = [[tidied(_dot(row, column)) for column in zip(*others, strict=True)] for row in inverse]
         reduced = [
@@ -114,6 +123,58 @@ def solved_in_blocks(
     if found is None:
         return None
     return [*(_leading(row, found, tidied) if leading else None for row in moved), *found]
+
+
+def _by_determinants(
+    rows: Sequence[Sequence[sp.Expr]],
+    right: Sequence[sp.Expr],
+    inverse: Sequence[Sequence[sp.Expr]],
+    surface: Decides,
+    tidy: Tidy,
+    leading: bool,
+) -> list[sp.Expr | None] | None:
+    """One or two x by Cramer's rule, and y, all in the ring of Fourier sums. None where the determinant is zero."""
+    size = len(inverse)
+    if sum(e.count_ops() for row in rows for e in row) + sum(b.count_ops() for b in right) > MOST_WORK:
+        return None
+    ring = Ring()
+    read = ring.from_sympy
+    others = [[read(e) for e in (*row[size:], b)] for row, b in zip(rows[:size], right, strict=False)]
+    moved = [[ring.dot([read(e) for e in row], column) for column in zip(*others, strict=True)] for row in inverse]
+    reduced = [
+        [
+            read(e) - ring.dot([read(a) for a in row[:size]], column)
+            for e, column in zip((*row[size:], b), zip(*moved, strict=True), strict=True)
+        ]
+        for row, b in zip(rows[size:], right[size:], strict=True)
+    ]
+    if len(reduced) == 1:
+        [(determinant, p)] = reduced
+        numerators = [p]
+    else:
+        (a, b, p), (c, d, q) = reduced
+        determinant, numerators = a * d - b * c, [p * d - b * q, a * q - p * c]
+    textbook = Textbook(ring)
+    below = textbook.form(determinant)
+    if not below.is_nonzero and surface.is_zero(below) is not False:
+        return None
+    y = [row[-1] * determinant - ring.dot(row[:-1], numerators) for row in moved] if leading else []
+    found = [_quotient(n, determinant, below, textbook) for n in (*y, *numerators)]
+    tidied = [tidy(x) if tidy is not tidy_quotient and x.count_ops() <= MOST_CANCELLED else x for x in found]
+    return tidied if leading else [*([None] * size), *tidied]
+
+
+def _quotient(numerator: Element, denominator: Element, below: sp.Expr, textbook: Textbook) -> sp.Expr:
+    """A quotient without common factors of the terms; a polynomial where the denominator divides."""
+    exact = exact_quotient(numerator, denominator)
+    if exact is not None:
+        return textbook.form(exact)
+    above = textbook.form(numerator)
+    if above == 0:
+        return sp.S.Zero
+    over, under = common_factor(above), common_factor(below)
+    rest = over.divide(above) / under.divide(below)
+    return textbook_form(over.expression / under.expression * rest)
 
 
 def _leading(row: Sequence[sp.Expr], found: Sequence[sp.Expr | None], tidied: Tidy) -> sp.Expr | None:

@@ -65,6 +65,11 @@ def _of_row(row: Row, rows: Sequence[Row], slots: Slots) -> RankLoss | None:
     if not 0 < len(conditions) <= MOST_CONDITIONS:
         return None
     finite = [r.name for r in rows if r.finite is not None]
+    if all(c.is_Symbol for c in conditions):
+        at_zero = dict.fromkeys(conditions, sp.S.Zero)
+        excluded = [r.name for r in rows if r.finite is not None and sp.expand(r.finite.xreplace(at_zero)).is_nonzero]
+        if excluded:
+            return RankLoss(conditions, row.name, tuple(excluded[:1]))
     place = _place(conditions, rows, slots)
     try:
         clash = place.contradictory()
