@@ -8,16 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict, check_equations
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
-from lagrange.equilibrium import Equilibrium
-from lagrange.equilibrium_answers import alternatives_of, check_equilibria
 from lagrange.notation import base
 from lagrange.problem import Problem
 from lagrange.reaction_answers import AtRest, check_reaction
 from lagrange.references import Reference, read_answer, reference_of_equations, reference_of_solution
 from lagrange.solution import Solution, solve
+
+if TYPE_CHECKING:
+    from lagrange.equilibrium import Equilibrium
 
 
 @dataclass(frozen=True)
@@ -66,6 +68,8 @@ def _after_equations(solution: Solution) -> Iterator[ComparedAnswer]:
 
 def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria."""
+    from lagrange.equilibrium_answers import check_equilibria
+
     if solution.equilibrium is None:
         return AnswerVerdict(Verdict.UNDECIDED, ())
     found = [solution.equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
@@ -249,6 +253,8 @@ def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswe
 
 def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: Equilibrium) -> CheckedAnswer:
     """The verdict on equilibria, and on what is said of reactions there."""
+    from lagrange.equilibrium_answers import alternatives_of, check_equilibria
+
     found = [equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
     reference = reference_of_solution(solution)
     at_rest = _at_rest(solution)

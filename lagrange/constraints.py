@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -28,9 +29,11 @@ from lagrange.kinematics import Row, admitted_states
 from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
-from lagrange.restrictions import FiniteForm, finite_form
 from lagrange.textbook import textbook_form
 from lagrange.tidying import in_differences, tidied
+
+if TYPE_CHECKING:
+    from lagrange.restrictions import FiniteForm
 
 
 @dataclass(frozen=True)
@@ -121,6 +124,8 @@ def analysis(
     if row.finite is None and pairs.exact is not True:
         integrable = is_integrable(form, slots, surface.constraints)
         frobenius = _frobenius(row, geometric, surface, slots)
+        from lagrange.restrictions import finite_form
+
         found = finite_form(form, surface, slots) if integrable is not False else None
         integrable = integrable if found is None else True
         integral = None if found is None else found.integral

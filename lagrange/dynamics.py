@@ -109,9 +109,9 @@ def law_of_motion(
     return replace(law, newton=newton_equations(loaded, problem.constraints, rank, taken))
 
 
-def motion(law: Law, configuration: Configuration, elimination: Elimination) -> Motion:
+def motion(law: Law, configuration: Configuration, elimination: Elimination, with_reactions: bool = True) -> Motion:
     """The motion in the coordinates of a configuration without friction: the file's own, or those of a choice."""
-    if _is_left_out(law, configuration):
+    if not with_reactions or _is_left_out(law, configuration):
         return Motion(equations_of_motion(dalembert(configuration), elimination), None, (), configuration)
     reactions = solved_reactions(law.system, law.newton, law.used, configuration)
     rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)

@@ -100,12 +100,12 @@ def solved_in_blocks(
     """
     block = [list(row[:size]) for row in rows[:size]]
     inverse = _inverse(block, surface) if all(constant(e) for row in block for e in row) else None
-    if inverse is None:
+    if not inverse:
         return solved_linear(rows, right, surface, tidy)
     tidied = _Bounded(tidy)
     width = len(rows[0]) - size
-    if 0 < width <= MOST_BY_DETERMINANTS and len(rows) == size + width:
-        return _by_determinants(rows, right, inverse, surface, tidy, leading)
+    if 0 < width <= MOST_BY_DETERMINANTS and len(rows) == size + width and not leading and tidy is tidy_quotient:
+        return _by_determinants(rows, right, inverse, surface)
     others = [[*row[size:], b] for row, b in zip(rows[:size], right, strict=False)]
     tidied = _Bounded(tidy)
     try:
@@ -130,10 +130,8 @@ def _by_determinants(
     right: Sequence[sp.Expr],
     inverse: Sequence[Sequence[sp.Expr]],
     surface: Decides,
-    tidy: Tidy,
-    leading: bool,
 ) -> list[sp.Expr | None] | None:
-    """One or two x by Cramer's rule, and y, all in the ring of Fourier sums. None where the determinant is zero."""
+    """One or two x by Cramer's rule in the ring of Fourier sums; y is left open. None where the determinant is zero."""
     size = len(inverse)
     if sum(e.count_ops() for row in rows for e in row) + sum(b.count_ops() for b in right) > MOST_WORK:
         return None
@@ -158,10 +156,7 @@ def _by_determinants(
     below = textbook.form(determinant)
     if not below.is_nonzero and surface.is_zero(below) is not False:
         return None
-    y = [row[-1] * determinant - ring.dot(row[:-1], numerators) for row in moved] if leading else []
-    found = [_quotient(n, determinant, below, textbook) for n in (*y, *numerators)]
-    tidied = [tidy(x) if tidy is not tidy_quotient and x.count_ops() <= MOST_CANCELLED else x for x in found]
-    return tidied if leading else [*([None] * size), *tidied]
+    return [*([None] * size), *(_quotient(n, determinant, below, textbook) for n in numerators)]
 
 
 def _quotient(numerator: Element, denominator: Element, below: sp.Expr, textbook: Textbook) -> sp.Expr:

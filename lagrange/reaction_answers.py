@@ -10,6 +10,7 @@ Of a system at rest it is right when it holds at every equilibrium, exactly.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -21,9 +22,11 @@ from lagrange.expressions import MAX_ANSWER_CHARACTERS, read_equation, read_valu
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import base
 from lagrange.references import Candidate, Reading, Reference
-from lagrange.static_reactions import StaticReactions
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
+
+if TYPE_CHECKING:
+    from lagrange.static_reactions import StaticReactions
 
 
 def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference) -> Verdict:

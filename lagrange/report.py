@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -30,12 +31,12 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
-from lagrange.explain.static_reactions import explain_reactions_at_rest
-from lagrange.explain.statics import explain_equilibrium_in_choice, explain_virtual_work
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
-from lagrange.static_reactions import StaticReactions
+
+if TYPE_CHECKING:
+    from lagrange.static_reactions import StaticReactions
 
 
 @dataclass(frozen=True)
@@ -63,9 +64,9 @@ class Report:
         return not self.shortcomings
 
 
-def report(problem: Problem, choice: str | None = None) -> Report:
+def report(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Report:
     """Solves a problem and explains the solution. Raises what `solve` raises."""
-    solution = solve(problem, choice)
+    solution = solve(problem, choice, complete=complete)
     answers = tuple(compared_answers(solution))
     steps = tuple(_steps(solution, answers))
     return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation_of(solution))
@@ -86,6 +87,8 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
+            from lagrange.explain.statics import explain_equilibrium_in_choice
+
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
@@ -114,12 +117,16 @@ def _statics(solution: Solution) -> Iterator[Step]:
         yield explain_works(solution.works, solution.configuration)
     workless = shown and all(w.vanishes for w in solution.works)
     stability = None if solution.problem.choices else solution.stability
+    from lagrange.explain.statics import explain_virtual_work
+
     yield explain_virtual_work(solution.equilibrium, stability, workless)
     yield from _reactions_at_rest(solution, solution.reactions_at_rest)
 
 
 def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Iterator[Step]:
     if found is not None and solution.law is not None:
+        from lagrange.explain.static_reactions import explain_reactions_at_rest
+
         step = explain_reactions_at_rest(found, solution.law.newton)
         if step is not None:
             yield step
@@ -144,7 +151,10 @@ def _motion(solution: Solution) -> Iterator[Step]:
 
 def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Iterator[Step]:
     if solution.law is not None and dynamics is not None:
-        step = explain_reactions(dynamics, solution.law.newton, choice, shorter=bool(solution.choices and not choice))
+        shorter = bool(solution.choices and not choice)
+        first = solution.dynamics is not None and solution.dynamics.reactions is None
+        first = first and choice == next((c.name for c in solution.choices if c.dynamics and c.dynamics.reactions), "")
+        step = explain_reactions(dynamics, solution.law.newton, choice, shorter=shorter, first=first or not choice)
         if step is not None:
             yield step
 

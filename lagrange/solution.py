@@ -8,6 +8,7 @@ in a module of its own; what each of them finds is a field of the result.
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -19,14 +20,10 @@ from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, sugg
 from lagrange.displacements import Elimination, carrying_rates, eliminate
 from lagrange.dynamics import Law, Motion, law_of_motion, motion
 from lagrange.equations import EquationsOfMotion, check_inertia
-from lagrange.equilibrium import Equilibrium, equilibrium
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.newton import Normal, normals
 from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
-from lagrange.stability import SecondVariation, second_variation
-from lagrange.static_reactions import StaticReactions, static_reactions
-from lagrange.statics import check_equilibrium, check_reactions_at_rest, check_statics
 from lagrange.verification import (
     EXACT,
     Check,
@@ -41,6 +38,11 @@ from lagrange.verification import (
     check_workless,
 )
 from lagrange.workless import WorkOfReaction, works_of_reactions
+
+if TYPE_CHECKING:
+    from lagrange.equilibrium import Equilibrium
+    from lagrange.stability import SecondVariation
+    from lagrange.static_reactions import StaticReactions
 
 
 @dataclass(frozen=True)
@@ -109,8 +111,10 @@ class Solution:
         return decided and all(check.passed for check in self.checks)
 
 
-def solve(problem: Problem, choice: str | None = None) -> Solution:
+def solve(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Solution:
     """Solves a problem; with `choice`, in that choice of generalized coordinates only.
+
+    complete  also what is long and not shown unasked: several reactions in dependent coordinates, if a choice has them
 
     Raises ProblemError where the problem contradicts itself, UndecidedError and NotCoveredError where it cannot be
     solved.
@@ -139,14 +143,21 @@ def solve(problem: Problem, choice: str | None = None) -> Solution:
         checks=(*checks, *_substitutions(chosen)),
     )
     if Find.EQUILIBRIUM in problem.find:
+        from lagrange.statics import check_statics
+
         check_statics(problem, configuration)
     if Find.MOTION in problem.find:
-        solution = _with_motion(solution)
+        solution = _with_motion(solution, complete)
     return _with_equilibrium(solution) if Find.EQUILIBRIUM in problem.find else solution
 
 
 def _with_equilibrium(solution: Solution) -> Solution:
     """The solution with the equilibria, in the file's coordinates and in every choice."""
+    from lagrange.equilibrium import equilibrium
+    from lagrange.stability import second_variation
+    from lagrange.static_reactions import static_reactions
+    from lagrange.statics import check_equilibrium, check_reactions_at_rest
+
     problem = solution.problem
     original = equilibrium(solution.configuration, solution.elimination, problem.unknowns)
     law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
@@ -191,7 +202,7 @@ def _elimination_in(c: ChoiceSolution) -> Elimination:
     return eliminate(configuration.rows, len(coordinates), configuration.states, first)
 
 
-def _with_motion(solution: Solution) -> Solution:
+def _with_motion(solution: Solution, complete: bool) -> Solution:
     """The solution with the equations of motion, in the file's coordinates and in every choice."""
     original = solution.configuration
     law = _law(solution)
@@ -200,7 +211,9 @@ def _with_motion(solution: Solution) -> Solution:
     given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
     check_constant_inertia(problem, original)
     works = works_of_reactions(law.newton, original, solution.elimination)
-    dynamics = motion(law, original, solution.elimination)
+    elsewhere = any(not c.coordinates.signs for c in solution.choices)
+    with_reactions = complete or not elsewhere or len(law.used) < 2 or bool(law.frictions)
+    dynamics = motion(law, original, solution.elimination, with_reactions)
     found = dynamics.equations
     check_inertia(found)
     multipliers = tuple(reactions.values())

@@ -50,6 +50,11 @@ class Destination:
             raise click.UsageError("--fragment goes with --format latex")
         return cls(chosen, path, fragment, detail)
 
+    @property
+    def is_complete(self) -> bool:
+        """Whether what is long, and not printed unasked, is wanted too."""
+        return self.format == "json" or self.detail == "full"
+
     def spare(self, problems: Sequence[str]) -> None:
         """Refuses to write over a file that is about to be read."""
         if self.path is None or not self.path.exists():

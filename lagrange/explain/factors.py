@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -10,7 +11,9 @@ from lagrange.constraints import ConstraintAnalysis
 from lagrange.derivation import Block, Detail, Equation, Part, Prose, display, listed, math, prose
 from lagrange.integrability import Comparison
 from lagrange.notation import CONSTANT, Partial, differential
-from lagrange.restrictions import FiniteForm, Restriction
+
+if TYPE_CHECKING:
+    from lagrange.restrictions import FiniteForm, Restriction
 
 SHOWN_PAIRS = 3
 

@@ -14,11 +14,14 @@ LONGEST = 60
 """Operations of a reaction that is still shown without being asked for, where other coordinates are to be had."""
 
 
-def explain_reactions(motion: Motion, newton: Newton, choice: str = "", shorter: bool = False) -> Step | None:
+def explain_reactions(
+    motion: Motion, newton: Newton, choice: str = "", shorter: bool = False, first: bool = True
+) -> Step | None:
     """The multipliers and the tensions; None where there is nothing to show.
 
     choice   the name of the choice of coordinates that they are written in
     shorter  whether there are choices, where they may be shorter
+    first    whether they have not been shown in other coordinates before
     """
     reactions = motion.reactions
     if reactions is None or not newton.reactions:
@@ -35,7 +38,7 @@ def explain_reactions(motion: Motion, newton: Newton, choice: str = "", shorter:
     if lines and not long:
         words = "Newton's equations and the constraints, differentiated until accelerations occur, are linear in "
         what = "accelerations and multipliers; solved for the latter they give"
-        body.append(prose(*((words, what) if not choice else ("In these coordinates the same equations give",))))
+        body.append(prose(*((words, what) if first else ("In these coordinates the same equations give",))))
     elif lines:
         body.append(prose("Solved for the multipliers, Newton's equations give long expressions, left out here."))
     if lines:
@@ -45,7 +48,7 @@ def explain_reactions(motion: Motion, newton: Newton, choice: str = "", shorter:
         body.append(prose("The reaction ", *names, " is too long to be written down here."))
     body += _undetermined(reactions, newton)
     body += _signs(motion)
-    if not choice:
+    if first:
         body += explain_bounds(newton)
     title = f"Reactions: {spoken(choice)}" if choice else plural(len(newton.reactions), "The reaction", "The reactions")
     return Step(Rule.SOLVED_REACTIONS, title, tuple(body)) if body else None
