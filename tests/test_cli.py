@@ -308,7 +308,7 @@ def test_status_3_what_is_not_covered(text: str, file: Callable[..., str]) -> No
 
 
 def test_status_3_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
-    def undecided(*_: object) -> None:
+    def undecided(*_: object, **__: object) -> None:
         raise UndecidedError("whether the constraints are independent")
 
     monkeypatch.setattr("lagrange.report.solve", undecided)
@@ -319,8 +319,8 @@ def test_status_3_undecided(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.mark.parametrize(("passed", "said"), [(False, "did not hold"), (None, "could not be decided")])
 def test_status_3_a_check_that_failed(passed: bool | None, said: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    def solved(*arguments: object) -> Solution:
-        return replace(solve(*arguments), checks=(Check("the sun rises", passed, "by looking", "angle"),))
+    def solved(*arguments: object, **options: object) -> Solution:
+        return replace(solve(*arguments, **options), checks=(Check("the sun rises", passed, "by looking", "angle"),))
 
     monkeypatch.setattr("lagrange.report.solve", solved)
     result = run(SKATE)
@@ -355,7 +355,7 @@ MISTAKES = [RuntimeError("boom\nbang"), RecursionError(), MemoryError(), ZeroDiv
 def test_a_mistake_of_the_program_is_a_message(
     command: list[str], where: str, mistake: Exception, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def fails(*_: object) -> None:
+    def fails(*_: object, **__: object) -> None:
         raise mistake
 
     monkeypatch.setattr(where, fails)
@@ -371,7 +371,7 @@ def test_a_mistake_of_the_program_is_a_message(
 
 
 def test_an_interruption_is_no_traceback(monkeypatch: pytest.MonkeyPatch) -> None:
-    def interrupted(*_: object) -> None:
+    def interrupted(*_: object, **__: object) -> None:
         raise KeyboardInterrupt
 
     monkeypatch.setattr("lagrange.report.report", interrupted)
