@@ -23,7 +23,7 @@ LEFT_OUT = (".git", ".venv", "build", "dist", "*.egg-info", "__pycache__", ".*_c
 
 
 def run(*command: str | Path, folder: Path) -> str:
-    kept = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON") and k != "VIRTUAL_ENV"}
+    kept = {k: v for k, v in os.environ.items() if not k.startswith("PYTHON") and k not in ("VIRTUAL_ENV", "COLUMNS")}
     done = subprocess.run(command, cwd=folder, env=kept, capture_output=True, text=True, encoding="utf-8", check=False)
     assert done.returncode == 0, done.stdout + done.stderr
     return done.stdout
