@@ -20,9 +20,6 @@ from lagsolve.status import OK, UNDECIDED, complain, say
 if TYPE_CHECKING:
     from lagrange.report import Report
 
-# A run is short and makes many small objects that live to its end: collecting them often is a tenth of its time.
-gc.set_threshold(100_000, 20, 50)
-
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
 
@@ -86,11 +83,13 @@ def solve(
 def _solved(name: str, choice: str | None, complete: bool, several: bool) -> tuple[Report | None, int]:
     """What is found, and its exit status. Messages go to standard error, under the name where there are several."""
     heading = f"{name}:\n" if several else ""
+    gc.disable()
     try:
         from lagrange.loader import read_problem
         from lagrange.report import report
         from lagsolve.reading import problem_source
 
+        _look_for_garbage_seldom()
         found = report(read_problem(problem_source(name)), choice, complete=complete)
     except Exception as error:
         return None, complain(error, heading)
@@ -98,6 +97,16 @@ def _solved(name: str, choice: str | None, complete: bool, several: bool) -> tup
     if messages:
         say(heading + "\n".join(map(str, messages)))
     return found, OK if found.holds else UNDECIDED
+
+
+def _look_for_garbage_seldom() -> None:
+    """Once everything is imported, with garbage left alone: modules stay anyway, and most of what a run makes too.
+
+    Looking for garbage as often as Python does would be a tenth of the time; a large problem must not fill the memory.
+    """
+    gc.freeze()
+    gc.set_threshold(200_000, 20, 50)
+    gc.enable()
 
 
 @main.command()
@@ -114,11 +123,13 @@ def check(problem: str, answer_file: str | None, equations: tuple[str, ...], for
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
+    gc.disable()
     from lagrange.checking import check_answer, check_own_answers
     from lagrange.loader import read_problem
     from lagsolve.output import write_verdict
     from lagsolve.reading import answer_fragments, problem_source
 
+    _look_for_garbage_seldom()
     asked = read_problem(problem_source(problem))
     given = answer_file is not None or equations
     result = check_answer(asked, answer_fragments(answer_file, equations)) if given else check_own_answers(asked)
