@@ -150,3 +150,22 @@ def test_numbers_and_names_in_words() -> None:
     ]  # fmt: skip
     assert spoken("upper_rod") == "upper rod"
     assert spoken("no_slip.2") == "no slip 2"
+
+
+BOTH = """
+title: A plate that hangs and swings
+parameters: [m, I, l, g]
+coordinates: [x, y, theta]
+bodies: {plate: {mass: m, inertia: I, position: "[x, y]", angle: theta}}
+constraints: {across: x = l*sin(theta), down: y = -l*cos(theta)}
+gravity: -g*j
+find: [equilibrium, motion]
+generalized_coordinates:
+  angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: -l*cos(theta)}}
+"""
+
+
+def test_statics_and_motion_in_one_derivation_have_labels_of_their_own(problem: object) -> None:
+    labels = [name for kind, name in reading(report(problem(BOTH)).derivation) if kind == "label"]  # type: ignore[operator]
+    assert len(labels) == len(set(labels))
+    assert {"delta-at-rest-angle-plate", "delta-angle-plate"} <= set(labels)

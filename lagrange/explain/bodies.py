@@ -153,14 +153,14 @@ def _ends(link: Stretched | Damped) -> Iterable[str | Vector | sp.Symbol]:
 # -- displacements and the principle ---------------------------------------------------------------------------------
 
 
-def virtual_rotations(configuration: Configuration, zero: dict[sp.Basic, sp.Basic]) -> list[Block]:
+def virtual_rotations(configuration: Configuration, zero: dict[sp.Basic, sp.Basic], label: str = "") -> list[Block]:
     """δπ of each body, without the δq that are zero."""
     if not configuration.rotations:
         return []
     suffix = f"-{configuration.name}" if configuration.name else ""
     steps = [variation(q).xreplace(zero) for q in configuration.slots.coordinates]
     lines = [
-        Equation((VectorSymbol(f"delta(pi_{r.name})"), r.virtual(steps)), label=f"rotation{suffix}-{r.name}")
+        Equation((VectorSymbol(f"delta(pi_{r.name})"), r.virtual(steps)), label=f"rotation{label}{suffix}-{r.name}")
         for r in configuration.rotations
     ]
     whose = plural(len(lines), "rotation of the body", "rotations of the bodies")

@@ -170,17 +170,17 @@ def conditions(elimination: Elimination) -> tuple[Part, ...]:
     return listed(math(p, sp.S.Zero, relation="≠") for p in elimination.pivots)
 
 
-def of_points(configuration: Configuration, elimination: Elimination) -> list[Block]:
-    """δr of each particle, without the δq that are zero."""
+def of_points(configuration: Configuration, elimination: Elimination, label: str = "") -> list[Block]:
+    """δr of each particle, without the δq that are zero. `label` tells where they are shown once more."""
     slots = configuration.slots
     zero = {d: value for d, value in elimination.solved(slots).items() if value == 0}
     suffix = f"-{configuration.name}" if configuration.name else ""
     lines = [
         Equation((VectorSymbol(f"delta(r_{p.name})"), displaced(p, slots).xreplace(zero)),
-                 label=f"delta{suffix}-{p.name}")
+                 label=f"delta{label}{suffix}-{p.name}")
         for p in configuration.points if not configuration.is_pinned(p)
     ]  # fmt: skip
-    turned = virtual_rotations(configuration, dict(zero))
+    turned = virtual_rotations(configuration, dict(zero), label)
     elsewhere = [
         Equation((VectorSymbol(f"delta(r_{f.name})"), displaced_force(f, slots).xreplace(zero)))
         for f in configuration.loads

@@ -63,7 +63,7 @@ def explain_equilibrium_in_choice(
         body += [prose("In a virtual displacement"), display(*(Equation((row, ZERO)) for row in rows))]
         body += solved_displacements(found.elimination, configuration)
     body += [
-        *of_points(configuration, found.elimination),
+        *of_points(configuration, found.elimination, "-at-rest"),
         prose("and the principle of virtual work ", Ref("principle-of-virtual-work"), " reads"),
         display(Equation((found.work.statement, ZERO), label=f"work-written-out{_suffix(configuration)}")),
     ]
