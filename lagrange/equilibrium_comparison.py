@@ -64,8 +64,10 @@ class EquilibriumComparison:
     ) -> None:
         self.equilibrium = e
         self.surface = e.configuration.surface
-        self.rows = tuple(f.xreplace(dict(values)) for f in e.configuration.finite_constraints)
-        self.conditions = tuple(x.xreplace(dict(values)) for x in e.expressions)
+        # A given position satisfies its constraints: they are no equations for the forces.
+        finite = () if e.given else e.configuration.finite_constraints
+        self.rows = tuple(f.xreplace(dict(values)) for f in finite)
+        self.conditions = (*(c.expression.xreplace(dict(values)) for c in e.conditions), *self.rows)
         self.unknowns = e.forces if e.given else (*e.configuration.slots.coordinates, *e.forces)
         self.forces = e.forces
         forces = (*e.work.forces, *(c.expression for c in e.conditions))
@@ -221,10 +223,14 @@ class EquilibriumComparison:
         for e in residuals:
             try:
                 there = self.solution.at(point, e)
-                verdicts.append(False if there.has(sp.zoo, sp.nan, sp.oo) else is_zero(there))
+                verdicts.append(False if there.has(sp.zoo, sp.nan, sp.oo) else self._vanishes(there))
             except (NotAlgebraicError, DivisionByZeroError):
                 verdicts.append(None)
         return False if False in verdicts else None if None in verdicts else True
+
+    def _vanishes(self, e: sp.Expr) -> bool | None:
+        """Whether an expression is zero; where the position is given, at all that the constraints admit."""
+        return self.surface.is_zero(e) if self.equilibrium.given else is_zero(e)
 
     def _of_one(
         self, reading: Reading, equations: Sequence[sp.Expr], a: _Alternative, given: Values
@@ -316,7 +322,10 @@ class EquilibriumComparison:
             return there
 
         try:
-            return is_balanced(self.equilibrium, at)
+            if not self.equilibrium.given:
+                return is_balanced(self.equilibrium, at)
+            verdicts = [self._vanishes(at(c.expression)) for c in self.equilibrium.conditions]
+            return False if False in verdicts else None if None in verdicts else True
         except DivisionByZeroError:
             return False
 

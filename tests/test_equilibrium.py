@@ -388,6 +388,34 @@ def test_answers(problem: str, equations: list[str], expected: Verdict) -> None:
     assert found.statics
 
 
+HELD = """
+title: A bead held on a ring, P for every position
+coordinates: [x, y]
+parameters: [W, l]
+particles: {A: {position: "[x, y]"}}
+constraints: {ring: x^2 + y^2 = l^2}
+forces: {weight: {on: A, vector: -W*j}, pull: {on: A, vector: P*i}}
+unknowns: [P]
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("equation", "expected"),
+    [
+        ("P = -W*x/y", EQUIVALENT),  # moments about the centre: P y + W x = 0
+        ("P*y = -W*x", EQUIVALENT),
+        ("P*y*(x^2 + y^2) = -W*x*l^2", EQUIVALENT),  # with the ring put in
+        ("P = W*x/y", WRONG),
+        ("P = -2*W*x/y", WRONG),
+        ("P^2 = W^2*x^2/y^2", WRONG),  # has the other sign too
+        ("x^2 + y^2 = l^2", INCOMPLETE),
+    ],
+)
+def test_a_force_for_every_position_of_a_constraint(equation: str, expected: Verdict) -> None:
+    assert verdict(read(HELD), equation).verdict is expected
+
+
 def test_unreadable_answers() -> None:
     assert verdict(read(BEAD), "theta = 1 or zeta = 3").verdict is Verdict.UNREADABLE
     assert verdict(read(BEAD), "cos(theta) = b/(a - a)").verdict is Verdict.UNREADABLE
