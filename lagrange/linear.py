@@ -102,7 +102,6 @@ def solved_in_blocks(
     inverse = _inverse(block, surface) if all(constant(e) for row in block for e in row) else None
     if not inverse:
         return solved_linear(rows, right, surface, tidy)
-    tidied = _Bounded(tidy)
     width = len(rows[0]) - size
     if 0 < width <= MOST_BY_DETERMINANTS and len(rows) == size + width and not leading and tidy is tidy_quotient:
         return _by_determinants(rows, right, inverse, surface)

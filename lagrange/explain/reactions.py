@@ -28,7 +28,7 @@ def explain_reactions(
         return None
     body: list[Block] = []
     suffix = f"-{choice}" if choice else ""
-    lines = _lines(reactions, newton, suffix)
+    lines = reaction_lines(reactions, newton, suffix)
     long = (shorter or choice) and any(
         s.count_ops() > LONGEST for line in lines for s in line.sides if isinstance(s, sp.Expr)
     )
@@ -54,7 +54,8 @@ def explain_reactions(
     return Step(Rule.SOLVED_REACTIONS, title, tuple(body)) if body else None
 
 
-def _lines(reactions: Reactions, newton: Newton, suffix: str) -> list[Equation]:
+def reaction_lines(reactions: Reactions, newton: Newton, suffix: str) -> list[Equation]:
+    """The multipliers, where the file has no name for the tension, and the tensions."""
     found = []
     for r in newton.reactions:
         value = reactions.multipliers.get(r.name)

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
-from lagrange.explain.reactions import explain_bounds
+from lagrange.explain.reactions import explain_bounds, reaction_lines
 from lagrange.explain.words import plural, spoken
 from lagrange.newton import Newton
 from lagrange.static_reactions import ReactionsAtRest, StaticReactions
@@ -91,16 +91,8 @@ def _written_out(found: StaticReactions, newton: Newton) -> Block:
 
 
 def _lines(there: ReactionsAtRest, newton: Newton, suffix: str) -> list[Equation]:
-    found = []
     reactions = there.reactions
-    for r in newton.reactions:
-        value = reactions.multipliers.get(r.name)
-        if value is None:
-            continue
-        if not r.named:
-            found.append(Equation((r.multiplier, value), label=f"multiplier-at-rest{suffix}-{r.name}"))
-        if r.tension is not None and r.name in reactions.tensions:
-            found.append(Equation((r.tension, reactions.tensions[r.name]), label=f"tension-at-rest{suffix}-{r.name}"))
+    found = reaction_lines(reactions, newton, f"-at-rest{suffix}")
     for c in reactions.combinations:
         if c.value is not None:
             found.append(Equation((sp.Add(*(share * symbol for share, symbol in c.terms)), c.value)))
