@@ -13,13 +13,13 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.bounded import MAX_LAYERS, MAX_SIZE
-from lagrange.diagnostics import Diagnostic, ProblemError, Span
+from lagrange.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
 from lagrange.expressions import Scope
 from lagrange.measures import Measures
 from lagrange.names import canonical
 from lagrange.nodes import Node, Scalar
 from lagrange.notation import Slots
-from lagrange.problem import Choice
+from lagrange.problem import Choice, Speed
 from lagrange.reading import Reading, size
 from lagrange.reference_frame import coordinate
 from lagrange.sections import Section, entries_of, items_of, mapping_of, scalar_of
@@ -28,18 +28,18 @@ from lagrange.symbols import RATE, SUBSTITUTION
 _EXAMPLE = "{coordinates: [theta], substitute: {x: l*sin(theta)}}"
 
 
-def read_speeds(node: Node | None, reading: Reading) -> Mapping[sp.Symbol, sp.Expr]:
+def read_speeds(node: Node | None, reading: Reading) -> tuple[Speed, ...]:
     """name -> quasi-velocity."""
     if node is None:
-        return {}
-    found: dict[sp.Symbol, sp.Expr] = {}
+        return ()
+    found: list[Speed] = []
     example = 'speeds: {u: "x\'*cos(theta)"}'
     for key, value in reading.findings.attempt(lambda: entries_of(node, "`speeds`", example)) or ():
         name = reading.names.declare(key, "a quasi-velocity")
         speed = reading.findings.attempt(lambda k=key, v=value: _speed(k, v, reading))  # type: ignore[misc]
         if name and speed is not None:
-            found[sp.Symbol(name, real=True)] = speed
-    return found
+            found.append(Speed(sp.Symbol(name, real=True), speed, key.span))
+    return tuple(found)
 
 
 def _speed(key: Scalar, node: Node, reading: Reading) -> sp.Expr:
@@ -48,7 +48,21 @@ def _speed(key: Scalar, node: Node, reading: Reading) -> sp.Expr:
     if value.free_symbols.isdisjoint(reading.scope.slots.velocities):
         help_ = "write it with the velocities, as `x'*cos(theta) + y'*sin(theta)`"
         raise ProblemError(Diagnostic("no-velocity", f"{what} has no velocity in it", node.span, help=help_))
+    _check_linear(what, value, node, reading)
     return value
+
+
+def _check_linear(what: str, value: sp.Expr, node: Node, reading: Reading) -> None:
+    """Refuses what is not linear in the velocities."""
+    velocities = reading.scope.slots.velocities
+    bent = [value.diff(v).diff(w) for n, v in enumerate(velocities) for w in velocities[n:]]
+    verdicts = [e == 0 or reading.is_zero(e) for e in bent]
+    if False in verdicts:
+        message = f"{what} is not linear in the velocities"
+        help_ = "write a sum of velocities, each times a function of the coordinates and of time"
+        raise ProblemError(Diagnostic("speed-not-linear", message, node.span, help=help_))
+    if None in verdicts:
+        raise UndecidedError(f"whether {what} is linear in the velocities", node.span)
 
 
 def read_choices(node: Node | None, reading: Reading) -> tuple[Choice, ...]:

@@ -32,6 +32,7 @@ class Rule(StrEnum):
     PRINCIPLE = "principle"  # (m r'' - F)·δr = 0
     GENERALIZED_COORDINATES = "generalized-coordinates"  # x = l sin θ, y = l cos θ
     EQUATIONS_OF_MOTION = "equations-of-motion"  # l θ'' + g sin θ = 0
+    QUASI_VELOCITIES = "quasi-velocities"  # u = x' cos θ + y' sin θ: u' = a ω²
     SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
     EQUILIBRIUM = "equilibrium"  # tan θ = (2k - 1)/tan α
     CHECKS = "checks"  # Lagrange's equations give the same

@@ -22,7 +22,7 @@ from lagrange.exact import NoPointError, UnsupportedError
 from lagrange.kinematics import Configuration
 from lagrange.notation import prime, variation
 from lagrange.principle import Principle
-from lagrange.textbook import Factor, common_factor, normalised
+from lagrange.textbook import Factor, Textbook, common_factor, normalised
 from lagrange.trigonometry import Element, Ring
 
 
@@ -69,7 +69,7 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Equat
     displacements = [ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
     reduced = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
     equations = tuple(
-        _divided(principle, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
+        divided(textbook, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
     )
     return EquationsOfMotion(configuration, principle, elimination, textbook.form(reduced), equations)
 
@@ -87,9 +87,8 @@ def of_independent(d: Sequence[Element], ring: Ring, elimination: Elimination) -
     return found
 
 
-def _divided(principle: Principle, coordinate: sp.Symbol, coefficient: Element) -> EquationOfMotion:
+def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> EquationOfMotion:
     """The equation without common factors and common denominators, its leading acceleration positive."""
-    textbook = principle.textbook
     expression = textbook.form(coefficient)
     factor = common_factor(expression)
     kept = factor.divide(expression)

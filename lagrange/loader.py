@@ -98,7 +98,7 @@ def _problem(source: Source, findings: Findings) -> Problem:
     forces = read_forces(root.section("forces"), reading)
     speeds = read_speeds(root.section("speeds"), reading)
     choices = read_choices(root.section("generalized_coordinates"), reading)
-    scope = _scope_of_answers(reading.scope, constraints, choices)
+    scope = _scope_of_answers(reading.scope, constraints, choices, speeds)
     answers = AnswerReader(reading, constraints, choices, scope)
     problem = Problem(
         title=findings.attempt(lambda: _title(root)) or "",
@@ -184,12 +184,17 @@ def _suggested(problem: Problem) -> Find:
     return Find.EQUILIBRIUM if problem.forces else Find.CONSTRAINTS
 
 
-def _scope_of_answers(scope: Scope, constraints: tuple[Constraint, ...], choices: tuple[Choice, ...]) -> Scope:
-    """The scope of the finished problem: reactions, the coordinates of the choices and `const` are known there."""
+def _scope_of_answers(
+    scope: Scope, constraints: tuple[Constraint, ...], choices: tuple[Choice, ...], speeds: tuple[Speed, ...]
+) -> Scope:
+    """The scope of the finished problem: reactions, the coordinates of the choices, quasi-velocities and `const` are
+    known there.
+    """
     old = scope.slots.coordinates
     new: dict[str, sp.Expr] = {q.name: q for c in choices for q in c.coordinates if q not in old}
     reactions = {c.reaction.name: c.reaction for c in constraints}
-    return replace(scope, scalars={CONSTANT.name: CONSTANT, **scope.scalars, **reactions, **new})
+    quasi = {s.symbol.name: s.definition for s in speeds}
+    return replace(scope, scalars={CONSTANT.name: CONSTANT, **scope.scalars, **reactions, **new, **quasi})
 
 
 def _check_whole(problem: Problem, root: Section, findings: Findings) -> None:

@@ -308,6 +308,8 @@ class ScalarMeaning(Remarks, ABC):
         """d(x) and delta(x); of an abbreviation, Σ (∂e/∂q) dq."""
         self.check_count(call, 1, f"write `{call.name}(x)`")
         inner = call.arguments[0]
+        if isinstance(inner, Name) and f"{call.name}({inner.text})" in self.scope.scalars:
+            return self.scope.scalars[f"{call.name}({inner.text})"]  # delta(pi_u), which is no variation
         value = self.scope.scalar(inner.text) if isinstance(inner, Name) else None
         moving = {
             *self.scope.slots.coordinates,

@@ -194,6 +194,15 @@ Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction
 
 
 @dataclass(frozen=True)
+class Speed:
+    """A quasi-velocity u = Σ S_k(q, t) q_k' + s(q, t): its name and what it is."""
+
+    symbol: sp.Symbol
+    definition: sp.Expr
+    span: Span
+
+
+@dataclass(frozen=True)
 class Choice:
     """A choice of generalized coordinates.
 
@@ -240,7 +249,7 @@ class Problem:
     gravity: Vector | None = None
     forces: tuple[Force, ...] = ()
     unknowns: tuple[sp.Symbol, ...] = ()
-    speeds: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    speeds: tuple[Speed, ...] = ()
     choices: tuple[Choice, ...] = ()
     equations: tuple[Fragment, ...] = ()
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)

@@ -20,8 +20,9 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
 from lagrange.kinematics import Configuration, file_configuration
-from lagrange.notation import variation
+from lagrange.notation import prime, variation
 from lagrange.problem import Problem
+from lagrange.quasi_velocities import quasi_variation
 from lagrange.solution import Solution
 from lagrange.vectors import Vector
 from lagrange.verification import multiplier_system
@@ -112,6 +113,7 @@ def reference_of_solution(solution: Solution) -> Reference:
         scope,
         scalars={
             **_potential(solution),
+            **_quasi_variations(solution),
             **_reactions(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
@@ -170,6 +172,15 @@ def _potential(solution: Solution) -> dict[str, sp.Expr]:
     """V, as a derivation writes the given potential energy."""
     potential = solution.configuration.potential
     return {"V": potential} if potential != 0 and "V" not in solution.problem.scope.names() else {}
+
+
+def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
+    """delta(pi_u) of each quasi-velocity u."""
+    problem = solution.problem
+    return {
+        quasi_variation(u.symbol).name: sp.Add(*(u.definition.diff(prime(q)) * variation(q) for q in problem.slots.coordinates))
+        for u in problem.speeds
+    }
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:

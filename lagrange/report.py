@@ -36,6 +36,7 @@ from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
 
 if TYPE_CHECKING:
+    from lagrange.quasi_verification import InSpeeds
     from lagrange.static_reactions import StaticReactions
 
 
@@ -84,6 +85,8 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     yield from _statics(solution)
     yield from _motion(solution)
+    if solution.dynamics is None:
+        yield from _speeds(solution.in_speeds, solution)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
@@ -93,6 +96,8 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
             yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
+        yield from _speeds(c.in_speeds, solution)
+        if c.dynamics is not None:
             yield from _reactions(solution, c.dynamics, c.name)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
 
@@ -145,8 +150,17 @@ def _motion(solution: Solution) -> Iterator[Step]:
         yield from _reactions(solution, dynamics)
     yield explain_principle(dynamics.written)
     yield explain_equations(dynamics.written, solution.problem)
+    yield from _speeds(solution.in_speeds, solution)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
+
+
+def _speeds(found: InSpeeds | None, solution: Solution) -> Iterator[Step]:
+    if found is not None:
+        from lagrange.explain.quasi_velocities import explain_speeds
+
+        others = (solution.in_speeds, *(c.in_speeds for c in solution.choices))
+        yield explain_speeds(found, solution.problem, found is next(s for s in others if s is not None))
 
 
 def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Iterator[Step]:
@@ -181,7 +195,7 @@ def notation_of(solution: Solution) -> Notation:
     return Notation(
         coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new))),
         prescribed=problem.slots.prescribed,
-        speeds=tuple(problem.speeds),
+        speeds=tuple(s.symbol for s in problem.speeds),
         parameters=tuple(p.symbol for p in problem.parameters),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),

@@ -41,6 +41,7 @@ from lagrange.workless import WorkOfReaction, works_of_reactions
 
 if TYPE_CHECKING:
     from lagrange.equilibrium import Equilibrium
+    from lagrange.quasi_verification import InSpeeds
     from lagrange.stability import SecondVariation
     from lagrange.static_reactions import StaticReactions
 
@@ -55,6 +56,7 @@ class ChoiceSolution:
     equilibrium: Equilibrium | None = None
     reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
+    in_speeds: InSpeeds | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -80,6 +82,7 @@ class Solution:
     dynamics       the motion and the reactions there
     equilibrium    its equilibria, where these are asked for; their stability, where there is a potential
     reactions_at_rest  the reactions there, where there are constraints
+    in_speeds    the velocities, and the equations of motion, by the quasi-velocities of the file
     """
 
     problem: Problem
@@ -97,6 +100,7 @@ class Solution:
     equilibrium: Equilibrium | None = None
     reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
+    in_speeds: InSpeeds | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -148,6 +152,8 @@ def solve(problem: Problem, choice: str | None = None, *, complete: bool = True)
         check_statics(problem, configuration)
     if Find.MOTION in problem.find:
         solution = _with_motion(solution, complete)
+    if problem.speeds:
+        solution = _with_speeds(solution)
     return _with_equilibrium(solution) if Find.EQUILIBRIUM in problem.find else solution
 
 
@@ -244,6 +250,26 @@ def _with_motion(solution: Solution, complete: bool) -> Solution:
     )
 
 
+def _with_speeds(solution: Solution) -> Solution:
+    """The solution with the quasi-velocities: in every choice of coordinates, and in the file's own coordinates unless
+    a choice rids these of geometric constraints.
+    """
+    from lagrange.quasi_verification import check_speeds, in_speeds
+
+    problem = solution.problem
+    checks = [*solution.checks]
+    own = None
+    if not (solution.choices and solution.configuration.finite_constraints):
+        own = in_speeds(problem.speeds, solution.configuration, solution.motion)
+        checks += check_speeds(own, problem)
+    choices = []
+    for c in solution.choices:
+        there = in_speeds(problem.speeds, c.coordinates.configuration, c.motion)
+        checks += check_speeds(there, problem)
+        choices.append(replace(c, in_speeds=there))
+    return replace(solution, in_speeds=own, choices=tuple(choices), checks=tuple(checks))
+
+
 def _substitutions(chosen: list[GeneralizedCoordinates]) -> list[Check]:
     """What `generalized_coordinates` has verified, as checks."""
     found = []
@@ -269,8 +295,6 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
     for force in problem.forces:
         if isinstance(force, Friction) and Find.EQUILIBRIUM in problem.find:
             raise NotCoveredError(f"friction `{force.name}`", force.span)
-    if problem.speeds:
-        raise NotCoveredError("a choice of quasi-velocities (`speeds`)")
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
     if Find.LINEARIZATION in problem.find:

@@ -25,16 +25,24 @@ ORDINALS = ("first", "second", "third")
 
 def triads_of_bodies(problem: Problem, configuration: Configuration) -> list[Block]:
     """The unit vectors that turn with bodies, in i, j, k, each once."""
+    lines = directions_of(stated_triads(configuration), problem)
+    return [prose("The unit vectors that turn with the bodies are"), display(*lines.values())] if lines else []
+
+
+def stated_triads(configuration: Configuration) -> tuple[Triad, ...]:
+    """The triads that the statement uses."""
     positions = (p.position.triad for p in configuration.points)
-    turning = (r.angular_velocity.triad for r in configuration.rotations)
+    return (*positions, *(r.angular_velocity.triad for r in configuration.rotations))
+
+
+def directions_of(triads: Iterable[Triad], problem: Problem) -> dict[str, Equation]:
+    """The unit vectors of some triads in i, j, k, by name, without those that the file or its frame explains."""
+    known = {*UNITS, *problem.abbreviations}
     lines: dict[str, Equation] = {}
-    for triad in dict.fromkeys((*positions, *turning)):
+    for triad in dict.fromkeys(triads):
         if triad not in (FIXED, problem.frame):
-            known = {*UNITS, *problem.abbreviations}
             lines |= {unit.name: Equation((unit, v)) for unit, v in _directions(triad) if unit.name not in known}
-    if not lines:
-        return []
-    return [prose("The unit vectors that turn with the bodies are"), display(*lines.values())]
+    return lines
 
 
 def _directions(triad: Triad) -> Iterator[tuple[sp.Symbol, Vector]]:

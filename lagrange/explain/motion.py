@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
@@ -22,7 +22,7 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import virtual_displacement
-from lagrange.equations import EquationsOfMotion
+from lagrange.equations import EquationOfMotion, EquationsOfMotion
 from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
@@ -143,21 +143,21 @@ def _conclusion(motion: EquationsOfMotion) -> list[Block]:
         if len(free) == 1
         else " are independent, so what multiplies each of them vanishes"
     )
-    scaling = _scaling(motion)
-    return [prose(*listed(free), arbitrary, *((" (", *scaling, ")") if scaling else ()), ":")]
+    divided = scaling(motion.equations)
+    return [prose(*listed(free), arbitrary, *((" (", *divided, ")") if divided else ()), ":")]
 
 
-def _scaling(motion: EquationsOfMotion) -> tuple[Part, ...]:
+def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
     """`multiplying by x and dividing by m r, where r ≠ 0`."""
-    multiplied = _distinct(e.factor.denominator.expression for e in motion.equations)
-    divided = _distinct(e.factor.numerator.expression for e in motion.equations)
-    excluded = _distinct(f for e in motion.equations for f in e.factor.nonzero)
+    multiplied = _distinct(e.factor.denominator.expression for e in equations)
+    divided = _distinct(e.factor.numerator.expression for e in equations)
+    excluded = _distinct(f for e in equations for f in e.factor.nonzero)
     clauses: list[tuple[Part, ...]] = []
     if multiplied:
         clauses.append(("multiplying by ", *listed(math(f) for f in multiplied)))
     if divided:
         clauses.append(("dividing by ", *listed(math(f) for f in divided)))
-    if any(e.reversed for e in motion.equations):
+    if any(e.reversed for e in equations):
         clauses.append(("changing the sign",))
     words: list[Part] = []
     for n, clause in enumerate(clauses):

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from lagrange.equations import EquationsOfMotion
     from lagrange.equilibrium import Equilibrium
     from lagrange.newton import Newton
+    from lagrange.quasi_verification import InSpeeds
     from lagrange.reactions import Reactions
     from lagrange.report import Report
     from lagrange.solution import ChoiceSolution, Solution
@@ -78,6 +79,8 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
     if solution.dynamics is not None:
         found["equations"] = _equations(solution.dynamics.written, write)
+    if solution.in_speeds is not None:
+        found["speeds"] = _speeds(solution.in_speeds, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
         found |= _reactions(solution, solution.dynamics.reactions, write)
     if solution.reactions_at_rest is not None:
@@ -135,6 +138,8 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
         found["equations"] = _equations(c.dynamics.written, write)
+    if c.in_speeds is not None:
+        found["speeds"] = _speeds(c.in_speeds, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
         values = c.dynamics.reactions.multipliers
         tensions = c.dynamics.reactions.tensions
@@ -255,6 +260,26 @@ def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
     slots = motion.configuration.slots
     rows = (r.velocity_form(slots) if r.finite is None else r.finite for r in motion.configuration.rows)
     return [f"{write(e)} = 0" for e in (*motion.expressions, *rows)]
+
+
+def _speeds(found: InSpeeds, write: Write) -> dict[str, Any]:
+    """The quasi-velocities, the kinematic equations, what must not vanish, the equations of motion in them.
+
+    `completed_by` are velocities that stand beside quasi-velocities that are too few; `rates` are u' solved for.
+    """
+    quasi, equations = found.velocities, found.equations
+    result: dict[str, Any] = {
+        "definitions": {u.name: write(e) for u, e in quasi.definitions.items()},
+        "kinematic": {v.name: write(e) for v, e in quasi.kinematic.items()},
+        "conditions": [f"{write(p)} ≠ 0" for p in quasi.conditions(equations.equations if equations else ())],
+    }
+    if quasi.completing:
+        result["completed_by"] = [f"{q.name}'" for q in quasi.completing]
+    if equations is not None:
+        result["equations"] = [f"{write(e)} = 0" for e in equations.expressions]
+        if equations.rates is not None:
+            result["rates"] = {u.name: write(value) for u, value in equations.rates.items()}
+    return result
 
 
 def _spot(spot: Spot, write: Write) -> dict[str, Any]:

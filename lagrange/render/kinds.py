@@ -90,6 +90,8 @@ class Notation:
         """Where a coordinate, or what is made of it, stands among the others; t comes last."""
         inner = name.partition("(")[2].removesuffix(")") or name
         stem = inner.rstrip("'")
+        if stem not in self._ranks and stem.startswith("pi_"):  # δπ_u of a quasi-velocity u
+            stem = stem.removeprefix("pi_")
         if stem in self._ranks:
             return self._ranks[stem], "", ()
         if stem == "t":

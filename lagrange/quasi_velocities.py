@@ -1,0 +1,182 @@
+"""Quasi-velocities: linear combinations of the velocities in which the final equations are wanted.
+
+    u_s = Σ S_sk q_k' + s_s ,     together with the constraints     Σ a_jk q_k' + a_jt = 0 ,
+
+are linear equations for the velocities. As many u as there are degrees of freedom, independent of one another and of
+the constraints, determine them: the kinematic equations are
+
+    q_k' = Σ B_ks u_s + b_k ,     and     δq_k = Σ B_ks δπ_s ,     δπ_s = Σ S_sk δq_k .
+
+δπ_s is no variation of anything. It stands for u_s dt with time frozen, and in every virtual displacement the δπ_s are
+free. Fewer u are completed by velocities q_k' that are not yet determined.
+
+In the derivation each u_s is the velocity of a quasi-coordinate of the same name: its slots are u_s' and u_s'', so that
+what knows velocities and accelerations by their names knows these. `shown` writes u_s and u_s' for them.
+Reference: Neimark and Fufaev, Dynamics of Nonholonomic Systems, chapter III.
+
+Shapes: S (p, n), B (n, p), b (n,), for n coordinates and p quasi-velocities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TypeVar
+
+import sympy as sp
+
+from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
+from lagrange.displacements import Elimination, eliminate
+from lagrange.kinematics import Configuration, Row, is_pfaffian
+from lagrange.notation import Slots, prime, variation
+from lagrange.problem import Speed
+from lagrange.reactions import over_one_denominator
+from lagrange.textbook import textbook_form
+from lagrange.vectors import Vector
+
+Shown = TypeVar("Shown", sp.Expr, Vector)
+
+
+@dataclass(frozen=True)
+class QuasiVelocities:
+    """The quasi-velocities in the coordinates of a configuration.
+
+    definitions  u_s, by name, in the velocities of the configuration
+    completing   coordinates whose velocities complete them
+    partials     B, shape (n, p)
+    drift        b, shape (n,)
+    pivots       what must not vanish
+    """
+
+    configuration: Configuration
+    definitions: Mapping[sp.Symbol, sp.Expr]
+    completing: tuple[sp.Symbol, ...]
+    partials: tuple[tuple[sp.Expr, ...], ...]
+    drift: tuple[sp.Expr, ...]
+    pivots: tuple[sp.Expr, ...]
+
+    @property
+    def slots(self) -> Slots:
+        """The quasi-coordinates, coordinates that complete them last."""
+        return Slots((*self.definitions, *self.completing))
+
+    @cached_property
+    def rates(self) -> dict[sp.Symbol, sp.Expr]:
+        """q' -> B u + b, in the slots of the quasi-coordinates."""
+        speeds = self.slots.velocities
+        return {
+            v: _in_groups(textbook_form(sp.Add(*(c * u for c, u in zip(row, speeds, strict=True)), b)))
+            for v, row, b in zip(self.configuration.slots.velocities, self.partials, self.drift, strict=True)
+        }
+
+    @property
+    def kinematic(self) -> dict[sp.Symbol, sp.Expr]:
+        """The kinematic equations: q' -> B u + b, as it is shown; velocities that complete the u left out."""
+        known = {prime(q) for q in self.completing}
+        return {v: self.shown(rate) for v, rate in self.rates.items() if v not in known}
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The u, and the velocities that complete them."""
+        return (*self.definitions, *(prime(q) for q in self.completing))
+
+    def shown(self, expression: Shown) -> Shown:
+        """u' and u'' of the quasi-coordinates as u and u'; δu as δπ_u."""
+        return expression.xreplace(self._names)
+
+    def defined(self, expression: sp.Expr) -> sp.Expr:
+        """An expression as it is shown, with the definitions put in: in q, q' and q''."""
+        slots = self.configuration.slots
+        rule: dict[sp.Basic, sp.Basic] = dict(self.definitions)
+        rule |= {prime(u): slots.time_derivative(e) for u, e in self.definitions.items()}
+        return expression.xreplace(rule)
+
+    @cached_property
+    def _names(self) -> dict[sp.Basic, sp.Basic]:
+        names: dict[sp.Basic, sp.Basic] = {}
+        for u in self.definitions:
+            names |= {prime(u): u, prime(u, 2): prime(u), variation(u): quasi_variation(u)}
+        return names
+
+
+def quasi_variation(u: sp.Symbol) -> sp.Symbol:
+    """δπ_u of a quasi-velocity u."""
+    return variation(sp.Symbol(f"pi_{u.name}", real=True))
+
+
+def quasi_velocities(speeds: Sequence[Speed], configuration: Configuration) -> QuasiVelocities:
+    """The velocities of a configuration by its quasi-velocities.
+
+    Raises ProblemError where these depend on one another or on the constraints, UndecidedError where that cannot be
+    decided, NotCoveredError where a constraint is not linear in the velocities.
+    """
+    if not is_pfaffian(configuration.rows):
+        message = "quasi-velocities (`speeds`) beside a constraint that is not linear in the velocities"
+        raise NotCoveredError(message, speeds[0].span)
+    slots = configuration.slots
+    size, count = len(slots.coordinates), len(speeds)
+    zeros = (sp.S.Zero,) * count
+    definitions = {s.symbol: _shorter(configuration.rewritten(s.definition)) for s in speeds}
+    rows = [Row(r.name, (*r.coefficients, *zeros), r.drift) for r in configuration.rows]
+    for n, (u, e) in enumerate(definitions.items()):
+        own = tuple(sp.S.NegativeOne if m == n else sp.S.Zero for m in range(count))
+        at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+        rows.append(Row(u.name, (*(textbook_form(e.diff(v)) for v in slots.velocities), *own), e.xreplace(at_rest)))
+    found = eliminate(rows, size + count, configuration.surface, range(size))
+    _check_independent(speeds, rows, found, configuration)
+    table: list[list[sp.Expr]] = [[sp.S.Zero] * len(found.independent) for _ in range(size)]
+    drift = [sp.S.Zero] * size
+    for k, row, b in zip(found.dependent, found.solution, found.drift, strict=True):
+        table[k], drift[k] = list(row), b
+    completing = [k for k in found.independent if k < size]
+    for k in completing:
+        table[k][found.independent.index(k)] = sp.S.One
+    order = [found.independent.index(size + n) for n in range(count)]
+    order += [found.independent.index(k) for k in completing]
+    return QuasiVelocities(
+        configuration=configuration,
+        definitions=definitions,
+        completing=tuple(slots.coordinates[k] for k in completing),
+        partials=tuple(tuple(row[n] for n in order) for row in table),
+        drift=tuple(drift),
+        pivots=found.pivots,
+    )
+
+
+def _shorter(definition: sp.Expr) -> sp.Expr:
+    """The definition as the file has it, unless its textbook form is shorter: dot(omega_B, e1_B), multiplied out."""
+    tidied = textbook_form(definition)
+    return tidied if tidied.count_ops() < definition.count_ops() else definition
+
+
+def _in_groups(rate: sp.Expr) -> sp.Expr:
+    """Terms of the same denominator over that: (p sin ψ + q cos ψ)/sin θ."""
+    groups: dict[sp.Expr, list[sp.Expr]] = {}
+    for term in sp.Add.make_args(rate):
+        groups.setdefault(sp.fraction(term)[1], []).append(term)
+    return sp.Add(*(over_one_denominator(sp.Add(*terms)) for terms in groups.values()))
+
+
+def _check_independent(
+    speeds: Sequence[Speed], rows: Sequence[Row], found: Elimination, configuration: Configuration
+) -> None:
+    """Refuses a quasi-velocity that follows from others and the constraints, and names it."""
+    size = len(configuration.slots.coordinates)
+    constraints = [list(r.coefficients) for r in configuration.rows]
+    both = configuration.surface.rank([list(r.coefficients[:size]) for r in rows])
+    alone = configuration.surface.rank(constraints) if constraints else 0
+    if both is None or alone is None:
+        raise UndecidedError("whether the quasi-velocities are independent", speeds[0].span)
+    if both == alone + len(speeds):
+        return
+    dependent = [speeds[k - size] for k in found.dependent if k >= size]
+    freedom = size - alone
+    if not dependent:  # a pivot was not seen to be zero
+        raise UndecidedError("which quasi-velocities are independent", speeds[0].span)
+    listed = ", ".join(f"`{s.symbol}`" for s in dependent)
+    verb, them = ("follows", "it") if len(dependent) == 1 else ("follow", "them")
+    message = f"{listed} {verb} from the other quasi-velocities and the constraints"
+    many = f"{len(speeds)} quasi-velocities, and {freedom} degree{'s' * (freedom != 1)} of freedom: "
+    help_ = f"{many if len(speeds) > freedom else ''}leave {them} out, or choose others"
+    raise ProblemError(Diagnostic("dependent-speeds", message, dependent[0].span, help=help_))
