@@ -16,7 +16,12 @@ import sympy as sp
 
 from lagrange.comparison import affine_rows, state, symbols_of
 from lagrange.displacements import Elimination
-from lagrange.equations import EquationsOfMotion, equations_of_motion
+from lagrange.equations import (
+    EquationsOfMotion,
+    WithMultipliers,
+    equations_of_motion,
+    equations_with_multipliers,
+)
 from lagrange.exact import Point
 from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
 from lagrange.kinematics import Configuration, Load
@@ -72,6 +77,7 @@ class Motion:
     shown      the configuration with |λ| in its friction
     signs      the signs of multipliers that friction leaves open, each with its λ
     symbolic   the equations with |λ| in them, where λ is long
+    multipliers  of the constraints, by name
     """
 
     equations: EquationsOfMotion
@@ -80,11 +86,18 @@ class Motion:
     shown: Configuration
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     symbolic: EquationsOfMotion | None = None
+    multipliers: Mapping[str, sp.Symbol] = field(default_factory=dict)
 
     @property
     def written(self) -> EquationsOfMotion:
         """The equations as they are written down."""
         return self.symbolic or self.equations
+
+    @cached_property
+    def with_multipliers(self) -> WithMultipliers | None:
+        """The same with multipliers; None where no constraint is left."""
+        principle = self.written.principle
+        return equations_with_multipliers(principle, self.multipliers) if principle.configuration.rows else None
 
 
 def law_of_motion(
@@ -111,12 +124,15 @@ def law_of_motion(
 
 def motion(law: Law, configuration: Configuration, elimination: Elimination, with_reactions: bool = True) -> Motion:
     """The motion in the coordinates of a configuration without friction: the file's own, or those of a choice."""
+    multipliers = law.newton.multipliers_by_name
     if not with_reactions or _is_left_out(law, configuration):
-        return Motion(equations_of_motion(dalembert(configuration), elimination), None, (), configuration)
+        equations = equations_of_motion(dalembert(configuration), elimination)
+        return Motion(equations, None, (), configuration, multipliers=multipliers)
     reactions = solved_reactions(law.system, law.newton, law.used, configuration)
     rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
     if not rubbed:
-        return Motion(equations_of_motion(dalembert(configuration), elimination), reactions, (), configuration)
+        equations = equations_of_motion(dalembert(configuration), elimination)
+        return Motion(equations, reactions, (), configuration, multipliers=multipliers)
     dragging = [(r.reaction.multiplier, _generalized(law, configuration, r.share, r.friction.on)) for r in rubbed]
     if not _is_unaffected(law, configuration, reactions, dragging):
         reactions = solved_reactions(law.system, law.newton, law.used, configuration, dragging)
@@ -132,6 +148,7 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
         shown=shown,
         signs=signs,
         symbolic=equations_of_motion(dalembert(shown), elimination) if long else None,
+        multipliers=multipliers,
     )
 
 

@@ -5,13 +5,17 @@ Where the δq_k are independent, each D_k vanishes. Where the constraints bind t
 
     D_k + Σ_d B_dk D_d = 0 ,      together with the constraints.
 
+Without elimination, each of the coordinates has an equation with multipliers:
+
+    D_k = Σ_j λ_j a_jk .
+
 Denominators are multiplied out and factors common to all terms divided out; both are recorded, because what is divided
 by must not vanish.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -58,6 +62,35 @@ class EquationsOfMotion:
     def expressions(self) -> tuple[sp.Expr, ...]:
         """Each of these is zero."""
         return tuple(e.expression for e in self.equations)
+
+    @property
+    def conditions(self) -> tuple[sp.Expr, ...]:
+        """What has been divided by and may vanish: these equations are good where none of it does."""
+        return excluded(self.elimination.pivots, self.equations)
+
+
+@dataclass(frozen=True)
+class WithMultipliers:
+    """D_k and Σ_j λ_j a_jk, which it equals, for each coordinate."""
+
+    multipliers: tuple[sp.Symbol, ...]
+    equations: tuple[tuple[sp.Expr, sp.Expr], ...]
+
+
+def excluded(pivots: Sequence[sp.Expr], equations: Sequence[EquationOfMotion]) -> tuple[sp.Expr, ...]:
+    """The pivots and the factors that have been divided by, each once."""
+    return tuple(dict.fromkeys((*pivots, *(f for e in equations for f in e.factor.nonzero))))
+
+
+def equations_with_multipliers(principle: Principle, multipliers: Mapping[str, sp.Symbol]) -> WithMultipliers:
+    """The equations in which nothing is eliminated; `multipliers` are λ_j by name of the constraint."""
+    rows = principle.configuration.rows
+    used = tuple(multipliers[row.name] for row in rows)
+    equations = (
+        (principle.textbook.form(d), sp.Add(*(s * row.coefficients[k] for s, row in zip(used, rows, strict=True))))
+        for k, d in enumerate(principle.coefficients)
+    )
+    return WithMultipliers(used, tuple(equations))
 
 
 def equations_of_motion(principle: Principle, elimination: Elimination) -> EquationsOfMotion:

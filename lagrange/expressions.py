@@ -157,7 +157,7 @@ class _Reading:
         while waiting:
             tree = waiting.pop()
             inside = parts(tree)
-            if self._meaning.virtual_rotation(tree) is not None:
+            if (self._meaning.virtual_rotation(tree) or self._meaning.quasi_variation(tree)) is not None:
                 continue
             if isinstance(tree, Call) and not self._knows_function(tree.name):
                 found.setdefault(tree.name + "(", self._meaning.undeclared(tree))

@@ -304,12 +304,20 @@ class ScalarMeaning(Remarks, ABC):
         """Whether an undefined function has an argument of that name."""
         return any(name in f.arguments for f in self.scope.functions.values())
 
+    def quasi_variation(self, tree: Tree) -> sp.Expr | None:
+        """delta(pi_u), which is no variation of a symbol, where a derivation has given it a meaning."""
+        match tree:
+            case Call(name="delta", arguments=(Name(text=text),)):
+                return self.scope.scalars.get(f"delta({text})")
+        return None
+
     def _differential(self, call: Call) -> sp.Expr:
         """d(x) and delta(x); of an abbreviation, Σ (∂e/∂q) dq."""
         self.check_count(call, 1, f"write `{call.name}(x)`")
         inner = call.arguments[0]
-        if isinstance(inner, Name) and f"{call.name}({inner.text})" in self.scope.scalars:
-            return self.scope.scalars[f"{call.name}({inner.text})"]  # delta(pi_u), which is no variation
+        given = self.quasi_variation(call)
+        if given is not None:
+            return given
         value = self.scope.scalar(inner.text) if isinstance(inner, Name) else None
         moving = {
             *self.scope.slots.coordinates,

@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from lagrange.equations import EquationOfMotion, divided
+from lagrange.equations import EquationOfMotion, divided, excluded
 from lagrange.exact import Surface
 from lagrange.kinematics import Configuration, Load, MassPoint
 from lagrange.linear import solved_linear
@@ -75,6 +75,11 @@ class QuasiEquations:
     def expressions(self) -> tuple[sp.Expr, ...]:
         """Each of these is zero."""
         return tuple(e.expression for e in self.equations)
+
+    @property
+    def conditions(self) -> tuple[sp.Expr, ...]:
+        """What has been divided by and may vanish."""
+        return excluded(self.quasi.pivots, self.equations)
 
 
 class _Motion:

@@ -77,6 +77,15 @@ class QuasiVelocities:
         return {v: self.shown(rate) for v, rate in self.rates.items() if v not in known}
 
     @property
+    def virtual(self) -> dict[sp.Symbol, sp.Expr]:
+        """δπ_s -> Σ S_sk δq_k."""
+        coordinates = self.configuration.slots.coordinates
+        return {
+            quasi_variation(u): over_one_denominator(sp.Add(*(e.diff(prime(q)) * variation(q) for q in coordinates)))
+            for u, e in self.definitions.items()
+        }
+
+    @property
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The u, and the velocities that complete them."""
         return (*self.definitions, *(prime(q) for q in self.completing))

@@ -95,7 +95,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
-            yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
+            yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem, c.dynamics.with_multipliers)
         yield from _speeds(c.in_speeds, solution)
         if c.dynamics is not None:
             yield from _reactions(solution, c.dynamics, c.name)
@@ -149,7 +149,8 @@ def _motion(solution: Solution) -> Iterator[Step]:
     if dynamics.rubbed:
         yield from _reactions(solution, dynamics)
     yield explain_principle(dynamics.written)
-    yield explain_equations(dynamics.written, solution.problem)
+    multiplied = dynamics.with_multipliers if law.newton.equations is None else None
+    yield explain_equations(dynamics.written, solution.problem, multiplied)
     yield from _speeds(solution.in_speeds, solution)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)

@@ -22,7 +22,7 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import virtual_displacement
-from lagrange.equations import EquationOfMotion, EquationsOfMotion
+from lagrange.equations import EquationOfMotion, EquationsOfMotion, WithMultipliers
 from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
@@ -106,13 +106,14 @@ def _suffix(configuration: Configuration) -> str:
     return f"-{configuration.name}" if configuration.name else ""
 
 
-def explain_equations(motion: EquationsOfMotion, problem: Problem) -> Step:
-    """The equations in the file's own coordinates."""
+def explain_equations(motion: EquationsOfMotion, problem: Problem, multiplied: WithMultipliers | None = None) -> Step:
+    """The equations in the file's own coordinates; `multiplied`: also those with multipliers."""
     body: list[Block] = []
     if motion.configuration.rows:
         body += _with_the_solved(motion)
     body += _conclusion(motion)
     body += _final(motion, problem)
+    body += _with_multipliers(motion, multiplied)
     title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
     return Step(
         Rule.EQUATIONS_OF_MOTION,
@@ -180,6 +181,33 @@ def _final(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     return [display(*lines, boxed=True, detail=Detail.BRIEF)]
 
 
+def _with_multipliers(motion: EquationsOfMotion, multiplied: WithMultipliers | None) -> list[Block]:
+    """The equations with multipliers, in which no displacement is eliminated."""
+    if multiplied is None:
+        return []
+    coordinates, suffix = motion.configuration.slots.coordinates, _suffix(motion.configuration)
+    dependent = listed(math(variation(coordinates[d])) for d in motion.elimination.dependent)
+    symbols = listed(math(s) for s in multiplied.multipliers)
+    one = len(multiplied.multipliers) == 1
+    words: tuple[Part, ...] = (
+        "With multipliers nothing is eliminated. ",
+        "The constraint on the displacements, times a multiplier " if one else
+        "The constraints on the displacements, times multipliers ",
+        *symbols,
+        ", is subtracted from " if one else ", are subtracted from ",
+        Ref(f"written-out{suffix}"),
+        ", and ", *symbols, " is" if one else " are",
+        " so chosen that what multiplies ",
+        *(() if len(motion.elimination.dependent) == 1 else ("each of ",)),
+        *dependent,
+        " vanishes. The other displacements are free, so that for every coordinate"
+        if motion.elimination.independent else " vanishes:",
+    )  # fmt: skip
+    pairs = zip(coordinates, multiplied.equations, strict=True)
+    lines = [Equation(sides, label=f"multiplied{suffix}-{q.name}") for q, sides in pairs]
+    return [prose(*words), display(*lines)]
+
+
 def _constraint(configuration: Configuration, name: str, problem: Problem) -> Equation:
     """A constraint that completes the equations, as the file has it where the coordinates are its own."""
     row = next(r for r in configuration.rows if r.name == name)
@@ -244,7 +272,9 @@ def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
     return found
 
 
-def explain_motion_in_choice(coordinates: GeneralizedCoordinates, motion: EquationsOfMotion, problem: Problem) -> Step:
+def explain_motion_in_choice(
+    coordinates: GeneralizedCoordinates, motion: EquationsOfMotion, problem: Problem, multiplied: WithMultipliers | None = None
+) -> Step:
     """The principle and the equations in a choice of coordinates."""
     configuration = motion.configuration
     name = coordinates.choice.name
@@ -263,5 +293,6 @@ def explain_motion_in_choice(coordinates: GeneralizedCoordinates, motion: Equati
         body += _with_the_solved(motion)
     body += _conclusion(motion)
     body += _final(motion, problem)
+    body += _with_multipliers(motion, multiplied)
     title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
     return Step(Rule.EQUATIONS_OF_MOTION, f"{title}: {spoken(name)}", tuple(body))

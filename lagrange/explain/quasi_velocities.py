@@ -71,9 +71,10 @@ def _determined(quasi: QuasiVelocities) -> list[Block]:
     found: list[Block] = []
     if quasi.completing:
         others = [math(prime(q)) for q in quasi.completing]
-        verb = plural(len(others), " completes them", " complete them")
-        more = "They are fewer than the degrees of freedom: "
-        found.append(prose(more, *listed(others), verb, "."))
+        verb = plural(len(others), " completes ", " complete ") + plural(len(quasi.definitions), "it", "them")
+        few = plural(len(quasi.definitions), "There are more degrees of freedom than this one: ",
+                     "There are more degrees of freedom than these: ")  # fmt: skip
+        found.append(prose(few, *listed(others), verb, "."))
     with_rows = plural(len(rows), "Together with the constraint ", "Together with the constraints ") if rows else ""
     where: tuple[Part, ...] = ()
     if quasi.pivots:
@@ -122,11 +123,10 @@ def _vectors(equations: QuasiEquations, problem: Problem, first: bool) -> list[B
 def _principle(equations: QuasiEquations) -> list[Block]:
     """δπ_u, and the principle with them."""
     quasi, suffix = equations.quasi, _suffix(equations.quasi)
-    coordinates = quasi.configuration.slots.coordinates
-    lines = []
-    for u, e in quasi.definitions.items():
-        moved = sp.Add(*(e.diff(prime(q)) * variation(q) for q in coordinates))
-        lines.append(Equation((quasi_variation(u), moved), label=f"quasi-variation{suffix}-{u.name}"))
+    lines = [
+        Equation(sides, label=f"quasi-variation{suffix}-{u.name}")
+        for u, sides in zip(quasi.definitions, quasi.virtual.items(), strict=True)
+    ]
     free = [math(quasi_variation(u)) for u in quasi.definitions]
     free += [math(variation(q)) for q in quasi.completing]
     takes = plural(len(free), " takes the place of ", " take the place of ")

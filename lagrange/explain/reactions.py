@@ -36,11 +36,13 @@ def explain_reactions(
         r.name for r in newton.reactions if r.name in reactions.multipliers and reactions.multipliers[r.name] is None
     ]
     if lines and not long:
-        words = "Newton's equations and the constraints, differentiated until accelerations occur, are linear in "
+        which = "Newton's equations" if newton.equations is not None else "The equations with multipliers"
+        words = f"{which} and the constraints, differentiated until accelerations occur, are linear in "
         what = "accelerations and multipliers; solved for the latter they give"
         body.append(prose(*((words, what) if first else ("In these coordinates the same equations give",))))
     elif lines:
-        body.append(prose("Solved for the multipliers, Newton's equations give long expressions, left out here."))
+        which = "Newton's equations" if newton.equations is not None else "these equations"
+        body.append(prose(f"Solved for the multipliers, {which} give long expressions, left out here."))
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))
     if lost:

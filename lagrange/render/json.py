@@ -20,6 +20,7 @@ from lagrange.vectors import Vector
 
 if TYPE_CHECKING:
     from lagrange.constraints import ConstraintAnalysis
+    from lagrange.dynamics import Motion
     from lagrange.equations import EquationsOfMotion
     from lagrange.equilibrium import Equilibrium
     from lagrange.newton import Newton
@@ -78,7 +79,7 @@ def as_object(report: Report) -> dict[str, Any]:
     if solution.law is not None:
         found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
     if solution.dynamics is not None:
-        found["equations"] = _equations(solution.dynamics.written, write)
+        found |= _motion(solution.dynamics, write)
     if solution.in_speeds is not None:
         found["speeds"] = _speeds(solution.in_speeds, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
@@ -137,7 +138,7 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         slots = coordinates.configuration.slots
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
-        found["equations"] = _equations(c.dynamics.written, write)
+        found |= _motion(c.dynamics, write)
     if c.in_speeds is not None:
         found["speeds"] = _speeds(c.in_speeds, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
@@ -255,6 +256,23 @@ def _statics(found: Equilibrium, stability: SecondVariation | None, write: Write
     return result
 
 
+def _motion(dynamics: Motion, write: Write) -> dict[str, Any]:
+    """The equations, what must not vanish, and the equations with multipliers where constraints are left."""
+    found: dict[str, Any] = {
+        "equations": _equations(dynamics.written, write),
+        "conditions": _nonzero(dynamics.written.conditions, write),
+    }
+    if dynamics.with_multipliers is not None:
+        found["equations_with_multipliers"] = [
+            f"{write(a)} = {write(b)}" for a, b in dynamics.with_multipliers.equations
+        ]
+    return found
+
+
+def _nonzero(excluded: Sequence[sp.Expr], write: Write) -> list[str]:
+    return [f"{write(e)} ≠ 0" for e in excluded]
+
+
 def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
     """The equations of motion and the constraints that complete them."""
     slots = motion.configuration.slots
@@ -265,20 +283,21 @@ def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
 def _speeds(found: InSpeeds, write: Write) -> dict[str, Any]:
     """The quasi-velocities, the kinematic equations, what must not vanish, the equations of motion in them.
 
-    `completed_by` are velocities that stand beside quasi-velocities that are too few; `rates` are u' solved for.
+    `kinematic` has q' and `rates` u', by name; of too few quasi-velocities, `completed_by` says whose velocities
+    complete them.
     """
     quasi, equations = found.velocities, found.equations
     result: dict[str, Any] = {
         "definitions": {u.name: write(e) for u, e in quasi.definitions.items()},
-        "kinematic": {v.name: write(e) for v, e in quasi.kinematic.items()},
-        "conditions": [f"{write(p)} ≠ 0" for p in quasi.conditions(equations.equations if equations else ())],
+        "kinematic": {v.name.rstrip("'"): write(e) for v, e in quasi.kinematic.items()},
+        "conditions": _nonzero(equations.conditions if equations else quasi.pivots, write),
     }
     if quasi.completing:
-        result["completed_by"] = [f"{q.name}'" for q in quasi.completing]
+        result["completed_by"] = [q.name for q in quasi.completing]
     if equations is not None:
         result["equations"] = [f"{write(e)} = 0" for e in equations.expressions]
         if equations.rates is not None:
-            result["rates"] = {u.name: write(value) for u, value in equations.rates.items()}
+            result["rates"] = {u.name.rstrip("'"): write(value) for u, value in equations.rates.items()}
     return result
 
 
