@@ -134,10 +134,14 @@ class _Motion:
         return self.moving(point.velocity, (point.velocity.triad, FIXED, *self._triads))
 
     def of_rotation(self, rotation: Rotation) -> Moving:
-        """ω, H and dH/dt: in the triad of the file's derivation, or in the axes of the body where these do as well."""
+        """ω, H and dH/dt: in the triad of the file's derivation; in the axes of the body, or in i, j, k for a body whose
+        moments of inertia are all equal, where ω is shorter in these.
+        """
         own = rotation.angular_velocity.triad
-        planar = own.directions is None
-        triads = (own,) if rotation.given or planar else (own, self._axes(rotation))
+        triads = [own]
+        if own.directions is not None:
+            triads += [] if rotation.given else [self._axes(rotation)]
+            triads += [FIXED] if len(set(rotation.inertia)) == 1 else []
         return self.moving(rotation.angular_velocity, triads, rotation.inertia)
 
     def _axes(self, rotation: Rotation) -> Triad:

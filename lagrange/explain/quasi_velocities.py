@@ -75,12 +75,14 @@ def _determined(quasi: QuasiVelocities) -> list[Block]:
         few = plural(len(quasi.definitions), "There are more degrees of freedom than this one: ",
                      "There are more degrees of freedom than these: ")  # fmt: skip
         found.append(prose(few, *listed(others), verb, "."))
+    determine = plural(len(quasi.symbols), "it determines", "they determine")
     with_rows = plural(len(rows), "Together with the constraint ", "Together with the constraints ") if rows else ""
     where: tuple[Part, ...] = ()
     if quasi.pivots:
         where = (", where ", *listed(math(p, ZERO, relation="≠") for p in quasi.pivots), ",")
     lines = [Equation((v, e), label=f"kinematic{suffix}-{v.name}") for v, e in quasi.kinematic.items()]
-    found.append(prose(f"{with_rows or 'T'}{'t' if rows else ''}hey determine all velocities", *where, " by"))
+    said = f"{with_rows}{determine} {'the velocity' if len(lines) == 1 else 'all velocities'}"
+    found.append(prose(f"{said[0].upper()}{said[1:]}", *where, " by"))
     found.append(display(*lines))
     return found
 
