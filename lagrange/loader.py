@@ -26,7 +26,7 @@ from lagrange.forces import read_forces, read_gravity
 from lagrange.nodes import Node, Scalar
 from lagrange.notation import CONSTANT
 from lagrange.particles import read_things
-from lagrange.problem import Choice, Constraint, Find, Problem
+from lagrange.problem import Choice, Constraint, Find, Problem, Speed
 from lagrange.reading import Reading
 from lagrange.reference_frame import read_frame
 from lagrange.sections import Section, entries_of, items_of, scalar_of

@@ -27,7 +27,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
-from lagrange.displacements import Elimination, eliminate
+from lagrange.displacements import eliminate
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.notation import Slots, prime, variation
 from lagrange.problem import Speed
@@ -132,8 +132,10 @@ def quasi_velocities(speeds: Sequence[Speed], configuration: Configuration) -> Q
         own = tuple(sp.S.NegativeOne if m == n else sp.S.Zero for m in range(count))
         at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
         rows.append(Row(u.name, (*(textbook_form(e.diff(v)) for v in slots.velocities), *own), e.xreplace(at_rest)))
+    _check_independent(speeds, rows, configuration)
     found = eliminate(rows, size + count, configuration.surface, range(size))
-    _check_independent(speeds, rows, found, configuration)
+    if any(size + n not in found.independent for n in range(count)):  # a pivot was not seen to be other than zero
+        raise UndecidedError("the velocities in terms of the quasi-velocities", speeds[0].span)
     table: list[list[sp.Expr]] = [[sp.S.Zero] * len(found.independent) for _ in range(size)]
     drift = [sp.S.Zero] * size
     for k, row, b in zip(found.dependent, found.solution, found.drift, strict=True):
@@ -167,25 +169,34 @@ def _in_groups(rate: sp.Expr) -> sp.Expr:
     return sp.Add(*(over_one_denominator(sp.Add(*terms)) for terms in groups.values()))
 
 
-def _check_independent(
-    speeds: Sequence[Speed], rows: Sequence[Row], found: Elimination, configuration: Configuration
-) -> None:
-    """Refuses a quasi-velocity that follows from others and the constraints, and names it."""
+def _check_independent(speeds: Sequence[Speed], rows: Sequence[Row], configuration: Configuration) -> None:
+    """Refuses a quasi-velocity that follows from those before it and the constraints, and names it.
+
+    The rows are those of the constraints, then those of the quasi-velocities.
+    """
     size = len(configuration.slots.coordinates)
-    constraints = [list(r.coefficients) for r in configuration.rows]
-    both = configuration.surface.rank([list(r.coefficients[:size]) for r in rows])
-    alone = configuration.surface.rank(constraints) if constraints else 0
-    if both is None or alone is None:
-        raise UndecidedError("whether the quasi-velocities are independent", speeds[0].span)
-    if both == alone + len(speeds):
+    table = [list(r.coefficients[:size]) for r in rows]
+    bound = len(rows) - len(speeds)
+
+    def rank(matrix: list[list[sp.Expr]]) -> int:
+        found = configuration.surface.rank(matrix) if matrix else 0
+        if found is None:
+            raise UndecidedError("whether the quasi-velocities are independent", speeds[0].span)
+        return found
+
+    alone = rank(table[:bound])
+    if rank(table) == alone + len(speeds):
         return
-    dependent = [speeds[k - size] for k in found.dependent if k >= size]
+    ranks = [alone, *(rank(table[: bound + n + 1]) for n in range(len(speeds)))]
+    dependent = [s for s, before, after in zip(speeds, ranks, ranks[1:], strict=False) if after == before]
+    [row] = (table[bound + n] for n, s in enumerate(speeds) if s == dependent[0])
+    fixed = rank([*table[:bound], row]) == alone
     freedom = size - alone
-    if not dependent:  # a pivot was not seen to be zero
-        raise UndecidedError("which quasi-velocities are independent", speeds[0].span)
     listed = ", ".join(f"`{s.symbol}`" for s in dependent)
-    verb, them = ("follows", "it") if len(dependent) == 1 else ("follow", "them")
-    message = f"{listed} {verb} from the other quasi-velocities and the constraints"
+    one = len(dependent) == 1
+    message = f"{listed} {'follows' if one else 'follow'} from the other quasi-velocities and the constraints"
+    if one and fixed:
+        message = f"{listed} is fixed by the constraints"
     many = f"{len(speeds)} quasi-velocities, and {freedom} degree{'s' * (freedom != 1)} of freedom: "
-    help_ = f"{many if len(speeds) > freedom else ''}leave {them} out, or choose others"
+    help_ = f"{many if len(speeds) > freedom else ''}leave {'it' if one else 'them'} out, or choose others"
     raise ProblemError(Diagnostic("dependent-speeds", message, dependent[0].span, help=help_))

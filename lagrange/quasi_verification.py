@@ -32,7 +32,7 @@ class InSpeeds:
 
 
 def in_speeds(speeds: Sequence[Speed], configuration: Configuration, motion: EquationsOfMotion | None) -> InSpeeds:
-    """What the quasi-velocities of a file come to in the coordinates of a configuration. Raises as `quasi_velocities`."""
+    """What the quasi-velocities of a file come to in a configuration. Raises what `quasi_velocities` raises."""
     quasi = quasi_velocities(speeds, configuration)
     if motion is None:
         return InSpeeds(quasi, None, configuration)

@@ -178,7 +178,9 @@ def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
     """delta(pi_u) of each quasi-velocity u."""
     problem = solution.problem
     return {
-        quasi_variation(u.symbol).name: sp.Add(*(u.definition.diff(prime(q)) * variation(q) for q in problem.slots.coordinates))
+        quasi_variation(u.symbol).name: sp.Add(
+            *(u.definition.diff(prime(q)) * variation(q) for q in problem.slots.coordinates)
+        )
         for u in problem.speeds
     }
 

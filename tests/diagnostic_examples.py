@@ -127,6 +127,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         problem("let: {a: b, b: a}")),
     "circular-substitution": ("Write each old coordinate with the chosen ones.", problem(
         PARTICLE + "generalized_coordinates: {c: {coordinates: [s], substitute: {x: y + s, y: x}}}")),
+    "dependent-speeds": ("A quasi-velocity is independent of the others and of the constraints: there are as many as there are "
+        "degrees of freedom, or fewer.", problem(PARTICLE + "speeds: {u: \"x' + y'\", v: x', w: y'}")),
+    "speed-not-linear": ("A quasi-velocity is linear in the velocities.", problem("speeds: {u: \"x'^2 + y'^2\"}")),
     "contradictory-answer": ("The textbook's answer contradicts itself.",
         problem("answers: {classification: [holonomic, nonholonomic]}")),
     "coordinate-left-out": ("Every old coordinate is kept or given.", problem(
@@ -142,7 +145,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-arguments": ("A function names its arguments; `u: [t]` is a prescribed motion.", problem("functions: {f: []}")),
     "no-substitution": ("Say how the old coordinates follow from the new one.", problem(
         PARTICLE + "generalized_coordinates: {c: {coordinates: [theta]}}")),
-    "no-velocity": ("A choice is made of positions.", None),
+    "no-velocity": ("A quasi-velocity is made of velocities.", problem("speeds: {u: x}")),
     "not-a-form": ("In differentials a constraint is linear and homogeneous.",
         problem("constraints: {a: d(x)*d(y) = 0}")),
     "not-a-number": ("A number is wanted here.", problem("answers: {degrees_of_freedom: two}")),

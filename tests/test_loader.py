@@ -327,7 +327,7 @@ generalized_coordinates:
 """
     )
     assert problem.unknowns == (sp.Symbol("P", real=True),)
-    assert list(problem.speeds.values()) == [v * sp.cos(theta) + w * sp.sin(theta)]
+    assert [s.definition for s in problem.speeds] == [v * sp.cos(theta) + w * sp.sin(theta)]
     angle, depth = problem.choices
     s = sp.Symbol("s", real=True)
     assert angle.coordinates == (s, theta)
@@ -663,6 +663,7 @@ MISTAKES: dict[str, list[tuple[str, int, int]]] = {
     ALL + "unknowns: [x]": [("declared-twice", 7, 12)],
     ALL + "unknowns: N": [("wrong-kind", 7, 11)],
     ALL + "speeds: {u: x}": [("no-velocity", 7, 13)],
+    ALL + "speeds: {u: x'*y'}": [("speed-not-linear", 7, 13)],
     ALL + "generalized_coordinates: {a: {coordinates: [s]}}": [("no-substitution", 7, 45)],
     ALL + "generalized_coordinates: {a: {coordinates: [s, theta], substitute: {x: s}}}": [
         ("coordinate-left-out", 7, 27)

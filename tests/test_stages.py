@@ -129,7 +129,6 @@ gravity: g*j
     ("more", "what"),
     [
         ("find: linearization", "linearization"),
-        ('speeds: {u: "x\'"}', "speeds"),
     ],
 )
 def test_what_is_not_covered_is_refused_and_never_guessed(problem: Read, more: str, what: str) -> None:

@@ -273,7 +273,10 @@ def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
 
 
 def explain_motion_in_choice(
-    coordinates: GeneralizedCoordinates, motion: EquationsOfMotion, problem: Problem, multiplied: WithMultipliers | None = None
+    coordinates: GeneralizedCoordinates,
+    motion: EquationsOfMotion,
+    problem: Problem,
+    multiplied: WithMultipliers | None = None,
 ) -> Step:
     """The principle and the equations in a choice of coordinates."""
     configuration = motion.configuration
