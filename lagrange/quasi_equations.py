@@ -134,8 +134,8 @@ class _Motion:
         return self.moving(point.velocity, (point.velocity.triad, FIXED, *self._triads))
 
     def of_rotation(self, rotation: Rotation) -> Moving:
-        """ω, H and dH/dt: in the triad of the file's derivation, or where ω is shorter in these, in the axes of the body,
-        or in i, j, k for a body whose moments of inertia are all equal.
+        """ω, H and dH/dt in the triad of the file's derivation, or where ω is shorter there, in the axes of the body or,
+        if its moments of inertia are all equal, in i, j, k.
         """
         own = rotation.angular_velocity.triad
         triads = [own]
@@ -238,4 +238,4 @@ def _solved(
     found = solved_linear(rows, [-e.expression.xreplace(at_rest) for e in equations], surface)
     if found is None or None in found:
         return None
-    return {quasi.shown(a): quasi.shown(value) for a, value in zip(unknowns, found, strict=True)}  # type: ignore[misc]
+    return {quasi.shown(a): quasi.shown(value) for a, value in zip(unknowns, found, strict=True)}

@@ -139,8 +139,11 @@ def _principle(equations: QuasiEquations) -> list[Block]:
         *listed(math(s) for s in quasi.symbols),
         ":",
     )
-    verb = plural(len(free), " is free, so that what multiplies it vanishes", " are free in every virtual displacement, so "
-                  "that what multiplies each of them vanishes")  # fmt: skip
+    verb = plural(
+        len(free),
+        " is free, so that what multiplies it vanishes",
+        " are free in every virtual displacement, so that what multiplies each of them vanishes",
+    )
     divided = scaling(equations.equations)
     return [
         prose(*words),
