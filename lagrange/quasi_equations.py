@@ -134,8 +134,8 @@ class _Motion:
         return self.moving(point.velocity, (point.velocity.triad, FIXED, *self._triads))
 
     def of_rotation(self, rotation: Rotation) -> Moving:
-        """ω, H and dH/dt in the triad of the file's derivation, or where ω is shorter there, in the axes of the body or,
-        if its moments of inertia are all equal, in i, j, k.
+        """ω, H and dH/dt in the triad of the file's derivation; where ω is shorter in them, in the axes of the body, or in
+        i, j, k if the moments of inertia are all equal.
         """
         own = rotation.angular_velocity.triad
         triads = [own]

@@ -171,7 +171,7 @@ def _latex_index(index: str) -> str:
     if _MIXED.match(index):
         return index
     inner = Name.of(index)
-    if index.isdigit() or (inner.is_letter and all(i.isdigit() or len(i) == 1 for i in inner.indices)):
+    if index.isdigit() or (inner.is_letter and all(i.isdigit() or len(i) == 1 or i in GREEK for i in inner.indices)):
         return index if index.isdigit() else latex_name(inner)
     words = [word for word in re.split(r"[_.]", index) if word]
     numbers = [word for word in words if word.isdigit()]
