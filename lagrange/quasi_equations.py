@@ -134,8 +134,9 @@ class _Motion:
         return self.moving(point.velocity, (point.velocity.triad, FIXED, *self._triads))
 
     def of_rotation(self, rotation: Rotation) -> Moving:
-        """ω, H and dH/dt in the triad of the file's derivation; where ω is shorter in them, in the axes of the body, or in
-        i, j, k if the moments of inertia are all equal.
+        """ω, H and dH/dt in the triad of the file's derivation, or where ω is shorter there, in the axes of the body.
+
+        If all moments of inertia are equal, i, j, k are another triad in which they are constant.
         """
         own = rotation.angular_velocity.triad
         triads = [own]

@@ -196,7 +196,7 @@ def _with_multipliers(motion: EquationsOfMotion, multiplied: WithMultipliers | N
         *symbols,
         ", is subtracted from " if one else ", are subtracted from ",
         Ref(f"written-out{suffix}"),
-        ", and ", *symbols, " is" if one else " are",
+        ", the multiplier" if one else ", the multipliers",
         " so chosen that what multiplies ",
         *(() if len(motion.elimination.dependent) == 1 else ("each of ",)),
         *dependent,

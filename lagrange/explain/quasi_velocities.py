@@ -81,7 +81,8 @@ def _determined(quasi: QuasiVelocities) -> list[Block]:
     if quasi.pivots:
         where = (", where ", *listed(math(p, ZERO, relation="≠") for p in quasi.pivots), ",")
     lines = [Equation((v, e), label=f"kinematic{suffix}-{v.name}") for v, e in quasi.kinematic.items()]
-    said = f"{with_rows}{determine} {'the velocity' if len(lines) == 1 else 'all velocities'}"
+    which = "the other " if quasi.completing else "all " if len(lines) > 1 else "the "
+    said = f"{with_rows}{determine} {which}{plural(len(lines), 'velocity', 'velocities')}"
     found.append(prose(f"{said[0].upper()}{said[1:]}", *where, " by"))
     found.append(display(*lines))
     return found
