@@ -33,6 +33,7 @@ from lagrange.notation import Slots, prime, variation
 from lagrange.problem import Speed
 from lagrange.reactions import over_one_denominator
 from lagrange.textbook import textbook_form
+from lagrange.tidying import with_cotangents
 from lagrange.vectors import Vector
 
 Shown = TypeVar("Shown", sp.Expr, Vector)
@@ -91,8 +92,9 @@ class QuasiVelocities:
         return (*self.definitions, *(prime(q) for q in self.completing))
 
     def shown(self, expression: Shown) -> Shown:
-        """u' and u'' of the quasi-coordinates as u and u'; δu as δπ_u."""
-        return expression.xreplace(self._names)
+        """u' and u'' of the quasi-coordinates as u and u'; δu as δπ_u; cos w/sin w as cot w."""
+        named = expression.xreplace(self._names)
+        return named.map(with_cotangents) if isinstance(named, Vector) else with_cotangents(named)
 
     def defined(self, expression: sp.Expr) -> sp.Expr:
         """An expression as it is shown, with the definitions put in: in q, q' and q''."""

@@ -6,6 +6,8 @@ form, and that is kept where it is shorter. What has no such products stays as t
 
 A function of x₂ − x₁ alone does not change when both grow alike, ∂e/∂x₁ + ∂e/∂x₂ = 0; then e is e(0, x₂ − x₁).
 
+And cos w/sin w is written cot w, where it is to be read and not worked with.
+
 Only short expressions are tidied: multiplied out, (x + y + z)^20 has 231 terms, and a file can write much longer ones.
 """
 
@@ -68,3 +70,22 @@ def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.
             differences[difference] = b - a
     found = sp.factor(rest).xreplace(differences) if differences else expression
     return found if found.count_ops() < expression.count_ops() else expression
+
+
+def with_cotangents(expression: sp.Expr) -> sp.Expr:
+    """cos w/sin w written as cot w, in every product."""
+    if not expression.args or not expression.has(sp.sin):
+        return expression
+    found = [with_cotangents(a) for a in expression.args]
+    rebuilt = expression if found == list(expression.args) else expression.func(*found)
+    if not rebuilt.is_Mul:
+        return rebuilt
+    powers = dict(f.as_base_exp() for f in rebuilt.args)
+    for sine, below in list(powers.items()):
+        if isinstance(sine, sp.sin) and below.is_Integer and below < 0:
+            cosine = sp.cos(sine.args[0])
+            above = powers.get(cosine, sp.S.Zero)
+            if above.is_Integer and above > 0:
+                common = min(above, -below)
+                powers |= {sine: below + common, cosine: above - common, sp.cot(sine.args[0]): common}
+    return sp.Mul(*(b**e for b, e in powers.items()))

@@ -84,8 +84,8 @@ def test_the_sleigh_in_speed_and_rate_of_turning() -> None:
 def test_the_rolling_disc_in_its_angular_velocity() -> None:
     solution = shipped("rolling-disc")
     assert written(solution) == [
-        "(m*R^2 + A)*omega_1' - A*omega_2^2*cos(theta)/sin(theta) + (m*R^2 + C)*omega_2*omega_3 + m*g*R*cos(theta) = 0",
-        "A*omega_2' + A*omega_1*omega_2*cos(theta)/sin(theta) - C*omega_1*omega_3 = 0",
+        "(m*R^2 + A)*omega_1' - A*omega_2^2*cot(theta) + (m*R^2 + C)*omega_2*omega_3 + m*g*R*cos(theta) = 0",
+        "A*omega_2' + A*omega_1*omega_2*cot(theta) - C*omega_1*omega_3 = 0",
         "(m*R^2 + C)*omega_3' - m*R^2*omega_1*omega_2 = 0",
     ]
 

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from sympy import cos, sin
 
-from lagrange.tidying import in_differences, tidied
+from lagrange.tidying import in_differences, tidied, with_cotangents
 
 a, b, x, y = sp.symbols("a b x y", real=True)
 v, w = sp.symbols("x' y'", real=True)
@@ -83,3 +83,17 @@ def test_what_is_long_is_left_alone_at_once(written: sp.Expr) -> None:
 )
 def test_in_differences(written: sp.Expr, short: sp.Expr) -> None:
     assert in_differences(written, (a, b, x, y)) == short
+
+
+def test_a_cosine_over_its_sine_is_a_cotangent() -> None:
+    assert with_cotangents(x * cos(a) / sin(a) + cos(b) / sin(a)) == x * sp.cot(a) + cos(b) / sin(a)
+    assert with_cotangents(cos(a) * (x + cos(a) / sin(a)) / sin(a) ** 3) == sp.cot(a) * (x + sp.cot(a)) / sin(a) ** 2
+    assert with_cotangents(cos(a) ** 3 / sin(a)) == cos(a) ** 2 * sp.cot(a)
+    for kept in (
+        sin(a) / cos(a),
+        cos(a) / sp.sqrt(sin(a)),
+        cos(2 * a) / sin(a),
+        sin(a) * cos(a),
+        sp.sqrt(cos(a)) / sin(a),
+    ):
+        assert with_cotangents(kept) == kept
