@@ -129,11 +129,18 @@ def _rates(elimination: Elimination, size: int) -> tuple[sp.Expr, ...]:
     return tuple(rates)
 
 
-def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collection[int] = ()) -> Elimination:
+class TooLongError(Exception):
+    """The elimination has more operations in it than were allowed."""
+
+
+def eliminate(
+    rows: Sequence[Row], size: int, surface: Surface, first: Collection[int] = (), most: int | None = None
+) -> Elimination:
     """Solves A δq = 0, and with it A dq + a_t dt = 0, by Gauss-Jordan elimination.
 
     rows   the forms, m of them, with `size` coefficients each
     first  indices of coordinates to be eliminated before any others
+    most   operations that all entries together may have on the way; beyond them it raises TooLongError
 
     A pivot is nonzero at generic points of the constraint surface; constants are preferred, then short expressions.
     """
@@ -156,6 +163,8 @@ def eliminate(rows: Sequence[Row], size: int, surface: Surface, first: Collectio
                     _tidy(a - factor * b) if b != 0 else a for a, b in zip(matrix[other], matrix[r], strict=True)
                 ]
         pivot_of[r] = column
+        if most is not None and sum(int(e.count_ops()) for entries in matrix for e in entries) > most:
+            raise TooLongError
     dependent = tuple(pivot_of.values())
     independent = tuple(k for k in range(size) if k not in dependent)
     solution = tuple(tuple(_factored(-matrix[r][k]) for k in independent) for r in pivot_of)

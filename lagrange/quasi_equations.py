@@ -31,8 +31,10 @@ from lagrange.textbook import Factor, Textbook, textbook_form
 from lagrange.trigonometry import Derivation, Element, Ring
 from lagrange.vectors import FIXED, Triad, Vector
 
-MOST_SOLVED = 4
+MOST_SOLVED = 6
 """Quasi-velocities whose rates are still solved for."""
+LONGEST_SOLVED = 300
+"""Operations of equations that are still solved for the rates."""
 
 
 @dataclass(frozen=True)
@@ -146,11 +148,12 @@ class _Motion:
         return self.moving(rotation.angular_velocity, triads, rotation.inertia)
 
     def _axes(self, rotation: Rotation) -> Triad:
+        """The axes of the body; those that the file gives, where it gives ω."""
         first, second, third = axis_names(rotation.name)
         own = rotation.angular_velocity.triad
-        if rotation.given:
-            return own
         names = (first, second, "k" if own.directions is None else third)
+        if rotation.given or own.names == names:
+            return own
         return triad_along(names, rotation.axes, self.configuration.slots, textbook_form)
 
     def dot(self, a: Vector, b: Vector) -> Element:
@@ -232,7 +235,7 @@ def _solved(
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """u' -> its value."""
     unknowns = quasi.slots.accelerations
-    if len(unknowns) > MOST_SOLVED:
+    if len(unknowns) > MOST_SOLVED or sum(int(e.expression.count_ops()) for e in equations) > LONGEST_SOLVED:
         return None
     at_rest = dict.fromkeys(unknowns, sp.S.Zero)
     rows = [[e.expression.diff(a) for a in unknowns] for e in equations]

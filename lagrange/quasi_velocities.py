@@ -27,7 +27,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
-from lagrange.displacements import eliminate
+from lagrange.displacements import Elimination, TooLongError, eliminate
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.notation import Slots, prime, variation
 from lagrange.problem import Speed
@@ -35,6 +35,11 @@ from lagrange.reactions import over_one_denominator
 from lagrange.textbook import textbook_form
 from lagrange.tidying import with_cotangents
 from lagrange.vectors import Vector
+
+MOST_ON_THE_WAY = 1500
+"""Operations of all entries of the equations that are still solved for the velocities."""
+MOST_OPERATIONS = 300
+"""Operations of B, where the velocities of an aircraft have 65."""
 
 Shown = TypeVar("Shown", sp.Expr, Vector)
 
@@ -135,7 +140,7 @@ def quasi_velocities(speeds: Sequence[Speed], configuration: Configuration) -> Q
         at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
         rows.append(Row(u.name, (*(textbook_form(e.diff(v)) for v in slots.velocities), *own), e.xreplace(at_rest)))
     _check_independent(speeds, rows, configuration)
-    found = eliminate(rows, size + count, configuration.surface, range(size))
+    found = _eliminated(speeds, rows, configuration)
     if any(size + n not in found.independent for n in range(count)):  # a pivot was not seen to be other than zero
         raise UndecidedError("the velocities in terms of the quasi-velocities", speeds[0].span)
     table: list[list[sp.Expr]] = [[sp.S.Zero] * len(found.independent) for _ in range(size)]
@@ -155,6 +160,19 @@ def quasi_velocities(speeds: Sequence[Speed], configuration: Configuration) -> Q
         drift=tuple(drift),
         pivots=found.pivots,
     )
+
+
+def _eliminated(speeds: Sequence[Speed], rows: Sequence[Row], configuration: Configuration) -> Elimination:
+    """The rows solved for the velocities."""
+    size = len(configuration.slots.coordinates)
+    too_long = NotCoveredError("quasi-velocities that give kinematic equations of many pages", speeds[0].span)
+    try:
+        found = eliminate(rows, size + len(speeds), configuration.surface, range(size), MOST_ON_THE_WAY)
+    except TooLongError:
+        raise too_long from None
+    if sum(int(e.count_ops()) for row in found.solution for e in row) > MOST_OPERATIONS:
+        raise too_long
+    return found
 
 
 def _shorter(definition: sp.Expr) -> sp.Expr:

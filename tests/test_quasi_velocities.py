@@ -90,6 +90,22 @@ def test_the_rolling_disc_in_its_angular_velocity() -> None:
     ]
 
 
+def test_the_six_equations_of_an_aircraft() -> None:
+    solution = shipped("aircraft")
+    assert written(solution) == [
+        "m*u' - m*v*r + m*w*q + m*g*sin(theta) - F = 0",
+        "v' + u*r - w*p - g*cos(theta)*sin(phi) = 0",
+        "w' - u*q + v*p - g*cos(theta)*cos(phi) = 0",
+        "A*p' - (B - C)*q*r = 0",
+        "B*q' + (A - C)*p*r = 0",
+        "C*r' - (A - B)*p*q = 0",
+    ]
+    found = equations_of(solution)
+    assert [str(c) for c in found.velocities["plane"].components] == ["u", "v", "w"]
+    assert found.rates is not None
+    assert found.conditions == (sp.cos(sp.Symbol("theta", real=True)),)
+
+
 def test_the_angular_momentum_of_a_ball_stays_along_fixed_axes(problem: Read) -> None:
     solution = solve(problem(BALL))
     assert solution.holds
@@ -342,6 +358,22 @@ def test_a_name_means_one_thing(problem: Read) -> None:
     for name in ("m", "x"):
         with pytest.raises(ProblemError, match="is "):
             problem(f"{SLED}speeds: {{{name}: theta'}}\n")
+
+
+@pytest.mark.parametrize("size", [4, 6])
+def test_what_would_fill_pages_is_given_up(problem: Read, size: int) -> None:
+    """An inverse of a matrix of symbols has n! terms in every denominator."""
+    names = [[f"c{i}{j}" for j in range(size)] for i in range(size)]
+    speeds = {f"u{i}": " + ".join(f"{c}*q{j}'" for j, c in enumerate(row)) for i, row in enumerate(names)}
+    text = f"""
+title: Many
+parameters: [m, {", ".join(c for row in names for c in row)}]
+coordinates: [{", ".join(f"q{j}" for j in range(size))}]
+particles: {{{", ".join(f"P{j}: {{mass: m, position: q{j}*i}}" for j in range(size))}}}
+speeds: {{{", ".join(f'{u}: "{e}"' for u, e in speeds.items())}}}
+"""
+    with pytest.raises(NotCoveredError, match="pages"):
+        solve(problem(text))
 
 
 def test_beside_a_constraint_that_is_not_linear(problem: Read) -> None:
