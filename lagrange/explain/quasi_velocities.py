@@ -149,7 +149,7 @@ def _principle(equations: QuasiEquations) -> list[Block]:
     return [
         prose(*words),
         display(*lines),
-        prose("With these d'Alembert's principle ", Ref("principle"), " reads"),
+        prose("With these, d'Alembert's principle ", Ref("principle"), " reads"),
         display(Equation((equations.statement, ZERO), label=f"written-out-in-speeds{suffix}")),
         prose(*listed(free), verb, *((" (", *divided, ")") if divided else ()), ":"),
     ]
