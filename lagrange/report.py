@@ -155,7 +155,8 @@ def _motion(solution: Solution) -> Iterator[Step]:
     if dynamics.rubbed:
         yield from _reactions(solution, dynamics)
     yield explain_principle(dynamics.written)
-    multiplied = dynamics.with_multipliers if law.newton.equations is None else None
+    shown = law.newton.equations is not None and not solution.configuration.rotations  # they are Newton's, then
+    multiplied = None if shown else dynamics.with_multipliers
     yield explain_equations(dynamics.written, solution.problem, multiplied)
     yield from _speeds(solution.in_speeds, solution)
     if not dynamics.rubbed:

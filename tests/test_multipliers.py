@@ -89,7 +89,7 @@ def shown(result: Report) -> str:
     return " ".join(e.get("label", "") for e in lines)
 
 
-def test_they_are_printed_where_no_free_bodies_show_them(problem: Read) -> None:
+def test_they_are_printed_where_they_are_not_newtons_equations(problem: Read) -> None:
     printed = shown(report(problem(CARRIED)))
     assert "multiplied-theta" in printed
     assert "multiplied-flat-theta" in printed
