@@ -5,13 +5,14 @@ Stages make steps, renderers format them; neither knows the other. A label is an
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import IntEnum, StrEnum
 from typing import TypeAlias
 
 import sympy as sp
 
+from lagrange.scene import Scene
 from lagrange.vectors import Vector
 
 Mathematics: TypeAlias = sp.Expr | Vector
@@ -117,7 +118,21 @@ class CheckMark:
     detail: Detail = Detail.BRIEF
 
 
-Block = Prose | Display | Table | CheckMark
+@dataclass(frozen=True)
+class Picture:
+    """A picture, drawn when it is asked for; None where it cannot be drawn sensibly.
+
+    caption  what stands below it
+    alt      what is in it, in words
+    """
+
+    draw: Callable[[], Scene | None]
+    caption: tuple[Part, ...]
+    alt: str
+    detail: Detail = Detail.STEPS
+
+
+Block = Prose | Display | Table | CheckMark | Picture
 
 
 @dataclass(frozen=True)

@@ -31,6 +31,7 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
+from lagrange.pictures.illustrated import illustrated
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
@@ -75,8 +76,9 @@ def report(problem: Problem, choice: str | None = None, *, complete: bool = True
     """Solves a problem and explains the solution. Raises what `solve` raises."""
     solution = solve(problem, choice, complete=complete)
     answers = tuple(compared_answers(solution))
-    steps = tuple(_steps(solution, answers))
-    return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation_of(solution))
+    notation = notation_of(solution)
+    steps = tuple(illustrated(_steps(solution, answers), solution, notation))
+    return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation)
 
 
 def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Step]:

@@ -22,6 +22,7 @@ from lagrange.derivation import (
     Equation,
     Math,
     Part,
+    Picture,
     Prose,
     Ref,
     Table,
@@ -29,9 +30,10 @@ from lagrange.derivation import (
 )
 from lagrange.render.escape import slug
 from lagrange.render.formulas import Formulas
-from lagrange.render.mathematics import Notation
+from lagrange.render.mathematics import UNICODE, Notation, Writer
 from lagrange.render.shown import shown
 from lagrange.render.stylesheet import CSS
+from lagrange.render.svg import figure
 
 MARKS = {True: ("✓", "held", "held"), False: ("✗", "failed", "did not hold"), None: ("?", "open", "undecided")}
 CLOSING = re.compile(r"[).,:;]+")
@@ -82,7 +84,8 @@ class _Article:
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
         self.formulas = Formulas.of(notation)
-        self.content = shown(derivation, detail)
+        self.in_pictures = Writer(UNICODE, notation)
+        self.content = shown(derivation, detail, pictures=True)
         self.prefix = prefix
 
     def all(self) -> Iterator[str]:
@@ -110,6 +113,8 @@ class _Article:
                 yield from self.display(block)
             case Table():
                 yield from self.table(block)
+            case Picture():
+                yield from self.picture(block)
 
     def prose(self, parts: Iterable[Part]) -> str:
         """Words and formulas; what closes a phrase stays on the line of the formula before it."""
@@ -166,7 +171,15 @@ class _Article:
         number = self.content.numbers.get(equation.label or "")
         return f"({number})" if number else ""
 
-    # Tables and checks
+    # Pictures, tables and checks
+
+    def picture(self, block: Picture) -> Iterator[str]:
+        scene = block.draw()
+        if scene is not None:
+            yield "<figure>"
+            yield from figure(scene, clean(block.alt), self.in_pictures.plain)
+            yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
+            yield "</figure>"
 
     def table(self, block: Table) -> Iterator[str]:
         header = [self.part(part) for part in block.header]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
+from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Picture, Prose, Ref, Table, Term
 from lagrange.displacements import possible_displacement, virtual_displacement
 from lagrange.notation import FormSymbol, Wedge
 from lagrange.render.mathematics import text
@@ -93,7 +93,7 @@ def as_object(report: Report) -> dict[str, Any]:
         found["spot"] = _spot(first, write)
     found["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
     found["steps"] = [
-        {"rule": s.rule.value, "title": s.title, "body": [_block(b, write) for b in s.body]}
+        {"rule": s.rule.value, "title": s.title, "body": [_block(b, write) for b in s.body if not isinstance(b, Picture)]}
         for s in report.derivation.steps
     ]
     return found

@@ -23,6 +23,7 @@ from lagrange.derivation import (
     Math,
     Mathematics,
     Part,
+    Picture,
     Prose,
     Ref,
     Table,
@@ -33,6 +34,7 @@ from lagrange.render.ems import ems
 from lagrange.render.escape import escape, slug
 from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import Shown, shown
+from lagrange.render.tikz import TIPS, picture
 
 LINE = 36.0  # ems of an equation beside its number: a4, margins of 25 mm, 11 pt
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
@@ -40,13 +42,16 @@ PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[T1]{fontenc}
 \usepackage{lmodern}
 \usepackage{amsmath,amssymb}
+\usepackage{tikz}
+\usetikzlibrary{arrows.meta}
 \usepackage[margin=25mm]{geometry}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.5\baselineskip}
 \setlength{\emergencystretch}{3em}
 \allowdisplaybreaks
 """
-FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}, a text width of about 160 mm at 11 pt,
+FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}, \usepackage{tikz} and \usetikzlibrary{arrows.meta}
+% for pictures, a text width of about 160 mm at 11 pt,
 % and for long formulas in the text \setlength{\emergencystretch}{3em}
 """
 TALL = 15  # rows of a box that takes half a page; it cannot be broken
@@ -84,7 +89,7 @@ class _Article:
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail) -> None:
         self.derivation = derivation
         self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
-        self.content: Shown = shown(derivation, detail)
+        self.content: Shown = shown(derivation, detail, pictures=True)
         self.prefix = slug(derivation.title)
 
     def all(self) -> Iterator[str]:
@@ -109,6 +114,8 @@ class _Article:
                 yield from self.display(block)
             case Table():
                 yield from self.table(block)
+            case Picture():
+                yield from self.picture(block)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)
@@ -184,7 +191,15 @@ class _Article:
         codes, below = self.typesetter.rows(equation, width, condition)
         return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *map(_Row, below)]
 
-    # Tables and checks
+    # Pictures, tables and checks
+
+    def picture(self, block: Picture) -> Iterator[str]:
+        scene = block.draw()
+        if scene is not None:
+            yield r"\begin{center}"
+            yield from picture(scene, self.typesetter.writer.plain)
+            yield rf"\\[1.5ex] {{\small {self.prose(block.caption)}}}"
+            yield r"\end{center}"
 
     def table(self, block: Table) -> Iterator[str]:
         grid = [list(block.header), *(list(row) for row in block.rows)]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from lagrange.derivation import Derivation, Detail, Display, Equation, Step
+from lagrange.derivation import Block, Derivation, Detail, Display, Equation, Picture, Step
 
 
 @dataclass(frozen=True)
@@ -20,11 +20,11 @@ class Shown:
     hidden: dict[str, Equation]
 
 
-def shown(derivation: Derivation, detail: Detail, first: int = 1) -> Shown:
-    """Selects the blocks of a derivation; numbers begin with `first`."""
+def shown(derivation: Derivation, detail: Detail, first: int = 1, *, pictures: bool = False) -> Shown:
+    """Selects the blocks of a derivation; numbers begin with `first`. Pictures are drawn only where they are wanted."""
     steps = []
     for step in derivation.steps:
-        body = tuple(block for block in step.body if block.detail <= detail)
+        body = tuple(block for block in step.body if block.detail <= detail and _has_place(block, pictures))
         if body:
             steps.append(replace(step, body=body))
     labelled = [e for e in _equations(steps) if e.label is not None]
@@ -32,6 +32,10 @@ def shown(derivation: Derivation, detail: Detail, first: int = 1) -> Shown:
     everything = {e.label: e for e in _equations(derivation.steps) if e.label is not None}
     hidden = {label: e for label, e in everything.items() if label not in numbers}
     return Shown(tuple(steps), numbers, hidden)
+
+
+def _has_place(block: Block, pictures: bool) -> bool:
+    return not isinstance(block, Picture) or (pictures and block.draw() is not None)
 
 
 def _equations(steps: tuple[Step, ...] | list[Step]) -> list[Equation]:

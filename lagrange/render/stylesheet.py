@@ -51,8 +51,24 @@ ul.checks li { padding-left: 1.6rem; text-indent: -1.6rem; margin: .2rem 0; }
 .mark { display: inline-block; width: 1.6rem; text-indent: 0; font-weight: bold; }
 .held { color: var(--good); } .failed { color: var(--bad); } .open { color: var(--quiet); }
 .how { color: var(--quiet); }
-figure { margin: 1.2rem 0; text-align: center; }
+figure { margin: 1.2rem 0; text-align: center; break-inside: avoid; }
 figure svg { max-width: 100%; height: auto; }
+figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
+.picture path { fill: none; stroke: currentColor; stroke-width: 1.3; stroke-linejoin: round; stroke-linecap: round; }
+.picture .rod { stroke-width: 2.2; }
+.picture .guide { stroke: var(--quiet); stroke-width: .9; stroke-dasharray: 4 4; }
+.picture .axis, .picture .curve { stroke: var(--quiet); }
+.picture .ground, .picture .angle { stroke-width: 1; }
+.picture .force { stroke-width: 2; }
+.picture .reaction { stroke: var(--accent); stroke-width: 2; }
+.picture path.tip { fill: currentColor; stroke: none; }
+.picture path.axis.tip { fill: var(--quiet); }
+.picture path.reaction.tip { fill: var(--accent); }
+.picture circle { fill: currentColor; }
+.picture .hinge { fill: var(--paper); stroke: currentColor; stroke-width: 1.3; }
+.picture text { font: 15px "STIX Two Text", "Latin Modern Roman", "TeX Gyre Pagella", Georgia, serif; fill: currentColor;
+  text-anchor: middle; }
+.picture .i { font-style: italic; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 @media (max-width: 40rem) {
   body { font-size: 1rem; }

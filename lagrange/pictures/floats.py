@@ -1,0 +1,147 @@
+"""Values of expressions in ordinary floating point, for drawing: nothing is decided by them.
+
+A value that is not real, or does not exist, raises NoValueError; so does an undefined function.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.vectors import Vector
+
+Values = Mapping[sp.Symbol, float]
+Space = tuple[float, float, float]
+
+LARGEST = 1e6
+
+_FUNCTIONS: dict[type[sp.Basic], Callable[..., float]] = {
+    sp.sin: math.sin,
+    sp.cos: math.cos,
+    sp.tan: math.tan,
+    sp.cot: lambda x: 1 / math.tan(x),
+    sp.asin: math.asin,
+    sp.acos: math.acos,
+    sp.atan: math.atan,
+    sp.atan2: math.atan2,
+    sp.sinh: math.sinh,
+    sp.cosh: math.cosh,
+    sp.tanh: math.tanh,
+    sp.exp: math.exp,
+    sp.log: math.log,
+    sp.Abs: abs,
+    sp.sign: lambda x: math.copysign(1, x) if x else 0.0,
+}
+
+
+class NoValueError(ValueError):
+    """There is no such number."""
+
+
+def value(expression: sp.Expr, values: Values) -> float:
+    """The value of an expression; symbols without a value have none. Raises NoValueError."""
+    try:
+        found = _value(expression, values)
+    except (ArithmeticError, ValueError) as error:
+        raise NoValueError(str(error)) from None
+    if not abs(found) < LARGEST:
+        raise NoValueError("too large")
+    return found
+
+
+def _value(e: sp.Basic, values: Values) -> float:
+    if isinstance(e, sp.Symbol):
+        if e not in values:
+            raise NoValueError(e.name)
+        return values[e]
+    if isinstance(e, sp.Number | sp.NumberSymbol):
+        return float(e)
+    if e.is_Add:
+        return math.fsum(_value(a, values) for a in e.args)
+    if e.is_Mul:
+        return math.prod(_value(a, values) for a in e.args)
+    if isinstance(e, sp.Pow):
+        found = _value(e.base, values) ** _value(e.exp, values)
+        if isinstance(found, complex):
+            raise NoValueError("a root of a negative number")
+        return found
+    function = _FUNCTIONS.get(type(e))
+    if function is None:
+        raise NoValueError(type(e).__name__)
+    return function(*(_value(a, values) for a in e.args))
+
+
+def place(vector: Vector, values: Values) -> Space:
+    """A vector's components along i, j, k. Raises NoValueError."""
+    x, y, z = (value(c, values) for c in vector.fixed().components)
+    return x, y, z
+
+
+def minus(a: Space, b: Space) -> Space:
+    """a − b."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def plus(a: Space, b: Space, times: float = 1.0) -> Space:
+    """a + times · b."""
+    return a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]
+
+
+def inner(a: Sequence[float], b: Sequence[float]) -> float:
+    """a·b."""
+    return math.fsum(x * y for x, y in zip(a, b, strict=True))
+
+
+def outer(a: Space, b: Space) -> Space:
+    """a × b."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+
+
+def unit(a: Space) -> Space:
+    """a/|a|. Raises NoValueError."""
+    size = math.hypot(*a)
+    if size < 1e-9:
+        raise NoValueError("no direction")
+    return a[0] / size, a[1] / size, a[2] / size
+
+
+def solved(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[float]:
+    """The solution of a square system, by elimination with pivots. Raises NoValueError."""
+    rows = [[*row, r] for row, r in zip(matrix, right, strict=True)]
+    n = len(rows)
+    for k in range(n):
+        pivot = max(range(k, n), key=lambda i: abs(rows[i][k]))
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        if abs(rows[k][k]) < 1e-12:
+            raise NoValueError("singular")
+        for i in range(n):
+            if i != k:
+                factor = rows[i][k] / rows[k][k]
+                rows[i] = [a - factor * b for a, b in zip(rows[i], rows[k], strict=True)]
+    return [rows[k][n] / rows[k][k] for k in range(n)]
+
+
+def projected(
+    relations: Sequence[sp.Expr], slopes: Sequence[Sequence[sp.Expr]], moving: Sequence[sp.Symbol], start: Values
+) -> dict[sp.Symbol, float]:
+    """Values near the start where the relations vanish, by Newton's iteration with the shortest steps.
+
+    slopes  the derivatives of each relation by the coordinates that may change, shape (m, n)
+
+    Raises NoValueError.
+    """
+    found = dict(start)
+    if not relations:
+        return found
+    for _ in range(40):
+        rest = [value(f, found) for f in relations]
+        if max(map(abs, rest)) < 1e-11:
+            return found
+        rows = [[value(e, found) for e in row] for row in slopes]
+        gram = [[inner(a, b) for b in rows] for a in rows]
+        weights = solved(gram, rest)
+        for k, q in enumerate(moving):
+            found[q] -= sum(w * row[k] for w, row in zip(weights, rows, strict=True))
+    raise NoValueError("no point near the start")

@@ -1,0 +1,141 @@
+"""Free-body diagrams: each particle and body by itself, with an arrow for all that acts on it.
+
+Applied forces have the direction that they have in the position drawn; an unknown reaction has the direction in which
+it is positive. All arrows are of one length: sizes are not drawn.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+from lagrange.newton import FreeBody
+from lagrange.pictures.floats import NoValueError
+from lagrange.pictures.loads import Acting, acting_on
+from lagrange.pictures.shapes import in_space, is_planar
+from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
+from lagrange.pictures.systems import System
+from lagrange.render.mathematics import Notation
+from lagrange.rigid_bodies import Rotation
+from lagrange.scene import Kind, Point, Scene, side_by_side
+
+LENGTH = 1.35
+TEXT_WIDTH = 14.5
+MOST_BODIES = 6
+_NEAR = math.cos(math.radians(14))
+
+
+def free_body_scene(system: System, notation: Notation) -> Scene | None:
+    """The diagrams, side by side; None where one of them cannot be drawn."""
+    bodies = system.newton.bodies
+    if not bodies or len(bodies) > MOST_BODIES:
+        return None
+    try:
+        panels = [_panel(system, body, notation) for body in bodies]
+    except NoValueError:
+        return None
+    drawn = [p for p in panels if p is not None]
+    return side_by_side(drawn, TEXT_WIDTH) if len(drawn) == len(panels) else None
+
+
+def _panel(system: System, body: FreeBody, notation: Notation) -> Scene | None:
+    acting = acting_on(system, body)
+    if not acting:
+        raise NoValueError("nothing acts on it")
+    sketch = Sketch()
+    rotation = is_planar(system.configuration, body.name)
+    turning = any(r.name == body.name for r in system.configuration.rotations)
+    crowded = _crowded(system, acting)
+    radius = PARTICLE
+    if rotation is not None and system.view.planar:
+        _outline(sketch, system, body, rotation)
+    elif turning:
+        sketch.ellipse((0.0, 0.0), (0.5, 0.12), (-0.1, 0.34))
+    elif crowded:
+        radius = 0.3
+        sketch.ellipse((0.0, 0.0), (radius, 0.0), (0.0, radius))
+    if not crowded or turning:
+        sketch.dot((0.0, 0.0), PARTICLE)
+    used: list[tuple[Point, Point]] = []
+    for a in acting:
+        _arrow(sketch, system, a, radius if crowded and not turning else 0.0, used)
+    x, y = -sum(w[0] for _, w in used), -sum(w[1] for _, w in used)
+    prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 0.3 else (0.8, 0.5)
+    sketch.label(body.name.replace("_", " "), (0.0, 0.0), prefer, clear=radius)
+    return sketch.scene(notation)
+
+
+def _ways(system: System, acting: Sequence[Acting]) -> list[Point]:
+    return [toward((0, 0), system.page.way(a.vector)) for a in acting if not a.is_moment]
+
+
+def _crowded(system: System, acting: Sequence[Acting]) -> bool:
+    """Whether two forces at the same place have nearly the same direction."""
+    ways = _ways(system, acting)
+    return any(a[0] * b[0] + a[1] * b[1] > _NEAR for n, a in enumerate(ways) for b in ways[:n])
+
+
+def _arrow(sketch: Sketch, system: System, a: Acting, edge: float, used: list[tuple[Point, Point]]) -> None:
+    x, y = system.page.way(a.offset)
+    scale = system.page.scale
+    start = (x * scale, y * scale)
+    seen = system.page.way(a.vector)
+    kind = a.kind
+    if a.is_moment and system.view.planar:
+        normal = _out_of_page(system, a)
+        radius = 0.5 + 0.22 * sum(line.tip and len(line.points) > 2 for line in sketch.lines)
+        middle = sketch.turning((0.0, 0.0), radius, normal > 0, kind)
+        sketch.label(a.label, middle, toward((0, 0), middle))
+        return
+    if math.hypot(*seen) < 0.12 * math.hypot(*a.vector):
+        raise NoValueError("it points at the reader")
+    way = toward((0, 0), seen)
+    same = [u for u in used if apart(u[0], start) < 0.3 and u[1][0] * way[0] + u[1][1] * way[1] > _NEAR]
+    used.append((start, way))
+    if same:
+        shift = 0.19 * (1 if len(same) % 2 else -1) * ((len(same) + 1) // 2) * 2
+        start = beyond(start, left_of(way), shift)
+    start = beyond(start, way, math.sqrt(max(edge**2 - (0.38 * len(same)) ** 2, 0)) if edge else 0.0)
+    end = beyond(start, way, LENGTH)
+    sketch.arrow(start, end, kind, double=a.is_moment)
+    sketch.label(a.label, end, way)
+
+
+def _out_of_page(system: System, a: Acting) -> float:
+    """The sense of a moment as seen: positive where it turns counterclockwise on the page."""
+    first, second = (n for n in range(3) if system.view.units[n] != (0.0, 0.0))
+    u, v = system.view.units[first], system.view.units[second]
+    seen_from_front = u[0] * v[1] - u[1] * v[0]
+    third = ({0, 1, 2} - {first, second}).pop()
+    sign = -1 if third == 1 else 1
+    return a.vector[third] * sign * seen_from_front
+
+
+def _outline(sketch: Sketch, system: System, body: FreeBody, rotation: Rotation) -> None:
+    scale, known = system.page.scale, system.shapes[body.name]
+
+    def flat(point: tuple[float, float]) -> Point:
+        x, y = system.page.way(in_space(system.pose, rotation, point))
+        return x * scale, y * scale
+
+    held = [flat(h) for h in known.held]
+    e1 = toward((0, 0), system.page.way(system.pose.at(rotation.axes[0])))
+    if known.radius:
+        radius = known.radius * scale
+        sketch.ellipse((0.0, 0.0), (radius, 0.0), (0.0, radius))
+    elif held:
+        far = max(held, key=lambda h: math.hypot(*h))
+        pairs = [(a, b) for a in (*held, (0.0, 0.0)) for b in (*held, (0.0, 0.0))]
+        start, end = max(pairs, key=lambda p: apart(*p))
+        side = left_of(toward((0, 0), far))
+        if all(abs(h[0] * side[0] + h[1] * side[1]) < 0.06 for h in held):
+            sketch.capsule(start, end, 0.12)
+        else:
+            reach = max(math.hypot(*h) for h in held) + 0.18
+            way = toward((0, 0), far)
+            sketch.ellipse((0.0, 0.0), (way[0] * reach, way[1] * reach), (side[0] * 0.6 * reach, side[1] * 0.6 * reach))
+    else:
+        sketch.ellipse((0.0, 0.0), (e1[0] * 0.62, e1[1] * 0.62), (-e1[1] * 0.36, e1[0] * 0.36))
+
+
+__all__ = ["Kind", "free_body_scene"]

@@ -1,0 +1,145 @@
+"""What reactions tell of the shape of a plane body.
+
+A force R with the moment Γ about the mass centre acts along the line through r = R × Γ/R² from there. Followed through
+several positions of the system, that line may always pass through one point of the body: there the body is held, as the
+ladder at its foot. Or it may keep its distance from the mass centre while the body turns under it: then the body is a
+wheel of that radius. Where neither is seen, nothing is said of the shape, and the body is drawn as some ellipse.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from lagrange.kinematics import Configuration
+from lagrange.newton import Reaction
+from lagrange.pictures.floats import NoValueError, Space, inner, minus, outer, plus, solved
+from lagrange.pictures.poses import Pose
+from lagrange.rigid_bodies import Rotation
+from lagrange.vectors import Vector
+
+_SAME = 1e-6
+
+
+@dataclass(frozen=True)
+class Shape:
+    """What is known of a plane body.
+
+    held    points where it is held, along its axes e1, e2 from the mass centre
+    radius  of a wheel; 0 where it is not seen to be one
+    at      by reaction: where it acts, if that is a point of the body
+    """
+
+    held: tuple[tuple[float, float], ...]
+    radius: float
+    at: dict[str, tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class LineOfAction:
+    """Where a force acts on a body: the direction, and the nearest point from the mass centre."""
+
+    direction: Space
+    nearest: Space
+
+
+def line_of_action(force: Space, moment: Space) -> LineOfAction | None:
+    """The line along which a force alone has the same moment; None where there is no force."""
+    size = inner(force, force)
+    if size < 1e-12:
+        return None
+    r = outer(force, moment)
+    return LineOfAction(force, (r[0] / size, r[1] / size, r[2] / size))
+
+
+def force_and_moment(pose: Pose, reaction: Reaction, body: str) -> tuple[Space, Space]:
+    """The force and moment on a body, for 1 of what the reaction is written with. Raises NoValueError."""
+    force, moment = reaction.per_unit(body), reaction.moment_per_unit(body)
+    zero = Vector.zero()
+    return pose.at(force or zero), pose.at(moment or zero)
+
+
+def shape(pose: Pose, rotation: Rotation, reactions: Sequence[Reaction]) -> Shape:
+    """What the reactions on a body tell of its shape."""
+    held, at, radius = [], {}, 0.0
+    for reaction in reactions:
+        try:
+            seen = [*_lines(pose, rotation, reaction)]
+        except NoValueError:
+            continue
+        if len(seen) < 3:
+            continue
+        point = _common_point(seen)
+        if point is not None:
+            at[reaction.name] = point
+            held.append(point)
+        else:
+            distances = [math.hypot(*p) for _, p in seen]
+            if min(distances) > 0.05 and max(distances) - min(distances) < _SAME:
+                radius = max(radius, distances[0])
+    return Shape(tuple(held), radius, at)
+
+
+def _lines(
+    pose: Pose, rotation: Rotation, reaction: Reaction
+) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+    """Direction and nearest point of the line of action in several positions, along e1 and e2."""
+    for p in (pose, *pose.others):
+        line = line_of_action(*force_and_moment(p, reaction, rotation.name))
+        if line is None:
+            return
+        e1, e2 = p.at(rotation.axes[0]), p.at(rotation.axes[1])
+        yield (
+            (inner(line.direction, e1), inner(line.direction, e2)),
+            (inner(line.nearest, e1), inner(line.nearest, e2)),
+        )
+
+
+def _common_point(
+    seen: Sequence[tuple[tuple[float, float], tuple[float, float]]],
+) -> tuple[float, float] | None:
+    """The point through which all lines pass."""
+    rows = []
+    for (dx, dy), (px, py) in seen:
+        size = math.hypot(dx, dy)
+        rows.append((-dy / size, dx / size, (-dy * px + dx * py) / size))
+    first = rows[0]
+    second = max(rows[1:], key=lambda r: abs(first[0] * r[1] - first[1] * r[0]))
+    if abs(first[0] * second[1] - first[1] * second[0]) < 0.02:
+        return None
+    x, y = solved([first[:2], second[:2]], [first[2], second[2]])
+    if all(abs(a * x + b * y - c) < _SAME for a, b, c in rows):
+        return x, y
+    return None
+
+
+def reaction_point(pose: Pose, rotation: Rotation, reaction: Reaction, known: Shape) -> Space | None:
+    """Where the force of a reaction is drawn, from the mass centre; None where it is only a moment."""
+    line = line_of_action(*force_and_moment(pose, reaction, rotation.name))
+    if line is None:
+        return None
+    if reaction.name in known.at:
+        return in_space(pose, rotation, known.at[reaction.name])
+    return line.nearest
+
+
+def in_space(pose: Pose, rotation: Rotation, point: tuple[float, float]) -> Space:
+    """A point of the body from its mass centre, in i, j, k."""
+    x, y = point
+    return plus(plus((0.0, 0.0, 0.0), pose.at(rotation.axes[0]), x), pose.at(rotation.axes[1]), y)
+
+
+def own_coordinates(pose: Pose, rotation: Rotation, centre: Vector, point: Space) -> tuple[float, float]:
+    """A point of space along the axes of the body, from its mass centre."""
+    way = minus(point, pose.at(centre))
+    return inner(way, pose.at(rotation.axes[0])), inner(way, pose.at(rotation.axes[1]))
+
+
+def is_planar(configuration: Configuration, name: str) -> Rotation | None:
+    """The rotation of a body that turns about one fixed axis, which its third is."""
+    rotation = next((r for r in configuration.rotations if r.name == name), None)
+    if rotation is None:
+        return None
+    third = rotation.axes[2].fixed()
+    return rotation if all(c.is_number for c in third.components) else None

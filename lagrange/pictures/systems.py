@@ -1,0 +1,201 @@
+"""The picture of a system in a general position: axes, particles, rods, bodies, springs, curves, and its coordinates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.kinematics import Configuration
+from lagrange.links import Damped, Stretched
+from lagrange.newton import Newton, Reaction, newton_equations
+from lagrange.notation import Unspecified
+from lagrange.pictures.floats import NoValueError, Space, plus
+from lagrange.pictures.poses import Pose, general_pose, notable
+from lagrange.pictures.shapes import Shape, is_planar, shape
+from lagrange.pictures.views import View, view
+from lagrange.problem import Problem
+from lagrange.rods import Rod
+from lagrange.scene import Point
+from lagrange.solution import Solution
+from lagrange.vectors import Vector
+
+WIDTH, HEIGHT = 6.2, 4.6
+MOST_POINTS = 12
+LONGEST_LINE = 7.0
+
+
+@dataclass(frozen=True)
+class System:
+    """A system in a position, on a page.
+
+    newton  its free bodies and reactions
+    """
+
+    problem: Problem
+    configuration: Configuration
+    newton: Newton
+    pose: Pose
+    view: View
+
+    @property
+    def rods(self) -> tuple[tuple[Reaction, Rod], ...]:
+        """The distances that are kept."""
+        return tuple((r, r.rod) for r in self.newton.reactions if r.rod is not None)
+
+    def reactions_on(self, body: str) -> tuple[Reaction, ...]:
+        """The reactions on a body, where they are known."""
+        known = (r for r in self.newton.reactions if r.directions is not None)
+        return tuple(r for r in known if body in r.acts_on)
+
+    @cached_property
+    def shapes(self) -> dict[str, Shape]:
+        """What is known of the shapes of plane bodies."""
+        turning = [is_planar(self.configuration, p.name) for p in self.configuration.points]
+        return {r.name: shape(self.pose, r, self.reactions_on(r.name)) for r in turning if r is not None}
+
+    @cached_property
+    def rod_ends(self) -> tuple[Vector, ...]:
+        """Where rods are hinged to what is no particle."""
+        return tuple(dict.fromkeys(rod.centre for _, rod in self.rods if rod.centre is not None))
+
+    @cached_property
+    def page(self) -> Page:
+        """The page, with room for what is drawn."""
+        places = [self.pose.at(v) for v in (*notable(self.configuration), *self.rod_ends)]
+        flat = [self.view.flat(p) for p in (*places, (0.0, 0.0, 0.0))]
+        for p in self.configuration.points:
+            known = self.shapes.get(p.name)
+            if known is None:
+                continue
+            x, y = self.view.flat(self.pose.at(p.position))
+            reach = max([known.radius, *(math.hypot(*held) for held in known.held)])
+            flat += [(x - reach, y - reach), (x + reach, y + reach)] if known.radius else []
+        left, right = min(p[0] for p in flat), max(p[0] for p in flat)
+        low, high = min(p[1] for p in flat), max(p[1] for p in flat)
+        only = right - left < 1e-9 or high - low < 1e-9
+        scale = min(
+            (LONGEST_LINE if only else WIDTH) / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), 4.0
+        )
+        return Page(self.view, scale)
+
+
+@dataclass(frozen=True)
+class Page:
+    """From space to centimetres; the origin is at (0, 0)."""
+
+    view: View
+    scale: float
+
+    def __call__(self, place: Space) -> Point:
+        """Where a point of space is on the page."""
+        x, y = self.view.flat(place)
+        return x * self.scale, y * self.scale
+
+    def way(self, vector: Space) -> Point:
+        """A vector on the page, in the units of the problem."""
+        return self.view.flat(vector)
+
+
+def system_in_file(solution: Solution) -> System | None:
+    """The system in the coordinates of the file."""
+    return _system(solution, solution.configuration, *_pose_in_file(solution))
+
+
+def system_in_choice(solution: Solution, configuration: Configuration) -> System | None:
+    """The system in a choice of generalized coordinates."""
+    pose = general_pose(solution.problem, configuration)
+    return None if pose is None else _system(solution, configuration, pose, _newton(solution))
+
+
+def _system(solution: Solution, configuration: Configuration, pose: Pose | None, newton: Newton | None) -> System | None:
+    if pose is None or newton is None or not configuration.points or len(configuration.points) > MOST_POINTS:
+        return None
+    used = set()
+    for v in notable(solution.configuration):
+        used |= {n for n, c in enumerate(v.fixed().components) if c != 0}
+    for r in solution.configuration.rotations:
+        for axis in r.axes[:2]:
+            used |= {n for n, c in enumerate(axis.fixed().components) if c != 0}
+    return System(solution.problem, configuration, newton, pose, view(solution.problem.axes, frozenset(used)))
+
+
+def is_undefined(configuration: Configuration) -> bool:
+    """Whether an undefined function stands where a place is needed."""
+    places = (c for v in notable(configuration) for c in v.fixed().components)
+    return any(sp.sympify(e, strict=True).has(Unspecified) for e in (*places, *configuration.finite_constraints))
+
+
+def _newton(solution: Solution) -> Newton:
+    if solution.law is not None:
+        return solution.law.newton
+    problem = solution.problem
+    return newton_equations(solution.configuration, problem.constraints, 0, frozenset(problem.scope.names()))
+
+
+def _pose_in_file(solution: Solution) -> tuple[Pose | None, Newton | None]:
+    """A position that looks good in one of the choices of coordinates, otherwise in those of the file."""
+    original = solution.configuration
+    if is_undefined(original):
+        return None, None
+    newton = _newton(solution)
+    centres = [r.rod.centre for r in newton.reactions if r.rod is not None and r.rod.centre is not None]
+    for choice in solution.choices:
+        chosen = choice.coordinates.configuration
+        if chosen.expressed and not chosen.finite_constraints and not is_undefined(chosen):
+            pose = general_pose(solution.problem, chosen, centres if not _moving(centres, original) else ())
+            found = None if pose is None else _in_file(pose, original)
+            if found is not None:
+                return found, newton
+    return general_pose(solution.problem, original, centres), newton
+
+
+def _moving(centres: Sequence[Vector], configuration: Configuration) -> bool:
+    moving = set(configuration.slots.coordinates)
+    return any(c.free_symbols & moving for v in centres for c in v.fixed().components)
+
+
+def _in_file(pose: Pose, original: Configuration) -> Pose | None:
+    """The same position in the coordinates of the file, if it satisfies the constraints there."""
+    try:
+        old = {q: pose.number(e) for q, e in pose.configuration.expressed.items()}
+        found = Pose(original, {**pose.values, **old})
+        if any(q not in found.values for q in original.slots.coordinates):
+            return None
+        if any(abs(found.number(sp.sympify(f, strict=True))) > 1e-9 for f in original.finite_constraints):
+            return None
+    except NoValueError:
+        return None
+    return found
+
+
+def ends_of(link: Stretched | Damped, configuration: Configuration, pose: Pose) -> tuple[Space, Space]:
+    """The two ends of a spring or damper. Raises NoValueError."""
+    places = {p.name: p.position for p in configuration.points}
+    first, second = (pose.at(places[e]) if isinstance(e, str) else pose.at(e) for e in link.ends)
+    return first, second
+
+
+def rod_ends(rod: Rod, configuration: Configuration, pose: Pose) -> tuple[Space, Space]:
+    """The two ends of a rod. Raises NoValueError."""
+    places = {p.name: p.position for p in configuration.points}
+    first = pose.at(places[rod.ends[0]])
+    if rod.ends[1]:
+        return first, pose.at(places[rod.ends[1]])
+    assert rod.centre is not None
+    return first, pose.at(rod.centre)
+
+
+def with_other_values(pose: Pose, expressions: Sequence[sp.Expr]) -> Pose:
+    """The pose with a value for every symbol: velocities are 1, and so are unknown forces."""
+    symbols = set().union(*(e.free_symbols for e in expressions)) if expressions else set()
+    others = {s: 1.0 + 0.1 * n for n, s in enumerate(sorted(symbols - set(pose.values), key=str))}
+    return replace(pose, values={**pose.values, **others})
+
+
+def tip(start: Space, direction: Space, by: float) -> Space:
+    """A point in a direction."""
+    return plus(start, direction, by)

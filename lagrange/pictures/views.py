@@ -1,0 +1,92 @@
+"""From space to the page: where i, j and k point.
+
+A plane problem is seen from in front of its plane, and its axes point as the file says ("right", "down", "east"); where
+the words say nothing, the first points to the right and the second up. Space is drawn in an oblique projection, i
+towards the reader, j to the right, k up, or turned so that the words of the file are right:
+
+    i  (−0.45, −0.36) ,     j  (1, 0) ,     k  (0, 1) .
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from lagrange.pictures.floats import Space
+from lagrange.scene import Point
+
+_RIGHT, _UP = (1.0, 0.0), (0.0, 1.0)
+_LEFT, _DOWN = (-1.0, 0.0), (0.0, -1.0)
+_NEAR, _FAR = (-0.45, -0.36), (0.45, 0.36)
+_WORDS = {
+    "right": _RIGHT,
+    "left": _LEFT,
+    "up": _UP,
+    "down": _DOWN,
+    "upward": _UP,
+    "upwards": _UP,
+    "downward": _DOWN,
+    "downwards": _DOWN,
+    "vertically up": _UP,
+    "vertically down": _DOWN,
+    "horizontal": _RIGHT,
+    "east": _RIGHT,
+    "west": _LEFT,
+    "north": _UP,
+    "south": _DOWN,
+    "away from the wall": _RIGHT,
+}
+_COMPASS = ({"i": "east", "j": "north"}, (_RIGHT, _FAR, _UP)), ({"i": "north", "j": "east"}, (_FAR, _RIGHT, _DOWN))
+
+
+@dataclass(frozen=True)
+class View:
+    """Where the unit vectors point on the page, and which of them are drawn."""
+
+    units: tuple[Point, Point, Point]
+    shown: tuple[int, ...]
+    planar: bool
+
+    def flat(self, v: Space) -> Point:
+        """A vector on the page, in the units of the problem."""
+        x = sum(c * u[0] for c, u in zip(v, self.units, strict=True))
+        y = sum(c * u[1] for c, u in zip(v, self.units, strict=True))
+        return x, y
+
+
+def view(axes: Mapping[str, str], used: frozenset[int]) -> View:
+    """How a problem is seen. `used`: the numbers of the unit vectors along which things lie."""
+    if len(used) == 3:
+        return View(_in_space(axes), (0, 1, 2), planar=False)
+    first, second = sorted({*used, *([0, 1] if used <= {0, 1} else [min({0, 1} - used), 2])})[:2]
+    a, b = (_WORDS.get(_word(axes, n)) for n in (first, second))
+    if a is None and b is None:
+        a, b = _RIGHT, _UP
+    elif a is None and b is not None:
+        a = _RIGHT if b[0] == 0 else _UP
+    elif b is None and a is not None:
+        b = _UP if a[1] == 0 else _RIGHT
+    assert a is not None
+    assert b is not None
+    if a[0] * b[0] + a[1] * b[1] != 0:
+        a, b = _RIGHT, _UP
+    units = [(0.0, 0.0)] * 3
+    units[first], units[second] = a, b
+    shown = (first, second) if len(used) == 2 or not used else tuple(sorted(used))
+    return View((units[0], units[1], units[2]), shown, planar=True)
+
+
+def _word(axes: Mapping[str, str], number: int) -> str:
+    return axes.get("ijk"[number], "").lower().removeprefix("to the ").strip()
+
+
+def _in_space(axes: Mapping[str, str]) -> tuple[Point, Point, Point]:
+    words = {name: word.lower().strip() for name, word in axes.items()}
+    for said, units in _COMPASS:
+        if said.items() <= words.items():
+            return units
+    if words.get("k") == "down":
+        return _RIGHT, _NEAR, _DOWN
+    if words.get("j") == "up":
+        return _RIGHT, _UP, _NEAR
+    return _NEAR, _RIGHT, _UP

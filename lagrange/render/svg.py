@@ -1,0 +1,98 @@
+"""A picture in SVG, to stand in a web page: colours are those of the page, letters are text."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator
+from html import escape
+
+import sympy as sp
+
+from lagrange.scene import Dot, Line, Point, Scene
+
+CENTIMETRE = 42.0
+TIP = 0.2
+_PIECE = re.compile(r"(?P<index>_[^\W_]+(?:[._][^\W_]+)*)|(?P<word>[^\W\d_]\u0307?\u0308?(?:[^\W\d_])+)|(?P<letter>[^\W\d_][\u0300-\u036f]*)|(?P<other>.)")
+_UPRIGHT = {"sin", "cos", "tan", "cot", "exp", "log"}
+
+
+def figure(scene: Scene, alt: str, write: Callable[[sp.Expr], str]) -> Iterator[str]:
+    """The lines of an `svg` element. `write` is Unicode of mathematics."""
+    box = scene.box
+    width, height = box.width * CENTIMETRE, box.height * CENTIMETRE
+
+    def place(p: Point) -> tuple[float, float]:
+        return (p[0] - box.left) * CENTIMETRE, (box.top - p[1]) * CENTIMETRE
+
+    yield (
+        f'<svg class="picture" role="img" viewBox="0 0 {width:.1f} {height:.1f}" '
+        f'width="{width:.0f}" height="{height:.0f}"><title>{escape(alt)}</title>'
+    )
+    for line in scene.lines:
+        yield from _line(line, place)
+    for dot in scene.dots:
+        yield _dot(dot, place)
+    for label in scene.labels:
+        x, y = place(label.at)
+        content = _word(label.content) if isinstance(label.content, str) else spans(write(label.content))
+        yield f'<text x="{x:.1f}" y="{y + 5:.1f}">{content}</text>'
+    yield "</svg>"
+
+
+def spans(text: str) -> str:
+    """Mathematics as text: letters in italics, indices lowered."""
+    found = ""
+    lowered = False
+    for piece in _PIECE.finditer(text):
+        whole = piece[0]
+        if piece["index"]:
+            inner = whole[1:]
+            style = "" if len(inner) > 1 else ' class="i"'
+            found += f'<tspan{style} dy="4" font-size="75%">{escape(inner)}</tspan>'
+            lowered = True
+            continue
+        back = ' dy="-4"' if lowered else ""
+        lowered = False
+        italic = ' class="i"' if piece["letter"] or (piece["word"] and whole not in _UPRIGHT) else ""
+        found += f"<tspan{italic}{back}>{escape(whole)}</tspan>" if italic or back else escape(whole)
+    return found
+
+
+def _word(text: str) -> str:
+    return f"<tspan>{escape(text)}</tspan>"
+
+
+def _line(line: Line, place: Callable[[Point], tuple[float, float]]) -> Iterator[str]:
+    points = list(line.points)
+    tips = []
+    if line.tip:
+        end = points[-1]
+        before = next((p for p in reversed(points[:-1]) if math.dist(p, end) >= TIP), points[0])
+        tips.append(_tip(before, end, place))
+        size = math.dist(before, end)
+        back = (end[0] + (before[0] - end[0]) * TIP * 0.7 / size, end[1] + (before[1] - end[1]) * TIP * 0.7 / size)
+        if line.double:
+            tips.append(_tip(before, back, place))
+        while len(points) > 2 and math.dist(points[-2], end) < TIP * 0.7:
+            points.pop(-2)
+        points[-1] = back
+    path = " ".join(f"{'L' if n else 'M'}{x:.1f} {y:.1f}" for n, (x, y) in enumerate(map(place, points)))
+    yield f'<path class="{line.kind.value}" d="{path}{" Z" if line.closed else ""}"/>'
+    for tip in tips:
+        yield f'<path class="{line.kind.value} tip" d="{tip}"/>'
+
+
+def _tip(before: Point, end: Point, place: Callable[[Point], tuple[float, float]]) -> str:
+    (x0, y0), (x, y) = place(before), place(end)
+    size = math.hypot(x - x0, y - y0) or 1.0
+    c, s = (x - x0) / size, (y - y0) / size
+    long, wide = TIP * CENTIMETRE, TIP * CENTIMETRE * 0.34
+    corners = ((x, y), (x - long * c + wide * s, y - long * s - wide * c), (x - long * c - wide * s, y - long * s + wide * c))
+    return "M" + " L".join(f"{a:.1f} {b:.1f}" for a, b in corners) + " Z"
+
+
+def _dot(dot: Dot, place: Callable[[Point], tuple[float, float]]) -> str:
+    x, y = place(dot.at)
+    kind = "hinge" if dot.open else "particle"
+    return f'<circle class="{kind}" cx="{x:.1f}" cy="{y:.1f}" r="{dot.radius * CENTIMETRE:.1f}"/>'
