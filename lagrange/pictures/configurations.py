@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 
 import sympy as sp
 
@@ -12,8 +11,8 @@ from lagrange.notation import UnitVector
 from lagrange.pictures.curves import constraint_curve
 from lagrange.pictures.floats import NoValueError, Space, minus, outer
 from lagrange.pictures.loads import Acting, loads_on
-from lagrange.pictures.marks import AngleMark, angle_mark, distance_marks
-from lagrange.pictures.shapes import in_space, is_planar
+from lagrange.pictures.marks import AngleMark, angle_mark, crosswise, distance_marks
+from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, is_planar, reaction_point
 from lagrange.pictures.sketch import HINGE, PARTICLE, Sketch, along, apart, beyond, left_of, toward
 from lagrange.pictures.systems import System, ends_of, rod_ends
 from lagrange.render.mathematics import Notation
@@ -92,6 +91,11 @@ class _Drawing:
             if sp.count_ops(rod.length) <= LONGEST_LABEL:
                 self.sketch.label_beside(rod.length, second, first, optional=True)
 
+        for a, b in self.system.kept_distances:
+            start, end = self.flat(self.places[a]), self.flat(self.places[b])
+            self.sketch.line([start, end], Kind.ROD)
+            self.busy.append((start, end))
+
     def hinge(self, at: Point) -> None:
         if all(apart(at, h) > 1e-3 for h in self.hinges):
             self.hinges.append(at)
@@ -141,7 +145,7 @@ class _Drawing:
         centre = self.flat(self.places[p.name])
         known = self.system.shapes[p.name]
         held = [self.flat(_sum(self.places[p.name], in_space(self.pose, rotation, h))) for h in known.held]
-        held += [self.flat(j) for j in self.joints(p)]
+        held += [self.flat(j) for j in self.system.joints.get(p.name, ())]
         for h in held:
             self.hinge(h)
         if known.radius:
@@ -161,17 +165,21 @@ class _Drawing:
             e1 = toward((0, 0), self.page.way(self.pose.at(rotation.axes[0])))
             self.sketch.ellipse(centre, _scaled(e1, 0.62), _scaled(left_of(e1), 0.36))
         self.sketch.dot(centre, 0.06)
+        self.supports(p, rotation)
 
-    def joints(self, p: MassPoint) -> Iterator[Space]:
-        """Where a body turns about: the centre of the circle of its mass centre under its own angle."""
-        rotation = is_planar(self.system.configuration, p.name)
-        moving = set(self.pose.coordinates)
-        if rotation is None:
-            return
-        for q in rotation.axes[0].fixed().components[0].free_symbols & moving:
-            mark = angle_mark(self.pose, q, p.position)
-            if mark is not None:
-                yield mark.centre
+    def supports(self, p: MassPoint, rotation: Rotation) -> None:
+        """The lines on which a body slides or rolls: across a reaction that always has the same direction."""
+        known = self.system.shapes[p.name]
+        for reaction in self.system.reactions_on(p.name):
+            rolls = known.radius and reaction.name not in known.at
+            point = reaction_point(self.pose, rotation, reaction, known)
+            if point is None or math.hypot(*point) < 1e-6 or not has_one_direction(self.pose, reaction, p.name):
+                continue
+            at = self.flat(_sum(self.places[p.name], point))
+            force, _ = force_and_moment(self.pose, reaction, p.name)
+            way = toward((0, 0), self.page.way(force))
+            way = way if rolls else left_of(way)
+            self.sketch.line([beyond(at, way, -1.1), beyond(at, way, 1.1)], Kind.CURVE)
 
     def triad(self, p: MassPoint, rotation: Rotation) -> None:
         centre = self.flat(self.places[p.name])
@@ -214,6 +222,8 @@ class _Drawing:
             found = constraint_curve(self.pose, row, p.position, self.page, frame)
             if found is not None:
                 self.sketch.line(found[0], Kind.CURVE, closed=found[1])
+                if _in_line(found[0][0], found[0][1:]):
+                    self.busy.append((found[0][0], found[0][-1]))
 
     def loads(self) -> None:
         for name in self.places:
@@ -241,6 +251,7 @@ class _Drawing:
             marks = distance_marks(self.pose, rest, p.position, known)
             for m in marks:
                 rest.remove(m.coordinate)
+            for m in crosswise(marks):
                 self.distance(m.coordinate, m.start, m.end, len(marks) == 1)
         for q in rest:
             self.turn(q)
@@ -362,7 +373,7 @@ class _Drawing:
         way = toward((0, 0), way)
         corners = [p for line in self.sketch.lines for p in line.points] + [d.at for d in self.sketch.dots]
         box = Box.around(corners)
-        x = box.right + 0.55
+        x = box.right + 0.75
         start = (x, (box.top + box.bottom) / 2 - way[1] * 0.45)
         end = beyond(start, way, 0.9)
         self.sketch.arrow(start, end, Kind.AXIS)

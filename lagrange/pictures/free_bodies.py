@@ -10,7 +10,7 @@ import math
 from collections.abc import Sequence
 
 from lagrange.newton import FreeBody
-from lagrange.pictures.floats import NoValueError
+from lagrange.pictures.floats import NoValueError, minus
 from lagrange.pictures.loads import Acting, acting_on
 from lagrange.pictures.shapes import in_space, is_planar
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
@@ -119,6 +119,10 @@ def _outline(sketch: Sketch, system: System, body: FreeBody, rotation: Rotation)
         return x * scale, y * scale
 
     held = [flat(h) for h in known.held]
+    centre = system.pose.at(body.particle.position)
+    for joint in system.joints.get(body.name, ()):
+        x, y = system.page.way(minus(joint, centre))
+        held.append((x * scale, y * scale))
     e1 = toward((0, 0), system.page.way(system.pose.at(rotation.axes[0])))
     if known.radius:
         radius = known.radius * scale

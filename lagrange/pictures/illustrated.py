@@ -28,22 +28,32 @@ from lagrange.solution import Solution
 def illustrated(steps: Iterable[Step], solution: Solution, notation: Notation) -> Iterator[Step]:
     """The steps with their pictures."""
     choices = iter(solution.choices)
+    steps = tuple(steps)
+    free = solution.law is not None and bool(solution.law.newton.bodies)
+    later = any(s.rule is Rule.REACTIONS for s in steps)
     for step in steps:
         match step.rule:
             case Rule.STATEMENT:
                 words = len([*takewhile(lambda b: isinstance(b, Prose), step.body[:2])])
-                yield _with(step, words, _of_system(solution, notation))
-            case Rule.REACTIONS if solution.law is not None and solution.law.newton.bodies:
+                found = _with(step, words, _of_system(solution, notation, with_loads=not free))
+                last = len(found.body)
+                yield found if later or not free else _with(found, last, _of_free_bodies(solution, notation))
+            case Rule.REACTIONS if free:
                 yield _with(step, 1, _of_free_bodies(solution, notation))
             case Rule.GENERALIZED_COORDINATES:
                 choice = next(choices, None)
-                drawn = choice is not None and choice.coordinates.configuration.expressed
+                drawn = choice is not None and _has_new(choice.coordinates, solution)
                 if choice is not None and drawn:
                     yield _with(step, len(step.body), _of_choice(solution, choice.coordinates, notation))
                 else:
                     yield step
             case _:
                 yield step
+
+
+def _has_new(coordinates: GeneralizedCoordinates, solution: Solution) -> bool:
+    """Whether a choice has coordinates that the file has not."""
+    return not set(coordinates.configuration.slots.coordinates) <= set(solution.configuration.slots.coordinates)
 
 
 def _with(step: Step, place: int, picture: Picture) -> Step:
@@ -55,14 +65,13 @@ def _picture(draw: Callable[[], Scene | None], caption: tuple, alt: str) -> Pict
     return Picture(cache(draw), caption, alt)
 
 
-def _of_system(solution: Solution, notation: Notation) -> Picture:
+def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> Picture:
     def draw() -> Scene | None:
         from lagrange.pictures.configurations import configuration_scene
         from lagrange.pictures.systems import system_in_file
 
         system = system_in_file(solution)
-        shown = solution.works and solution.law is not None and solution.law.newton.bodies
-        return None if system is None else configuration_scene(system, notation, with_loads=not shown)
+        return None if system is None else configuration_scene(system, notation, with_loads)
 
     return _picture(draw, caption_of_system(solution), system_in_words(solution))
 

@@ -84,6 +84,16 @@ def is_distance(pose: Pose, coordinate: sp.Symbol, position: Vector) -> bool:
     return all(math.hypot(*s) < _SAME for s in steps)
 
 
+def crosswise(marks: Sequence[DistanceMark]) -> list[DistanceMark]:
+    """The first two steps of a way, each drawn from where it meets the other's axis: so those of two points differ."""
+    if len(marks) < 2:
+        return list(marks)
+    first, second, *others = marks
+    way = minus(second.end, second.start)
+    moved = DistanceMark(first.coordinate, plus(first.start, way), plus(first.end, way))
+    return [moved, second, *others]
+
+
 def distance_marks(
     pose: Pose, coordinates: Sequence[sp.Symbol], position: Vector, known: Iterable[Space]
 ) -> list[DistanceMark]:

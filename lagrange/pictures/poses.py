@@ -89,7 +89,7 @@ def general_pose(problem: Problem, configuration: Configuration, centres: Sequen
     best: tuple[float, Pose] | None = None
     for trial in range(TRIALS):
         try:
-            start = _guess(problem, configuration, points, Random(trial), 0.0 if trial == 0 else 0.3)
+            start = _guess(problem, configuration, points, trial)
             values = projected(configuration.finite_constraints, slopes, configuration.slots.coordinates, start)
             pose = Pose(configuration, values)
             score = _score(pose, points)
@@ -106,7 +106,7 @@ def _slopes(configuration: Configuration) -> list[list[sp.Expr]]:
 
 
 def _guess(
-    problem: Problem, configuration: Configuration, points: Sequence[Vector], random: Random, spread: float
+    problem: Problem, configuration: Configuration, points: Sequence[Vector], trial: int
 ) -> dict[sp.Symbol, float]:
     angles = set(_angles([*_expressions(configuration, points)]))
     values: dict[sp.Symbol, float] = {t: 1.0}
@@ -115,9 +115,12 @@ def _guess(
     coordinates = configuration.slots.coordinates
     unknowns = set().union(*(e.free_symbols for e in _expressions(configuration, points))) if points else set()
     turns = iter(_ANGLES * (1 + len(coordinates)))
-    for s in [*coordinates, *configuration.slots.prescribed]:
+    random, spread = Random(trial), 0.3 if trial else 0.0
+    for s in coordinates:
         wobble = 1 + random.uniform(-spread, spread)
-        values[s] = math.radians(next(turns)) * wobble if s in angles else _place(s.name) * wobble
+        values[s] = (math.radians(next(turns)) if s in angles else _place(s.name, falling=trial % 4 == 3)) * wobble
+    for s in configuration.slots.prescribed:
+        values[s] = 0.6 if s in angles else 0.5
     for s in sorted(parameters | unknowns, key=str):
         wobble = 1 + random.uniform(-spread, spread)
         if s not in values:
@@ -131,8 +134,9 @@ def _letter(name: str) -> tuple[str, int]:
     return letter, int(digits) if digits and len(digits) < 3 else 1
 
 
-def _place(name: str) -> float:
+def _place(name: str, *, falling: bool) -> float:
     letter, number = _letter(name)
+    number = max(4 - number, 1) if falling else number
     return _PLACES.get(letter, 1.3) * (1 + 0.7 * (number - 1))
 
 
@@ -167,9 +171,37 @@ def _expressions(configuration: Configuration, points: Sequence[Vector]) -> Iter
     yield from (s.distance for s in configuration.springs)
 
 
+def _in_order(pose: Pose) -> bool:
+    """Whether springs on one line, of which the file does not say how they lie, lead away from what holds them."""
+    configuration = pose.configuration
+    on_line = [s for s in configuration.springs if s.distance.has(sp.Abs)]
+    held = [e for s in on_line for e in s.ends if isinstance(e, Vector)]
+    depth: dict[str | Vector, int] = dict.fromkeys(held, 0)
+    for _ in on_line:
+        for s in on_line:
+            for a, b in (s.ends, s.ends[::-1]):
+                if a in depth:
+                    depth.setdefault(b, depth[a] + 1)
+    for s in on_line:
+        first, second = s.ends
+        if first in depth and second in depth and depth[first] != depth[second]:
+            ahead = sum(pose.at(s.apart))
+            if ahead * (depth[first] - depth[second]) < 0:
+                return False
+    return True
+
+
+def _negative(pose: Pose) -> int:
+    """How many coordinates are negative: a drawing has them positive if it can."""
+    values = [pose.values[q] for q in pose.coordinates]
+    return sum(v < 0 for v in (*values, *(pose.number(e) for e in pose.configuration.expressed.values())))
+
+
 def _score(pose: Pose, points: Sequence[Vector]) -> float | None:
     """How good it looks; None where points coincide that differ."""
     if any(pose.number(s.distance) < 0.2 for s in pose.configuration.springs):
+        return None
+    if not _in_order(pose):
         return None
     places = [pose.at(p) for p in points]
     seen = [*places, (0.0, 0.0, 0.0)]
@@ -190,4 +222,4 @@ def _score(pose: Pose, points: Sequence[Vector]) -> float | None:
         return None
     used = sorted(s for s in spans if s > 1e-9)
     shape = used[0] / used[-1] if len(used) > 1 else 1.0
-    return nearest + slant + 0.3 * min(shape, 0.7)
+    return nearest + slant + 0.3 * min(shape, 0.7) - _negative(pose)

@@ -74,7 +74,7 @@ def shape(pose: Pose, rotation: Rotation, reactions: Sequence[Reaction]) -> Shap
         if point is not None:
             at[reaction.name] = point
             held.append(point)
-        else:
+        elif _turns(seen):
             distances = [math.hypot(*p) for _, p in seen]
             if min(distances) > 0.05 and max(distances) - min(distances) < _SAME:
                 radius = max(radius, distances[0])
@@ -107,11 +107,27 @@ def _common_point(
     first = rows[0]
     second = max(rows[1:], key=lambda r: abs(first[0] * r[1] - first[1] * r[0]))
     if abs(first[0] * second[1] - first[1] * second[0]) < 0.02:
-        return None
+        same = all(math.dist(seen[0][1], p) < _SAME for _, p in seen)
+        return seen[0][1] if same and not _turns(seen) else None
     x, y = solved([first[:2], second[:2]], [first[2], second[2]])
     if all(abs(a * x + b * y - c) < _SAME for a, b, c in rows):
         return x, y
     return None
+
+
+def _turns(seen: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> bool:
+    """Whether a line of action has several directions in the body."""
+    (x, y), _ = seen[0]
+    return any(abs(x * b - y * a) > 0.02 * math.hypot(x, y) * math.hypot(a, b) for (a, b), _ in seen)
+
+
+def has_one_direction(pose: Pose, reaction: Reaction, body: str) -> bool:
+    """Whether the force of a reaction on a body has the same direction in all positions."""
+    try:
+        forces = [force_and_moment(p, reaction, body)[0] for p in (pose, *pose.others)]
+    except NoValueError:
+        return False
+    return len(forces) > 2 and all(math.hypot(*outer(forces[0], f)) < _SAME for f in forces)
 
 
 def reaction_point(pose: Pose, rotation: Rotation, reaction: Reaction, known: Shape) -> Space | None:
@@ -139,7 +155,7 @@ def own_coordinates(pose: Pose, rotation: Rotation, centre: Vector, point: Space
 def is_planar(configuration: Configuration, name: str) -> Rotation | None:
     """The rotation of a body that turns about one fixed axis, which its third is."""
     rotation = next((r for r in configuration.rotations if r.name == name), None)
-    if rotation is None:
+    if rotation is None or rotation.given:
         return None
     third = rotation.axes[2].fixed()
     return rotation if all(c.is_number for c in third.components) else None

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import combinations
 
 import sympy as sp
 
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, MassPoint
 from lagrange.links import Damped, Stretched
 from lagrange.newton import Newton, Reaction, newton_equations
 from lagrange.notation import Unspecified
 from lagrange.pictures.floats import NoValueError, Space, plus
+from lagrange.pictures.marks import angle_mark
 from lagrange.pictures.poses import Pose, general_pose, notable
-from lagrange.pictures.shapes import Shape, is_planar, shape
+from lagrange.pictures.shapes import Shape, is_planar, own_coordinates, shape
 from lagrange.pictures.views import View, view
 from lagrange.problem import Problem
+from lagrange.rigid_bodies import Rotation
 from lagrange.rods import Rod
 from lagrange.scene import Point
 from lagrange.solution import Solution
@@ -58,6 +61,45 @@ class System:
         return {r.name: shape(self.pose, r, self.reactions_on(r.name)) for r in turning if r is not None}
 
     @cached_property
+    def joints(self) -> dict[str, list[Space]]:
+        """Where plane bodies are joined to what does not move, or to one another.
+
+        It is the centre of the circle on which a mass centre moves with the angle of its body alone, if that point stays
+        where it is in space, or in another body.
+        """
+        found: dict[str, list[Space]] = {}
+        for p in self.configuration.points:
+            rotation = is_planar(self.configuration, p.name)
+            for centre in _circle_centres(self.pose, p, rotation) if rotation is not None else ():
+                here = centre(self.pose)
+                if here is None:
+                    continue
+                still = _same_everywhere(self.pose, lambda pose, c=centre: c(pose))
+                others = [o for o in self.configuration.points if o.name != p.name and _holds(self, o, centre)]
+                if still or others:
+                    found.setdefault(p.name, []).append(here)
+                for o in others:
+                    found.setdefault(o.name, []).append(here)
+        return found
+
+    @cached_property
+    def kept_distances(self) -> tuple[tuple[str, str], ...]:
+        """Pairs of particles that the constraints together keep at a distance, where no single one does."""
+        ends = {frozenset(rod.ends) for _, rod in self.rods}
+        turning = {r.name for r in self.configuration.rotations}
+        points = [p for p in self.configuration.points if p.name not in turning]
+        if not self.configuration.finite_constraints or len(self.pose.others) < 3:
+            return ()
+        found = []
+        for a, b in combinations(points, 2):
+            if {a.name, b.name} in ends:
+                continue
+            apart = [math.dist(p.at(a.position), p.at(b.position)) for p in (self.pose, *self.pose.others)]
+            if max(apart) - min(apart) < 1e-7 and apart[0] > 1e-3:
+                found.append((a.name, b.name))
+        return tuple(found)
+
+    @cached_property
     def rod_ends(self) -> tuple[Vector, ...]:
         """Where rods are hinged to what is no particle."""
         return tuple(dict.fromkeys(rod.centre for _, rod in self.rods if rod.centre is not None))
@@ -73,7 +115,8 @@ class System:
                 continue
             x, y = self.view.flat(self.pose.at(p.position))
             reach = max([known.radius, *(math.hypot(*held) for held in known.held)])
-            flat += [(x - reach, y - reach), (x + reach, y + reach)] if known.radius else []
+            reach = reach if known.radius or known.held else 0.0
+            flat += [(x - reach, y - reach), (x + reach, y + reach)]
         left, right = min(p[0] for p in flat), max(p[0] for p in flat)
         low, high = min(p[1] for p in flat), max(p[1] for p in flat)
         only = right - left < 1e-9 or high - low < 1e-9
@@ -81,6 +124,38 @@ class System:
             (LONGEST_LINE if only else WIDTH) / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), 4.0
         )
         return Page(self.view, scale)
+
+
+def _circle_centres(pose: Pose, p: MassPoint, rotation: Rotation) -> list[Callable[[Pose], Space | None]]:
+    """For each coordinate that turns a body, where the centre of the circle of its mass centre is."""
+    turning = set().union(*(c.free_symbols for c in rotation.axes[0].fixed().components)) & set(pose.coordinates)
+
+    def centre(pose: Pose, q: sp.Symbol) -> Space | None:
+        mark = angle_mark(pose, q, p.position)
+        return None if mark is None else mark.centre
+
+    return [lambda pose, q=q: centre(pose, q) for q in sorted(turning, key=str)]  # type: ignore[misc]
+
+
+def _same_everywhere(pose: Pose, place: Callable[[Pose], Space | None]) -> bool:
+    places = [place(p) for p in (pose, *pose.others)]
+    known = [p for p in places if p is not None]
+    return len(known) > 2 and all(math.dist(known[0], p) < 1e-7 for p in known)
+
+
+def _holds(system: System, body: MassPoint, point: Callable[[Pose], Space | None]) -> bool:
+    """Whether a point stays where it is in a body."""
+    rotation = is_planar(system.configuration, body.name)
+    if rotation is None:
+        return False
+
+    def inside(pose: Pose) -> Space | None:
+        place = point(pose)
+        if place is None:
+            return None
+        return (*own_coordinates(pose, rotation, body.position, place), 0.0)
+
+    return _same_everywhere(system.pose, inside)
 
 
 @dataclass(frozen=True)
