@@ -25,6 +25,7 @@ class Kind(StrEnum):
     """What a line stands for."""
 
     ROD = "rod"  # a distance that is kept
+    LINK = "link"  # a distance that the coordinates keep by themselves
     BODY = "body"  # the outline of a rigid body
     CURVE = "curve"  # a curve on which a particle is kept
     SPRING = "spring"
@@ -170,7 +171,7 @@ class Scene:
         )
 
 
-def side_by_side(scenes: Iterable[Scene], width: float, gap: float = 1.1) -> Scene:
+def side_by_side(scenes: Iterable[Scene], width: float, gap: float = 0.8) -> Scene:
     """Scenes in rows that are no wider than `width`, each row in the middle."""
     rows: list[list[Scene]] = []
     used = 0.0

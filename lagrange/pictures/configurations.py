@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
+from itertools import combinations
 
 import sympy as sp
 
 from lagrange.kinematics import MassPoint
+from lagrange.newton import Reaction
 from lagrange.notation import UnitVector
 from lagrange.pictures.curves import constraint_curve
 from lagrange.pictures.floats import NoValueError, Space, minus, outer
-from lagrange.pictures.loads import Acting, loads_on
-from lagrange.pictures.marks import AngleMark, angle_mark, crosswise, distance_marks
+from lagrange.pictures.loads import Acting, given_loads
+from lagrange.pictures.marks import AngleMark, DistanceMark, angle_mark, crosswise, distance_marks, relative_angle_mark
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, is_planar, reaction_point
 from lagrange.pictures.sketch import HINGE, PARTICLE, Sketch, along, apart, beyond, left_of, toward
 from lagrange.pictures.systems import System, ends_of, rod_ends
@@ -45,6 +47,7 @@ class _Drawing:
         self.sketch = Sketch()
         self.places = {p.name: self.pose.at(p.position) for p in system.configuration.points}
         self.origin = self.page((0.0, 0.0, 0.0))
+        self.turning_points: list[tuple[tuple[sp.Symbol, MassPoint], Space]] = []
         self.hinges: list[Point] = []
         self.busy: list[tuple[Point, Point]] = []
 
@@ -91,10 +94,35 @@ class _Drawing:
             if sp.count_ops(rod.length) <= LONGEST_LABEL:
                 self.sketch.label_beside(rod.length, second, first, optional=True)
 
-        for a, b in self.system.kept_distances:
-            start, end = self.flat(self.places[a]), self.flat(self.places[b])
-            self.sketch.line([start, end], Kind.ROD)
-            self.busy.append((start, end))
+        for a, b, by_constraints in self.system.kept_distances:
+            if by_constraints:
+                start, end = self.flat(self.places[a]), self.flat(self.places[b])
+                self.sketch.line([start, end], Kind.ROD)
+                self.busy.append((start, end))
+
+    def stiff(self) -> None:
+        """Thin lines between points that keep their distance by the choice of coordinates."""
+        pairs = [(self.places[a], self.places[b]) for a, b, bound in self.system.kept_distances if not bound]
+        for q, centre in self.turning_points:
+            for p in self.system.configuration.points:
+                if is_planar(self.system.configuration, p.name) is None and self.keeps_distance(q, centre, p):
+                    pairs.append((centre, self.places[p.name]))
+        for a, b in pairs:
+            start, end = self.flat(a), self.flat(b)
+            if apart(start, end) > 0.1 and not any(_collinear((start, end), other) for other in self.busy):
+                self.sketch.line([start, end], Kind.LINK)
+                self.busy.append((start, end))
+
+    def keeps_distance(self, q: tuple[sp.Symbol, MassPoint], centre: Space, p: MassPoint) -> bool:
+        """Whether a point keeps its distance from the centre of the circle of another."""
+        symbol, turning = q
+        distances = [math.dist(centre, self.places[p.name])]
+        for pose in self.pose.others:
+            mark = angle_mark(pose, symbol, turning.position)
+            if mark is not None:
+                distances.append(math.dist(mark.centre, pose.at(p.position)))
+        moves = math.hypot(*centre) > 1e-9
+        return moves and len(distances) > 3 and max(distances) - min(distances) < 1e-7
 
     def hinge(self, at: Point) -> None:
         if all(apart(at, h) > 1e-3 for h in self.hinges):
@@ -128,8 +156,11 @@ class _Drawing:
             self.sketch.label_beside(constant, start, end, optional=True, clear=0.1)
             for named, at, other in zip(link.ends, (a, b), (b, a), strict=True):
                 if not isinstance(named, str) and all(apart(at, h) > 1e-3 for h in self.hinges):
-                    self.hinges.append(at)
-                    self.sketch.wall(at, toward(at, other))
+                    if self.in_line:
+                        self.hinges.append(at)
+                        self.sketch.wall(at, toward(at, other))
+                    else:
+                        self.hinge(at)
 
     def bodies(self) -> None:
         for p in self.system.configuration.points:
@@ -145,9 +176,10 @@ class _Drawing:
         centre = self.flat(self.places[p.name])
         known = self.system.shapes[p.name]
         held = [self.flat(_sum(self.places[p.name], in_space(self.pose, rotation, h))) for h in known.held]
-        held += [self.flat(j) for j in self.system.joints.get(p.name, ())]
-        for h in held:
-            self.hinge(h)
+        joints = [self.flat(j) for j in self.system.joints.get(p.name, ())]
+        held += joints
+        for j in joints:
+            self.hinge(j)
         if known.radius:
             radius = known.radius * self.page.scale
             self.sketch.ellipse(centre, (radius, 0.0), (0.0, radius))
@@ -161,6 +193,8 @@ class _Drawing:
             way = toward(centre, held[0])
             reach = max(apart(centre, h) for h in held) + 0.18
             self.sketch.ellipse(centre, (way[0] * reach, way[1] * reach), _scaled(left_of(way), 0.6 * reach))
+        elif self.system.configuration.rows:
+            self.triad(p, rotation)
         else:
             e1 = toward((0, 0), self.page.way(self.pose.at(rotation.axes[0])))
             self.sketch.ellipse(centre, _scaled(e1, 0.62), _scaled(left_of(e1), 0.36))
@@ -173,20 +207,46 @@ class _Drawing:
         for reaction in self.system.reactions_on(p.name):
             rolls = known.radius and reaction.name not in known.at
             point = reaction_point(self.pose, rotation, reaction, known)
-            if point is None or math.hypot(*point) < 1e-6 or not has_one_direction(self.pose, reaction, p.name):
+            if point is None or math.hypot(*point) < 1e-6:
+                continue
+            if not has_one_direction(self.pose, reaction, p.name):
+                self.track(p, rotation, reaction)
                 continue
             at = self.flat(_sum(self.places[p.name], point))
             force, _ = force_and_moment(self.pose, reaction, p.name)
             way = toward((0, 0), self.page.way(force))
             way = way if rolls else left_of(way)
-            self.sketch.line([beyond(at, way, -1.1), beyond(at, way, 1.1)], Kind.CURVE)
+            half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
+            self.sketch.line([beyond(at, way, -half), beyond(at, way, half)], Kind.CURVE)
+
+    def track(self, p: MassPoint, rotation: Rotation, reaction: Reaction) -> None:
+        """The part near a wheel of the circle on which it rolls."""
+        known = self.system.shapes[p.name]
+        if not known.radius or reaction.name in known.at:
+            return
+        touched = []
+        for pose in (self.pose, *self.pose.others):
+            point = reaction_point(pose, rotation, reaction, known)
+            touched.append(None if point is None else _sum(pose.at(p.position), point))
+        for q in self.pose.coordinates:
+            mark = angle_mark(self.pose, q, p.position)
+            if mark is None or any(x is None for x in touched) or len(touched) < 3:
+                continue
+            distances = [math.dist(mark.centre, x) for x in touched if x is not None]
+            if max(distances) - min(distances) < 1e-7 and touched[0] is not None:
+                centre, (x, y) = self.flat(mark.centre), self.flat(touched[0])
+                turn = math.atan2(y - centre[1], x - centre[0])
+                radius = distances[0] * self.page.scale
+                angles = [turn + (k - 16) * 0.06 for k in range(33)]
+                self.sketch.line([beyond(centre, (math.cos(a), math.sin(a)), radius) for a in angles], Kind.CURVE)
+                return
 
     def triad(self, p: MassPoint, rotation: Rotation) -> None:
         centre = self.flat(self.places[p.name])
-        if apart(centre, self.origin) > 1e-6:
-            self.sketch.line([self.origin, centre], Kind.GUIDE)
         for n, axis in enumerate(rotation.axes):
             x, y = self.page.way(self.pose.at(axis))
+            if math.hypot(x, y) < 0.15 and self.system.view.planar:
+                continue
             if math.hypot(x, y) < 0.15:
                 raise NoValueError("an axis points at the reader")
             end = (centre[0] + x * 0.95, centre[1] + y * 0.95)
@@ -227,7 +287,7 @@ class _Drawing:
 
     def loads(self) -> None:
         for name in self.places:
-            for acting in loads_on(self.system, name):
+            for acting in given_loads(self.system, name):
                 self.load(acting)
 
     def load(self, acting: Acting) -> None:
@@ -251,10 +311,28 @@ class _Drawing:
             marks = distance_marks(self.pose, rest, p.position, known)
             for m in marks:
                 rest.remove(m.coordinate)
+            if marks and not self.system.view.planar:
+                marks = self.on_the_floor(marks)
             for m in crosswise(marks):
                 self.distance(m.coordinate, m.start, m.end, len(marks) == 1)
-        for q in rest:
-            self.turn(q)
+        left = [q for q in rest if not self.turn(q)]
+        bodies = bool(self.system.configuration.rotations)
+        if self.system.view.planar and not bodies and any(self.moves_something(q) for q in left):
+            raise NoValueError("a coordinate that is seen nowhere")
+        self.stiff()
+
+    def moves_something(self, q: sp.Symbol) -> bool:
+        """Whether a coordinate moves a particle, by itself."""
+        moved = self.pose.moved(q, 0.3)
+        return any(math.dist(moved.at(p.position), self.places[p.name]) > 1e-9 for p in self.system.configuration.points)
+
+    def on_the_floor(self, marks: list[DistanceMark]) -> list[DistanceMark]:
+        """The way to a point at a fixed height is drawn at the height 0, with a plumb line."""
+        start, end = marks[0].start, marks[-1].end
+        if math.hypot(*start) < 1e-9:
+            return marks
+        self.sketch.line([self.flat(end), self.flat(minus(end, start))], Kind.GUIDE)
+        return [DistanceMark(m.coordinate, minus(m.start, start), minus(m.end, start)) for m in marks]
 
     def is_length(self, q: sp.Symbol) -> bool:
         """Whether a coordinate is written at a rod as its length."""
@@ -263,6 +341,14 @@ class _Drawing:
     def angle(self, q: sp.Symbol) -> bool:
         for p in self.system.configuration.points:
             mark = angle_mark(self.pose, q, p.position)
+            if mark is not None:
+                self.angle_at(mark)
+                self.turning_points.append(((q, p), mark.centre))
+                return True
+        turning = {r.name for r in self.system.configuration.rotations}
+        points = [p for p in self.system.configuration.points if p.name not in turning]
+        for a, b in combinations(points, 2) if self.system.view.planar else ():
+            mark = relative_angle_mark(self.pose, q, b.position, a.position)
             if mark is not None:
                 self.angle_at(mark)
                 return True
@@ -276,7 +362,7 @@ class _Drawing:
         length = apart(centre, end)
         radius = min(ARC + 0.25 * self.arcs_at(centre), 0.8 * length)
         ways = [toward((0, 0), self.page.way(a)) for a in mark.arc]
-        if not any(_same_ends((centre, end), b) for b in self.busy):
+        if not any(_collinear((centre, end), b) for b in self.busy):
             self.sketch.line([centre, end], Kind.GUIDE)
             self.busy.append((centre, end))
         self.arc(mark.coordinate, centre, ways, radius)
@@ -340,10 +426,10 @@ class _Drawing:
         self.sketch.arc([start, end], Kind.ANGLE)
         self.sketch.label_beside(q, start, end)
 
-    def turn(self, q: sp.Symbol) -> None:
+    def turn(self, q: sp.Symbol) -> bool:
         """The angle of a plane body, at its mass centre."""
         if not self.system.view.planar:
-            return
+            return False
         for p in self.system.configuration.points:
             rotation = is_planar(self.system.configuration, p.name)
             if rotation is None:
@@ -356,7 +442,8 @@ class _Drawing:
                 radius = min(ARC, 0.6 * known.radius * self.page.scale) if known.radius else ARC + 0.2
                 self.sketch.line([centre, beyond(centre, ways[-1], radius + 0.3)], Kind.GUIDE)
                 self.arc(q, centre, ways, radius)
-                return
+                return True
+        return False
 
     def gravity(self) -> None:
         field = self.system.problem.gravity

@@ -53,7 +53,7 @@ def size(content: sp.Expr | str, notation: Notation) -> tuple[float, float]:
     for c in body:
         width += SMALL_LETTER if c in _RAISED else SPACE if c in " .,'′()" else LETTER * (1.3 if c in "mwMW" else 1)
     low = small or any(c in _RAISED for c in body)
-    return width + 0.06, HEIGHT + (0.08 if low else 0.0)
+    return width + 0.06, HEIGHT + (0.08 if low else 0.0) + (0.22 if "/" in body else 0.0)
 
 
 def placed(

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from lagrange.kinematics import Load
+from lagrange.links import Damped, Stretched
 from lagrange.newton import FreeBody
 from lagrange.notation import Unspecified
 from lagrange.pictures.floats import NoValueError, Space, inner, minus, outer, unit
@@ -59,6 +60,11 @@ def acting_on(system: System, body: FreeBody) -> list[Acting]:
     return found
 
 
+def given_loads(system: System, name: str) -> list[Acting]:
+    """The applied forces on a particle or body, without springs and dampers. Raises NoValueError."""
+    return [*_loads(system, name)]
+
+
 def _posed(system: System, *vectors: Vector) -> Pose:
     return with_other_values(system.pose, [c for v in vectors for c in v.fixed().components])
 
@@ -97,11 +103,18 @@ def _pulls(system: System, name: str) -> Iterator[Acting]:
             if own == name:
                 first, second = ends_of(link, configuration, system.pose)
                 away = minus(first, second)
-                pull = link.pull
+                pull = _pull(link, system.pose)
                 label = pull if sp.count_ops(pull) <= MOST_OPERATIONS else _spoken(link.name)
                 yield Acting(name, label, (sign * away[0], sign * away[1], sign * away[2]), Kind.FORCE)
             elif not isinstance(own, str) and _moves(system, own):
                 raise NoValueError("a spring that is fastened beside a particle")
+
+
+def _pull(link: Stretched | Damped, pose: Pose) -> sp.Expr:
+    """The force with which it pulls its ends together; the distance on a line may be written with the other sign."""
+    if isinstance(link, Damped) and pose.number(link.distance) < 0:
+        return link.coefficient * sp.expand(-link.rate)
+    return link.pull
 
 
 def _moves(system: System, end: Vector) -> bool:
@@ -159,12 +172,19 @@ def _reaction(system: System, body: FreeBody, name: str) -> Iterator[Acting]:
     rotation = is_planar(system.configuration, body.name)
     if rotation is not None and math.hypot(*push) > 1e-9:
         where = reaction_point(pose, rotation, reaction, system.shapes[body.name])
-        yield Acting(body.name, reaction.force, push, Kind.REACTION, where or NOWHERE)
+        yield Acting(body.name, _times_size(reaction.force, force), push, Kind.REACTION, where or NOWHERE)
         return
     if math.hypot(*push) > 1e-9:
-        yield Acting(body.name, reaction.force, push, Kind.REACTION)
+        yield Acting(body.name, _times_size(reaction.force, force), push, Kind.REACTION)
     if math.hypot(*turn) > 1e-9:
-        yield Acting(body.name, reaction.force, turn, Kind.REACTION, is_moment=True)
+        yield Acting(body.name, _times_size(reaction.force, moment), turn, Kind.REACTION, is_moment=True)
+
+
+def _times_size(unknown: sp.Symbol, direction: Vector | None) -> sp.Expr:
+    """λ|∇f| where that is short; λ otherwise."""
+    assert direction is not None
+    size = sp.sqrt(textbook_form(direction.dot(direction)))
+    return unknown * size if size.is_Symbol or size.is_Integer else unknown
 
 
 def about(acting: Acting) -> Space:

@@ -74,6 +74,15 @@ def angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector) -> AngleMark
     return AngleMark(coordinate, centre, here, arc)
 
 
+def relative_angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector, origin: Vector) -> AngleMark | None:
+    """The same for the line from one moving point to another. Raises NoValueError."""
+    mark = angle_mark(pose, coordinate, position.fixed() - origin.fixed())
+    if mark is None or math.hypot(*mark.centre) > _SAME:
+        return None
+    here = pose.at(origin)
+    return AngleMark(coordinate, here, plus(here, mark.point), mark.arc)
+
+
 def is_distance(pose: Pose, coordinate: sp.Symbol, position: Vector) -> bool:
     """Whether a point moves on a straight line, as far as a coordinate changes. Raises NoValueError."""
     here = pose.at(position)

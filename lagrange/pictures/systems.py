@@ -83,12 +83,12 @@ class System:
         return found
 
     @cached_property
-    def kept_distances(self) -> tuple[tuple[str, str], ...]:
-        """Pairs of particles that the constraints together keep at a distance, where no single one does."""
+    def kept_distances(self) -> tuple[tuple[str, str, bool], ...]:
+        """Pairs of points that keep their distance where no single constraint does it, and whether constraints do."""
         ends = {frozenset(rod.ends) for _, rod in self.rods}
-        turning = {r.name for r in self.configuration.rotations}
-        points = [p for p in self.configuration.points if p.name not in turning]
-        if not self.configuration.finite_constraints or len(self.pose.others) < 3:
+        planar = {r.name for p in self.configuration.points if (r := is_planar(self.configuration, p.name))}
+        points = [p for p in self.configuration.points if p.name not in planar]
+        if len(self.pose.others) < 3:
             return ()
         found = []
         for a, b in combinations(points, 2):
@@ -96,7 +96,9 @@ class System:
                 continue
             apart = [math.dist(p.at(a.position), p.at(b.position)) for p in (self.pose, *self.pose.others)]
             if max(apart) - min(apart) < 1e-7 and apart[0] > 1e-3:
-                found.append((a.name, b.name))
+                moved = (self.pose.moved(q, 0.37) for q in self.pose.coordinates)
+                free = [math.dist(p.at(a.position), p.at(b.position)) for p in moved]
+                found.append((a.name, b.name, any(abs(f - apart[0]) > 1e-7 for f in free)))
         return tuple(found)
 
     @cached_property

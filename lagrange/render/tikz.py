@@ -11,6 +11,7 @@ from lagrange.scene import Dot, Kind, Line, Point, Scene
 
 STYLES = {
     Kind.ROD: "line width=1.1pt",
+    Kind.LINK: "line width=0.6pt",
     Kind.BODY: "line width=0.8pt",
     Kind.CURVE: "line width=0.8pt, black!60",
     Kind.SPRING: "line width=0.6pt",
