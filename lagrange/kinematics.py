@@ -153,6 +153,11 @@ class Configuration:
     torques: tuple[Torque, ...] = ()
 
     @property
+    def links(self) -> tuple[Stretched | Damped, ...]:
+        """The springs and the dampers."""
+        return (*self.springs, *self.dampers)
+
+    @property
     def particles(self) -> tuple[MassPoint, ...]:
         """The points that are not mass centres of bodies."""
         turning = {r.name for r in self.rotations}

@@ -4,24 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import sympy as sp
+
 from lagrange.derivation import Part, listed, math
 from lagrange.explain.words import spoken
 from lagrange.newton import Newton
 from lagrange.solution import Solution
 
-
-def caption_of_system(solution: Solution) -> tuple[Part, ...]:
-    """Below the picture of the system."""
-    del solution
-    return ("The system in a general position.",)
+CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
+"""Below the picture of the system."""
 
 
 def caption_of_choice(symbols: Sequence[Part]) -> tuple[Part, ...]:
     """Below the picture of the system in other coordinates."""
-    return ("The system with the coordinates ", *listed(symbols), ".") if len(symbols) > 1 else (
-        "The system with the coordinate ",
-        *symbols,
-        ".",
+    return (
+        ("The system with the coordinates ", *listed(symbols), ".")
+        if len(symbols) > 1
+        else (
+            "The system with the coordinate ",
+            *symbols,
+            ".",
+        )
     )
 
 
@@ -39,10 +42,10 @@ def caption_of_free_bodies(newton: Newton) -> tuple[Part, ...]:
 def system_in_words(solution: Solution) -> str:
     """`Drawing of the system: P1, P2; upper rod, lower rod.`"""
     things = [p.name for p in solution.problem.masses]
-    links = [s.name for s in (*solution.configuration.springs, *solution.configuration.dampers)]
+    links = [s.name for s in solution.configuration.links]
     constraints = [c.name for c in solution.problem.constraints]
-    groups = ("; ".join(", ".join(map(spoken, g)) for g in (things, links, constraints) if g),)
-    return f"Drawing of the system: {groups[0]}."
+    everything = "; ".join(", ".join(map(spoken, group)) for group in (things, links, constraints) if group)
+    return f"Drawing of the system: {everything}."
 
 
 def free_bodies_in_words(newton: Newton) -> str:
@@ -54,6 +57,6 @@ def free_bodies_in_words(newton: Newton) -> str:
     return " ".join(["Free-body diagrams.", *said])
 
 
-def symbols_of(coordinates: Sequence[object]) -> tuple[Part, ...]:
+def symbols_of(coordinates: Sequence[sp.Symbol]) -> tuple[Part, ...]:
     """Coordinates as parts of a sentence."""
-    return tuple(math(q) for q in coordinates)  # type: ignore[arg-type]
+    return tuple(math(q) for q in coordinates)

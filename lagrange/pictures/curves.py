@@ -66,9 +66,7 @@ def _traced(
         speed = math.hypot(*(sum(w * (m[n] - origin[n]) for w, m in zip(way, moved, strict=True)) for n in (0, 1)))
         if speed < 1e-9:
             raise NoValueError("the curve has no direction")
-        start = dict(here.values) | {
-            q: here.values[q] + STEP / speed * w for q, w in zip(own, way, strict=True)
-        }
+        start = dict(here.values) | {q: here.values[q] + STEP / speed * w for q, w in zip(own, way, strict=True)}
         here = Pose(pose.configuration, projected([f], [slopes], own, start))
         found.append(on_page(here.at(fixed)))
         x, y = found[-1]

@@ -66,11 +66,11 @@ def _value(e: sp.Basic, values: Values) -> float:
         found = _value(e.base, values) ** _value(e.exp, values)
         if isinstance(found, complex):
             raise NoValueError("a root of a negative number")
-        return found
+        return float(found)
     function = _FUNCTIONS.get(type(e))
     if function is None:
         raise NoValueError(type(e).__name__)
-    return function(*(_value(a, values) for a in e.args))
+    return float(function(*(_value(a, values) for a in e.args)))
 
 
 def place(vector: Vector, values: Values) -> Space:

@@ -11,11 +11,11 @@ from functools import cache
 from itertools import takewhile
 
 from lagrange.coordinates import GeneralizedCoordinates
-from lagrange.derivation import Block, Picture, Prose, Rule, Step
+from lagrange.derivation import Block, Part, Picture, Prose, Rule, Step
 from lagrange.explain.pictures import (
+    CAPTION_OF_SYSTEM,
     caption_of_choice,
     caption_of_free_bodies,
-    caption_of_system,
     free_bodies_in_words,
     symbols_of,
     system_in_words,
@@ -61,7 +61,7 @@ def _with(step: Step, place: int, picture: Picture) -> Step:
     return replace(step, body=body)
 
 
-def _picture(draw: Callable[[], Scene | None], caption: tuple, alt: str) -> Picture:  # type: ignore[type-arg]
+def _picture(draw: Callable[[], Scene | None], caption: tuple[Part, ...], alt: str) -> Picture:
     return Picture(cache(draw), caption, alt)
 
 
@@ -73,7 +73,7 @@ def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> P
         system = system_in_file(solution)
         return None if system is None else configuration_scene(system, notation, with_loads)
 
-    return _picture(draw, caption_of_system(solution), system_in_words(solution))
+    return _picture(draw, CAPTION_OF_SYSTEM, system_in_words(solution))
 
 
 def _of_free_bodies(solution: Solution, notation: Notation) -> Picture:

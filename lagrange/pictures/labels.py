@@ -1,7 +1,7 @@
 """Where labels go: beside what they belong to, and on nothing else.
 
 Places around an anchor are tried from near to far, those in the preferred direction first, until one is free of lines,
-dots and other labels. Where none is, a label that is needed makes the picture impossible, and one that is not is left out.
+dots and other labels. Where none is, a label that is needed makes the picture impossible, another is left out.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ from lagrange.kinematics import Load
 from lagrange.links import Damped, Stretched
 from lagrange.newton import FreeBody
 from lagrange.notation import Unspecified
-from lagrange.pictures.floats import NoValueError, Space, inner, minus, outer, unit
+from lagrange.pictures.floats import NoValueError, Space, minus, unit
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import force_and_moment, is_planar, reaction_point
 from lagrange.pictures.systems import System, ends_of, with_other_values
@@ -54,7 +54,7 @@ def loads_on(system: System, name: str) -> list[Acting]:
 def acting_on(system: System, body: FreeBody) -> list[Acting]:
     """All that acts on a free body. Raises NoValueError, also where something would be missing."""
     found = loads_on(system, body.name)
-    found += _rest(system, body, found)
+    found += _rest(system, body)
     for reaction in body.bound:
         found += _reaction(system, body, reaction.name)
     return found
@@ -98,7 +98,7 @@ def _force_label(load: Load) -> sp.Expr | str:
 
 def _pulls(system: System, name: str) -> Iterator[Acting]:
     configuration = system.configuration
-    for link in (*configuration.springs, *configuration.dampers):
+    for link in configuration.links:
         for own, sign in zip(link.ends, (-1, 1), strict=True):
             if own == name:
                 first, second = ends_of(link, configuration, system.pose)
@@ -135,7 +135,7 @@ def _torques(system: System, name: str) -> Iterator[Acting]:
             yield Acting(name, label, vector, Kind.FORCE, is_moment=True)
 
 
-def _rest(system: System, body: FreeBody, found: list[Acting]) -> list[Acting]:
+def _rest(system: System, body: FreeBody) -> list[Acting]:
     """What the applied force is beside the forces that have names: friction, or one field of force."""
     names = {f.name for f in system.configuration.loads if f.on == body.name}
     others = [n for n in body.loads if n and n not in names]
@@ -151,7 +151,7 @@ def _rest(system: System, body: FreeBody, found: list[Acting]) -> list[Acting]:
             vector = vector - load.vector
     if any(c.has(Unspecified) for c in vector.fixed().components):
         raise NoValueError("a force without a direction")
-    if any(body.name in link.ends for link in (*system.configuration.springs, *system.configuration.dampers)):
+    if any(body.name in link.ends for link in system.configuration.links):
         raise NoValueError("a field beside a spring")
     direction = _posed(system, vector).at(vector)
     if math.hypot(*direction) < 1e-9:
@@ -185,16 +185,6 @@ def _times_size(unknown: sp.Symbol, direction: Vector | None) -> sp.Expr:
     assert direction is not None
     size = sp.sqrt(textbook_form(direction.dot(direction)))
     return unknown * size if size.is_Symbol or size.is_Integer else unknown
-
-
-def about(acting: Acting) -> Space:
-    """The moment of a force about the mass centre."""
-    return acting.vector if acting.is_moment else outer(acting.offset, acting.vector)
-
-
-def share(a: Acting, b: Acting) -> float:
-    """The cosine of the angle between two."""
-    return inner(unit(a.vector), unit(b.vector))
 
 
 def _spoken(name: str) -> str:

@@ -77,7 +77,7 @@ class Pose:
 
 def notable(configuration: Configuration) -> list[Vector]:
     """The particles, mass centres and ends of springs."""
-    ends = (e for link in (*configuration.springs, *configuration.dampers) for e in link.ends)
+    ends = (e for link in configuration.links for e in link.ends)
     points = [*(p.position for p in configuration.points), *(e for e in ends if isinstance(e, Vector))]
     return list(dict.fromkeys(points))
 

@@ -43,6 +43,55 @@ def apart(a: Point, b: Point) -> float:
     return math.hypot(a[0] - b[0], a[1] - b[1])
 
 
+def scaled(way: Point, by: float) -> Point:
+    """A vector made longer."""
+    return way[0] * by, way[1] * by
+
+
+def same_ends(a: tuple[Point, ...], b: tuple[Point, ...]) -> bool:
+    """Whether two pieces are the same."""
+    straight = apart(a[0], b[0]) + apart(a[1], b[1])
+    turned = apart(a[0], b[1]) + apart(a[1], b[0])
+    return min(straight, turned) < 1e-3
+
+
+def overlapping(a: tuple[Point, Point], b: tuple[Point, Point]) -> bool:
+    """Whether one piece is on the line of the other, and they overlap."""
+    way = toward(*a)
+    side = left_of(way)
+
+    def off(p: Point) -> float:
+        return (p[0] - a[0][0]) * side[0] + (p[1] - a[0][1]) * side[1]
+
+    def on(p: Point) -> float:
+        return (p[0] - a[0][0]) * way[0] + (p[1] - a[0][1]) * way[1]
+
+    if max(abs(off(p)) for p in b) > 1e-3:
+        return False
+    low, high = sorted(on(p) for p in b)
+    return low < apart(*a) - 1e-3 and high > 1e-3
+
+
+def touches(at: Point, a: Point, b: Point) -> bool:
+    """Whether a point is an end of a piece."""
+    return min(apart(at, a), apart(at, b)) < 0.02
+
+
+def in_line(centre: Point, others: list[Point]) -> bool:
+    """Whether points are on a line with the first."""
+    far = max(others, key=lambda p: apart(centre, p))
+    if apart(centre, far) < 1e-6:
+        return False
+    side = left_of(toward(centre, far))
+    return all(abs((p[0] - centre[0]) * side[0] + (p[1] - centre[1]) * side[1]) < 0.06 for p in others)
+
+
+def farthest(points: list[Point]) -> tuple[Point, Point]:
+    """The two points that are farthest apart."""
+    pairs = [(a, b) for a in points for b in points]
+    return max(pairs, key=lambda p: apart(*p))
+
+
 @dataclass
 class Sketch:
     """What is drawn so far."""
@@ -67,11 +116,15 @@ class Sketch:
         """A particle."""
         self.dots.append(Dot(at, radius, open_))
 
-    def label(self, content: sp.Expr | str, at: Point, prefer: Point, clear: float = 0.0, optional: bool = False) -> None:
+    def label(
+        self, content: sp.Expr | str, at: Point, prefer: Point, clear: float = 0.0, optional: bool = False
+    ) -> None:
         """A label near a point."""
         self.wanted.append(Wanted(content, ((at, prefer),), clear, optional))
 
-    def label_beside(self, content: sp.Expr | str, a: Point, b: Point, optional: bool = False, clear: float = 0.0) -> None:
+    def label_beside(
+        self, content: sp.Expr | str, a: Point, b: Point, optional: bool = False, clear: float = 0.0
+    ) -> None:
         """A label beside the line from a to b."""
         side = left_of(toward(a, b))
         other = (-side[0], -side[1])

@@ -1,4 +1,4 @@
-"""The picture of a system in a general position: axes, particles, rods, bodies, springs, curves, and its coordinates."""
+"""A system in a general position on a page: which points are joined, and what keeps its distance from what."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from lagrange.kinematics import Configuration, MassPoint
 from lagrange.links import Damped, Stretched
 from lagrange.newton import Newton, Reaction, newton_equations
 from lagrange.notation import Unspecified
-from lagrange.pictures.floats import NoValueError, Space, plus
+from lagrange.pictures.floats import NoValueError, Space, minus
 from lagrange.pictures.marks import angle_mark
 from lagrange.pictures.poses import Pose, general_pose, notable
 from lagrange.pictures.shapes import Shape, is_planar, own_coordinates, shape
@@ -64,8 +64,8 @@ class System:
     def joints(self) -> dict[str, list[Space]]:
         """Where plane bodies are joined to what does not move, or to one another.
 
-        It is the centre of the circle on which a mass centre moves with the angle of its body alone, if that point stays
-        where it is in space, or in another body.
+        It is the centre of the circle on which a mass centre moves with the angle of its body alone, if that point
+        stays where it is in space, or in another body.
         """
         found: dict[str, list[Space]] = {}
         for p in self.configuration.points:
@@ -74,7 +74,7 @@ class System:
                 here = centre(self.pose)
                 if here is None:
                     continue
-                still = _same_everywhere(self.pose, lambda pose, c=centre: c(pose))
+                still = _same_everywhere(self.pose, centre)
                 others = [o for o in self.configuration.points if o.name != p.name and _holds(self, o, centre)]
                 if still or others:
                     found.setdefault(p.name, []).append(here)
@@ -95,7 +95,9 @@ class System:
             if {a.name, b.name} in ends:
                 continue
             apart = [math.dist(p.at(a.position), p.at(b.position)) for p in (self.pose, *self.pose.others)]
-            if max(apart) - min(apart) < 1e-7 and apart[0] > 1e-3:
+            ways = [minus(p.at(b.position), p.at(a.position)) for p in (self.pose, *self.pose.others)]
+            turns = any(math.dist(ways[0], w) > 1e-3 for w in ways)
+            if turns and max(apart) - min(apart) < 1e-7 and apart[0] > 1e-3:
                 moved = (self.pose.moved(q, 0.37) for q in self.pose.coordinates)
                 free = [math.dist(p.at(a.position), p.at(b.position)) for p in moved]
                 found.append((a.name, b.name, any(abs(f - apart[0]) > 1e-7 for f in free)))
@@ -122,9 +124,7 @@ class System:
         left, right = min(p[0] for p in flat), max(p[0] for p in flat)
         low, high = min(p[1] for p in flat), max(p[1] for p in flat)
         only = right - left < 1e-9 or high - low < 1e-9
-        scale = min(
-            (LONGEST_LINE if only else WIDTH) / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), 4.0
-        )
+        scale = min((LONGEST_LINE if only else WIDTH) / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), 4.0)
         return Page(self.view, scale)
 
 
@@ -188,7 +188,9 @@ def system_in_choice(solution: Solution, configuration: Configuration) -> System
     return None if pose is None else _system(solution, configuration, pose, _newton(solution))
 
 
-def _system(solution: Solution, configuration: Configuration, pose: Pose | None, newton: Newton | None) -> System | None:
+def _system(
+    solution: Solution, configuration: Configuration, pose: Pose | None, newton: Newton | None
+) -> System | None:
     if pose is None or newton is None or not configuration.points or len(configuration.points) > MOST_POINTS:
         return None
     used = set()
@@ -271,8 +273,3 @@ def with_other_values(pose: Pose, expressions: Sequence[sp.Expr]) -> Pose:
     symbols = set().union(*(e.free_symbols for e in expressions)) if expressions else set()
     others = {s: 1.0 + 0.1 * n for n, s in enumerate(sorted(symbols - set(pose.values), key=str))}
     return replace(pose, values={**pose.values, **others})
-
-
-def tip(start: Space, direction: Space, by: float) -> Space:
-    """A point in a direction."""
-    return plus(start, direction, by)

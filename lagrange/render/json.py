@@ -93,7 +93,11 @@ def as_object(report: Report) -> dict[str, Any]:
         found["spot"] = _spot(first, write)
     found["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
     found["steps"] = [
-        {"rule": s.rule.value, "title": s.title, "body": [_block(b, write) for b in s.body if not isinstance(b, Picture)]}
+        {
+            "rule": s.rule.value,
+            "title": s.title,
+            "body": [found for b in s.body if (found := _block(b, write))],
+        }
         for s in report.derivation.steps
     ]
     return found
@@ -326,6 +330,8 @@ def _block(block: Block, write: Write) -> dict[str, Any]:
             return {"table": {"header": [_sentence((h,), write) for h in header], "rows": cells}}
         case CheckMark(name=name, passed=passed, how=how):
             return {"check": _sentence(name, write), "passed": passed, "how": how}
+        case Picture():
+            return {}  # it says nothing that is not said in words
 
 
 def _equation(equation: Equation, write: Write) -> dict[str, Any]:

@@ -34,7 +34,7 @@ from lagrange.render.ems import ems
 from lagrange.render.escape import escape, slug
 from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import Shown, shown
-from lagrange.render.tikz import TIPS, picture
+from lagrange.render.tikz import picture
 
 LINE = 36.0  # ems of an equation beside its number: a4, margins of 25 mm, 11 pt
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}

@@ -66,8 +66,8 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
 .picture path.reaction.tip { fill: var(--accent); }
 .picture circle { fill: currentColor; }
 .picture .hinge { fill: var(--paper); stroke: currentColor; stroke-width: 1.3; }
-.picture text { font: 15px "STIX Two Text", "Latin Modern Roman", "TeX Gyre Pagella", Georgia, serif; fill: currentColor;
-  text-anchor: middle; }
+.picture text { font: 15px "STIX Two Text", "Latin Modern Roman", "TeX Gyre Pagella", Georgia, serif;
+  fill: currentColor; text-anchor: middle; }
 .picture .i { font-style: italic; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 @media (max-width: 40rem) {

@@ -13,7 +13,9 @@ from lagrange.scene import Dot, Line, Point, Scene
 
 CENTIMETRE = 42.0
 TIP = 0.2
-_PIECE = re.compile(r"(?P<index>_[^\W_]+(?:[._][^\W_]+)*)|(?P<word>[^\W\d_]\u0307?\u0308?(?:[^\W\d_])+)|(?P<letter>[^\W\d_][\u0300-\u036f]*)|(?P<other>.)")
+_PIECE = re.compile(
+    r"(?P<index>_[^\W_]+(?:[._][^\W_]+)*)|(?P<word>[^\W\d_]\u0307?\u0308?(?:[^\W\d_])+)|(?P<letter>[^\W\d_][\u0300-\u036f]*)|(?P<other>.)"
+)
 _UPRIGHT = {"sin", "cos", "tan", "cot", "exp", "log"}
 
 
@@ -88,7 +90,11 @@ def _tip(before: Point, end: Point, place: Callable[[Point], tuple[float, float]
     size = math.hypot(x - x0, y - y0) or 1.0
     c, s = (x - x0) / size, (y - y0) / size
     long, wide = TIP * CENTIMETRE, TIP * CENTIMETRE * 0.34
-    corners = ((x, y), (x - long * c + wide * s, y - long * s - wide * c), (x - long * c - wide * s, y - long * s + wide * c))
+    corners = (
+        (x, y),
+        (x - long * c + wide * s, y - long * s - wide * c),
+        (x - long * c - wide * s, y - long * s + wide * c),
+    )
     return "M" + " L".join(f"{a:.1f} {b:.1f}" for a, b in corners) + " Z"
 
 

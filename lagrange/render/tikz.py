@@ -23,7 +23,6 @@ STYLES = {
     Kind.FORCE: "line width=1.1pt",
     Kind.REACTION: "line width=1.1pt, blue!60!black",
 }
-TIPS = r"\usetikzlibrary{arrows.meta}"
 
 
 def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
