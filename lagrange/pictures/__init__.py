@@ -1,1 +1,1 @@
-"""Pictures of a solution: the system in a general position, and its free bodies. A picture that would be wrong is None."""
+"""Pictures of a solution: the system in a general position, its free bodies. What would be wrong is left out."""

@@ -69,6 +69,7 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
 .picture text { font: 15px "STIX Two Text", "Latin Modern Roman", "TeX Gyre Pagella", Georgia, serif;
   fill: currentColor; text-anchor: middle; }
 .picture .i { font-style: italic; }
+.picture .b { font-weight: bold; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 @media (max-width: 40rem) {
   body { font-size: 1rem; }

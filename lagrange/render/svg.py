@@ -9,12 +9,16 @@ from html import escape
 
 import sympy as sp
 
+from lagrange.notation import UnitVector
+from lagrange.render.names import SMALL
 from lagrange.scene import Dot, Line, Point, Scene
 
 CENTIMETRE = 42.0
 TIP = 0.2
+_LOWERED = {**{d: n for n, d in zip("0123456789", "₀₁₂₃₄₅₆₇₈₉", strict=True)}, **{low: c for c, low in SMALL.items()}}
 _PIECE = re.compile(
-    r"(?P<index>_[^\W_]+(?:[._][^\W_]+)*)|(?P<word>[^\W\d_]\u0307?\u0308?(?:[^\W\d_])+)|(?P<letter>[^\W\d_][\u0300-\u036f]*)|(?P<other>.)"
+    rf"(?P<index>_[^\W_]+(?:[._][^\W_]+)*|[{''.join(_LOWERED)}]+)"
+    r"|(?P<word>[A-Za-z]{2,})|(?P<letter>[^\W\d_][\u0300-\u036f]*)|(?P<other>.)"
 )
 _UPRIGHT = {"sin", "cos", "tan", "cot", "exp", "log"}
 
@@ -37,32 +41,35 @@ def figure(scene: Scene, alt: str, write: Callable[[sp.Expr], str]) -> Iterator[
         yield _dot(dot, place)
     for label in scene.labels:
         x, y = place(label.at)
-        content = _word(label.content) if isinstance(label.content, str) else spans(write(label.content))
+        content = _content(label.content, write)
         yield f'<text x="{x:.1f}" y="{y + 5:.1f}">{content}</text>'
     yield "</svg>"
 
 
 def spans(text: str) -> str:
     """Mathematics as text: letters in italics, indices lowered."""
-    found = ""
-    lowered = False
-    for piece in _PIECE.finditer(text):
-        whole = piece[0]
+    found, lowered = "", False
+    for piece in _PIECE.finditer(text.replace(" (", "(")):
+        whole = escape(piece[0])
         if piece["index"]:
-            inner = whole[1:]
-            style = "" if len(inner) > 1 else ' class="i"'
-            found += f'<tspan{style} dy="4" font-size="75%">{escape(inner)}</tspan>'
+            inner = "".join(_LOWERED.get(c, c) for c in piece[0].removeprefix("_"))
+            slanted = ' class="i"' if len(inner) == 1 and inner.isalpha() else ""
+            found += f'<tspan{slanted} dy="{0 if lowered else 4}" font-size="75%">{escape(inner)}</tspan>'
             lowered = True
             continue
-        back = ' dy="-4"' if lowered else ""
+        attributes = ' class="i"' if piece["letter"] or (piece["word"] and piece[0] not in _UPRIGHT) else ""
+        attributes += ' dy="-4"' if lowered else ""
         lowered = False
-        italic = ' class="i"' if piece["letter"] or (piece["word"] and whole not in _UPRIGHT) else ""
-        found += f"<tspan{italic}{back}>{escape(whole)}</tspan>" if italic or back else escape(whole)
+        found += f"<tspan{attributes}>{whole}</tspan>" if attributes else whole
     return found
 
 
-def _word(text: str) -> str:
-    return f"<tspan>{escape(text)}</tspan>"
+def _content(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
+    if isinstance(content, str):
+        return escape(content)
+    if isinstance(content, UnitVector):
+        return re.sub(r'^<tspan class="i"', '<tspan class="b"', spans(write(content)))
+    return spans(write(content))
 
 
 def _line(line: Line, place: Callable[[Point], tuple[float, float]]) -> Iterator[str]:
