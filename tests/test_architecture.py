@@ -33,13 +33,16 @@ LAYERS = {
         coordinates linear placing rods newton workless principle reactions friction equations comparison constant_inertia dynamics
         lagrangian quasi_velocities quasi_equations spot verification quasi_verification equilibrium stability static_reactions statics""",
     "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
-    "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
+    "derivations": """scene derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
-        explain.quasi_velocities explain.reactions explain.static_reactions explain.statics explain.checks""",
+        explain.quasi_velocities explain.reactions explain.static_reactions explain.statics explain.checks explain.pictures""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
+    "pictures": """pictures pictures.floats pictures.poses pictures.views pictures.labels pictures.sketch pictures.shapes
+        pictures.marks pictures.systems pictures.curves pictures.loads pictures.measures pictures.configurations
+        pictures.free_bodies pictures.illustrated""",
     "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
-        render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
+        render.aligned render.tikz render.latex render.markdown render.style_mathml render.formulas render.svg render.stylesheet render.html""",
     "reports": "report render.json",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
         lagsolve.main lagsolve.__main__""",
@@ -193,5 +196,5 @@ def test_the_page_has_each_module_in_its_layer() -> None:
     sections = re.split(r"^\*\*.+?\.\*\*", PAGE, flags=re.MULTILINE)[1:]
     for names, section in zip(LAYERS.values(), sections, strict=True):
         written = [f.removesuffix(".py").replace("/", ".") for f in re.findall(r"`((?:\w+/)*\w+\.py)`", section)]
-        packages = {"lagrange", "explain", "render", "lagsolve"}
+        packages = {"lagrange", "explain", "render", "pictures", "lagsolve"}
         assert set(written) == set(names.split()) - packages

@@ -244,8 +244,12 @@ class _Drawing:
                 return
 
     def triad(self, p: MassPoint, rotation: Rotation) -> None:
+        """The axes of a body, with the names that they have; not those that are i, j and k."""
         centre = self.flat(self.places[p.name])
+        body = next(b for b in self.system.problem.bodies if b.name == p.name)
         for n, axis in enumerate(rotation.axes):
+            if not axis.fixed().as_sum().free_symbols - set(axis.fixed().triad.units):
+                continue
             x, y = self.page.way(self.pose.at(axis))
             if math.hypot(x, y) < 0.15 and self.system.view.planar:
                 continue
@@ -253,7 +257,8 @@ class _Drawing:
                 raise NoValueError("an axis points at the reader")
             end = (centre[0] + x * 0.95, centre[1] + y * 0.95)
             self.sketch.arrow(centre, end, Kind.BODY)
-            self.sketch.label(UnitVector(f"e_{n + 1}"), end, toward(centre, end))
+            name = body.axes_called[n] if body.axes_called else f"e_{n + 1}"
+            self.sketch.label(UnitVector(name), end, toward(centre, end))
         self.sketch.dot(centre, PARTICLE)
 
     def particles(self) -> None:

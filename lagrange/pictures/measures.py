@@ -80,7 +80,9 @@ class Measures:
         self.stiff()
 
     def moves_something(self, q: sp.Symbol) -> bool:
-        """Whether a coordinate moves a particle, by itself."""
+        """Whether a coordinate moves a particle, by itself, and is not kept at 0 by a constraint."""
+        if abs(self.pose.values[q]) < 1e-3:
+            return False
         moved = self.pose.moved(q, 0.3)
         return any(
             math.dist(moved.at(p.position), self.places[p.name]) > 1e-9 for p in self.system.configuration.points

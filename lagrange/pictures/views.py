@@ -58,7 +58,7 @@ def view(axes: Mapping[str, str], used: frozenset[int]) -> View:
     """How a problem is seen. `used`: the numbers of the unit vectors along which things lie."""
     if len(used) == 3:
         return View(_in_space(axes), (0, 1, 2), planar=False)
-    first, second = sorted({*used, *([0, 1] if used <= {0, 1} else [min({0, 1} - used), 2])})[:2]
+    first, second = sorted(used) if len(used) == 2 else (0, 2 if 2 in used else 1)
     a, b = (_WORDS.get(_word(axes, n)) for n in (first, second))
     if a is None and b is None:
         a, b = _RIGHT, _UP

@@ -96,7 +96,7 @@ def as_object(report: Report) -> dict[str, Any]:
         {
             "rule": s.rule.value,
             "title": s.title,
-            "body": [found for b in s.body if (found := _block(b, write))],
+            "body": [block for b in s.body if (block := _block(b, write))],
         }
         for s in report.derivation.steps
     ]
