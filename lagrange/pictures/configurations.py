@@ -215,11 +215,22 @@ class _Drawing:
                 self.track(p, rotation, reaction)
                 continue
             at = self.flat(plus(self.places[p.name], point))
+            if not rolls and self.stays(p, rotation, known.at.get(reaction.name)):
+                self.hinge(at)
+                continue
             force, _ = force_and_moment(self.pose, reaction, p.name)
             way = toward((0, 0), self.page.way(force))
             way = way if rolls else left_of(way)
             half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
             self.sketch.line([beyond(at, way, -half), beyond(at, way, half)], Kind.CURVE)
+
+    def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float] | None) -> bool:
+        """Whether a point of a body does not move."""
+        if point is None:
+            return False
+        poses = (self.pose, *self.pose.others)
+        places = [plus(x.at(p.position), in_space(x, rotation, point)) for x in poses]
+        return all(math.dist(places[0], q) < 1e-7 for q in places)
 
     def track(self, p: MassPoint, rotation: Rotation, reaction: Reaction) -> None:
         """The part near a wheel of the circle on which it rolls."""
@@ -285,7 +296,7 @@ class _Drawing:
             row = next((r for r in self.system.configuration.rows if r.name == reaction.name), None)
             if row is None or name in {r.name for r in self.system.configuration.rotations}:
                 continue
-            frame = Box.around(points).grown(1.0)
+            frame = Box.around(points).grown(1.5)
             found = constraint_curve(self.pose, row, p.position, self.page, frame)
             if found is not None:
                 self.sketch.line(found[0], Kind.CURVE, closed=found[1])
