@@ -1,4 +1,4 @@
-r"""Numbers and names in LaTeX: `m_{12}`, `\ddot{\theta}_1`, `\omega^2_0`, `\lambda_{\text{rod}}`, `\mathbf{r}_P`, mgR."""
+r"""Numbers and names in LaTeX: `m_{12}`, `\ddot{\theta}_1`, `\omega^2_0`, `\lambda_{\text{rod}}`, `\mathbf{r}_P`."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ _MOVING = (Role.COORDINATE, Role.PRESCRIBED)
 
 @dataclass(frozen=True)
 class Stem:
-    """A name without what hangs outside its braces: the letter, its subscripts, primes, and whether it is bold."""
+    """A name without what hangs outside its braces; `vector` is the command that makes it bold."""
 
     letter: str
     parts: tuple[str, ...] = ()
     primes: int = 0
-    vector: bool = False
+    vector: str = ""
 
 
 class LatexAtoms(Scanner):
@@ -108,7 +108,7 @@ class LatexAtoms(Scanner):
     def raised(self, first: int, last: int) -> None:
         """An exponent."""
         self.operator("^", max(first - 1, 0), first)
-        if self.text[first : last] and all(c in SUPERSCRIPTS for c in self.text[first:last]):
+        if self.text[first:last] and all(c in SUPERSCRIPTS for c in self.text[first:last]):
             self._superscript(first, last)
             return
         inside = self.text[first:last]
@@ -230,20 +230,17 @@ class LatexAtoms(Scanner):
 
     # -- names in braces -------------------------------------------------------------------------------------
 
-    def stem(self, first: int, last: int, braced: bool = True) -> Stem | None:
-        """The name that alone stands between two places; None where something else does.
-
-        braced  whether it stands in braces: without, a letter is taken by itself
-        """
+    def stem(self, first: int, last: int) -> Stem | None:
+        """The name that alone stands between two places; None where something else does."""
         at, limit = self.at, self.limit
         self.at, self.limit = first, last
         try:
-            found = self._stem(braced)
+            found = self._stem()
             return found if found is not None and not self.text[self.at : last].strip() else None
         finally:
             self.at, self.limit = at, limit
 
-    def _stem(self, braced: bool) -> Stem | None:
+    def _stem(self) -> Stem | None:
         self._blanks()
         if self.ends():
             return None
@@ -264,7 +261,9 @@ class LatexAtoms(Scanner):
             inside = self.stem(*self.argument(start))
             if inside is None:
                 return None
-            inner = Stem(inside.letter, inside.parts, inside.primes, inside.vector or command in VECTORS)
+            inner = Stem(
+                inside.letter, inside.parts, inside.primes, inside.vector or (command if command in VECTORS else "")
+            )
         else:
             return None
         scripts = self.scripts(self.at)
@@ -288,7 +287,8 @@ class LatexAtoms(Scanner):
         letter = stem.letter
         if letter in UNITS and not parts:
             return letter if self.scope.vector(letter) is not None else f"e_{'xyz'['ijk'.index(letter)]}"
-        for name in (*spellings(letter, parts), *spellings("e", (letter, *parts))):
+        unit = spellings("e", (letter, *parts)) if stem.vector == "hat" else ()
+        for name in (*spellings(letter, parts), *unit):
             if self.scope.vector(name) is not None or self.scope.role(name) is Role.VECTOR:
                 return name
         name = self._declared(letter, parts)

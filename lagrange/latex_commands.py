@@ -53,7 +53,7 @@ ENVIRONMENTS = tuple(
     name + star
     for name in (
         "equation", "align", "aligned", "alignat", "alignedat", "flalign", "cases", "dcases", "rcases", "gather",
-        "gathered", "split", "multline", "multlined", "array", "eqnarray", "subequations", "math", "displaymath", "matrix",
+        "gathered", "split", "multline", "multlined", "array", "eqnarray", "subequations", "math", "displaymath",
         "empheq",
     )
     for star in ("", "*")
@@ -102,7 +102,19 @@ def help_for_command(command: str) -> str:
     """A way out where a command is not known."""
     if command in _CURES:
         return _CURES[command]
-    known = {*LETTERS, *FUNCTIONS, *ACCENTS, *FRACTIONS, *OPERATORS, "sqrt", "operatorname", "begin", "end", "left", "right"}
+    known = {
+        *LETTERS,
+        *FUNCTIONS,
+        *ACCENTS,
+        *FRACTIONS,
+        *OPERATORS,
+        "sqrt",
+        "operatorname",
+        "begin",
+        "end",
+        "left",
+        "right",
+    }
     near = nearest(command[:60], known)
     if near is not None:
         return rf"did you mean `\{near}`?"

@@ -46,8 +46,11 @@ class LatexFunctions(LatexAtoms):
     def at_bracket(self) -> bool:
         """Whether a bracket opens here."""
         command = self.command()
-        return self.looking_at("(") or self.looking_at("[") or command in ("{", "lbrace", "lvert", "lVert", "|") or (
-            command in SIZES and not command.endswith("r") and command != "right"
+        return (
+            self.looking_at("(")
+            or self.looking_at("[")
+            or command in ("{", "lbrace", "lvert", "lVert", "|")
+            or (command in SIZES and not command.endswith("r") and command != "right")
         )
 
     # -- functions -------------------------------------------------------------------------------------------
@@ -262,6 +265,8 @@ class LatexFunctions(LatexAtoms):
         places = [found.span() for found in _BY_PARTIAL.finditer(self.text, *below)]
         if rise is None or not places or self.text[below[0] : places[0][0]].strip():
             return False
+        if "/" in self.text[slice(*below)] or _BY_PARTIAL.search(self.text, rise.end(), above[1]):
+            return False  # a fraction of derivatives
         variables: list[tuple[int, int]] = []
         for n, (_, first) in enumerate(places):
             last = places[n + 1][0] if n + 1 < len(places) else below[1]
@@ -323,7 +328,9 @@ class LatexFunctions(LatexAtoms):
         end = self.at
         self.skip()
         command = self.command()
-        begins = not self.ends() and (self.text[self.at].isalpha() or command in ACCENTS or command in (*VECTORS, *WORDS))
+        begins = not self.ends() and (
+            self.text[self.at].isalpha() or command in ACCENTS or command in (*VECTORS, *WORDS)
+        )
         if not (begins or command or self.at_bracket()):
             help_ = f"write `{self.written(start, end)} x`"
             message = f"`{self.written(start, end)}` stands before nothing that could change"

@@ -13,16 +13,26 @@ coordinate or t: `\sin\omega t`, but sin θ times x in `\sin\theta x`. The time 
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 from lagrange.characters import FRACTIONS as FRACTION_SIGNS
 from lagrange.characters import GREEK, PRIMES, cure
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.latex_commands import (
-    ACCENTS, FRACTIONS, FRAMES, FUNCTIONS, LETTERS, NAMED_FUNCTIONS, OPERATORS, SIZES, VECTORS, WORDS,
-    help_for_command, is_inequality,
+    ACCENTS,
+    FRACTIONS,
+    FRAMES,
+    FUNCTIONS,
+    LETTERS,
+    NAMED_FUNCTIONS,
+    OPERATORS,
+    SIZES,
+    VECTORS,
+    WORDS,
+    help_for_command,
+    is_inequality,
 )  # fmt: skip
 from lagrange.latex_functions import LatexFunctions
-from lagrange.lexicon import Role
 from lagrange.scope import Scope
 from lagrange.stream import MAX_NESTING
 from lagrange.tokens import Kind, Token
@@ -109,7 +119,7 @@ class LatexLexer(LatexFunctions):
         start, char = self.at, self.text[self.at]
         if self.at_operator():
             self._operator(start, char)
-        elif char.isdigit() and char.isascii() or (char == "." and self.text[start + 1 : start + 2].isdigit()):
+        elif (char.isdigit() and char.isascii()) or (char == "." and self.text[start + 1 : start + 2].isdigit()):
             self.number()
         elif char.isascii() and char.isalpha():
             self._word_or_letters(start)
@@ -175,7 +185,9 @@ class LatexLexer(LatexFunctions):
             raise self.mistake("unexpected-character", f"`{char}` has no meaning here", start, self.at, cure(char))
 
     def _inequality(self, written: str, start: int) -> ProblemError:
-        return self.mistake("inequality", f"`{written}` is not an equation", start, self.at, "write an equation with `=`")
+        return self.mistake(
+            "inequality", f"`{written}` is not an equation", start, self.at, "write an equation with `=`"
+        )
 
     # -- commands --------------------------------------------------------------------------------------------
 
@@ -200,7 +212,7 @@ class LatexLexer(LatexFunctions):
         elif name in WORDS:
             self._word(start)
         elif name in VECTORS:
-            self._vector_name(start)
+            self._vector_name(start, name)
         elif name.rstrip("*") == "operatorname":
             self._word(start)
         elif name == "partial":
@@ -234,9 +246,8 @@ class LatexLexer(LatexFunctions):
     def _accent(self, order: int, start: int) -> None:
         r"""`\ddot{\theta}_1`, `\dot x`, and the derivative of something in braces."""
         self.skip()
-        braced = self.looking_at("{")
         first, last = self.argument(start)
-        stem = self.stem(first, last, braced)
+        stem = self.stem(first, last)
         if stem is not None:
             self.whole_name(stem, start, order)
             return
@@ -277,12 +288,12 @@ class LatexLexer(LatexFunctions):
     def _followed_by_script(self) -> bool:
         return self.looking_at("_") or self.looking_at("^")
 
-    def _vector_name(self, start: int) -> None:
+    def _vector_name(self, start: int, command: str) -> None:
         r"""`\mathbf{r}_P`, `\vec{F}`, `\hat{k}`."""
         first, last = self.argument(start)
         stem = self.stem(first, last)
         if stem is not None:
-            self.whole_name(type(stem)(stem.letter, stem.parts, stem.primes, vector=True), start)
+            self.whole_name(replace(stem, vector=stem.vector if stem.vector == "hat" else command), start)
         else:
             self.grouped(first, last)
             self.tail()

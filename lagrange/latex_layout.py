@@ -25,7 +25,9 @@ class LatexFragment(Fragment):
 
     def span(self, start: int, end: int) -> Span:
         """Where characters `start` to `end` of the text stand in the source."""
-        return super().span(start, end) if self.outer is None else self.outer.span(self.offset + start, self.offset + end)
+        return (
+            super().span(start, end) if self.outer is None else self.outer.span(self.offset + start, self.offset + end)
+        )
 
 
 @dataclass(frozen=True)
@@ -61,6 +63,8 @@ _MARK = re.compile(
     r"|(?P<sign>\$\$|\$|\\[()\[\]]|\\?[{}]|[()\[\]=,;])|(?P<paragraph>\n[ \t\r]*\n)|\\(?:[A-Za-z]+|.)",
     re.DOTALL,
 )
+ALTERNATIVE = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
+"""What stands between alternatives: it parts no equations that hold together."""
 _OPEN = {"$": "$", "$$": "$$", r"\(": r"\)", r"\[": r"\]"}
 _DISPLAYS = ("$$", r"\[", r"\]")
 _PRINTED = ("verbatim", "verbatim*", "lstlisting", "comment", "thebibliography")
@@ -68,7 +72,7 @@ _ARGUMENTS = re.compile(r"(?:\s?\[[a-z]{0,3}\])?(?:\s?\{[^{}=\\]{0,40}\})?")
 _WITH_ARGUMENTS = ("array", "alignat", "alignedat", "aligned", "gathered", "split")
 _NUMBER = re.compile(r"\([0-9]{1,3}[a-z]?\)\Z")
 _WORD = re.compile(r"\\[a-z]+\{(?:[A-Za-z0-9_]*)\}")
-_CONJUNCTIONS = frozenset("and or where with so thus hence for if i ii iii iv".split())
+_CONJUNCTIONS = frozenset(["and", "where", "with", "so", "thus", "hence", "for", "if", "i", "ii", "iii", "iv"])
 _BESIDE = ("label", "thin", "comment", "wide", "cases", "row")
 
 
@@ -117,6 +121,7 @@ def marks_of(text: str) -> list[Mark]:
             found.append(Mark(f"{side} {name}", start, at))
         elif match.lastgroup:
             kind = match[0] if match.lastgroup == "sign" else match.lastgroup
+            kind = "or" if ALTERNATIVE.fullmatch(match[0]) else kind
             found.append(Mark(kind, start, at))
     return found
 
@@ -175,7 +180,7 @@ def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool
     """
     boxes = _boxes_of_equations(marks, region)
     followed = _followed_by_equation(marks, region)
-    start, equals = region.start, False
+    start, equals, since = region.start, False, False  # `since`: there has been a `=` since the last "or"
     braces = brackets = 0
     for n in range(region.first, region.last):
         kind = marks[n].kind
@@ -191,14 +196,16 @@ def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool
         elif kind in (")", "]", r"\}"):
             brackets = max(brackets - 1, 0)
         elif kind == "=":
-            equals = True
+            equals = since = True
+        elif kind == "or":
+            since = False
         elif braces == 0 and kind == "row":
             outside = True
         elif braces == brackets == 0 and kind in (",", ";", "wide", "words"):
-            outside = equals and n in followed
+            outside = since and n in followed
         if outside:
             yield start, marks[n].start, equals
-            start, equals, brackets = marks[n].end, False, 0
+            start, equals, since, brackets = marks[n].end, False, False, 0
     yield start, region.end, equals
 
 
@@ -211,6 +218,8 @@ def _followed_by_equation(marks: Sequence[Mark], region: Region) -> set[int]:
             follows = False
         elif kind == "=":
             follows = True
+        elif kind == "or":
+            follows = False
         elif follows:
             found.add(n)
     return found

@@ -1,7 +1,8 @@
 r"""Which declared name is meant by letters and subscripts in LaTeX.
 
-`\theta_{1}` names theta_1 or theta1, `\lambda_{\text{rod}}` lambda_rod, `\theta_{1,B}` theta_1_B or theta1_B, whichever is
-declared. A run of letters is a product of declared names, as it is printed: mgR is m g R, unless it is itself a name.
+`\theta_{1}` names theta_1 or theta1, `\lambda_{\text{rod}}` lambda_rod, `\theta_{1,B}` theta_1_B or theta1_B,
+whichever is declared. A run of letters is a product of declared names, as it is printed: mgR is m g R, unless it is
+itself a name.
 """
 
 from __future__ import annotations

@@ -147,7 +147,9 @@ class Scanner:
         if self.ends() or self.text[self.at] in "^_)]=&|":
             written = self.written(owner, owner + 1 + len(_command_at(self.text, owner)))
             message = f"`{written}` takes what stands behind it in braces"
-            raise self.mistake("latex-argument", message, owner, owner + max(1, len(written)), f"write `{written}{{...}}`")
+            raise self.mistake(
+                "latex-argument", message, owner, owner + max(1, len(written)), f"write `{written}{{...}}`"
+            )
         start = self.at
         if self.text[start] == "{":
             end = self.group_end(start)
@@ -169,7 +171,10 @@ class Scanner:
     def scripts(self, at: int) -> Scripts:
         """The primes, subscripts and the exponent that hang on what ends at a place; nothing is read."""
         start, self.at = self.at, at
-        primes, parts, exponent, where = 0, (), None, None
+        primes = 0
+        parts: tuple[str, ...] = ()
+        exponent: tuple[int, int] | None = None
+        where: tuple[int, int] | None = None
         end = at
         while True:
             self._blanks()
@@ -233,7 +238,9 @@ class Scanner:
         self._no_digits(mark, first, last)
         parts = self._parts(first, last)
         if not parts:
-            raise self.mistake("empty-brackets", "nothing stands in these braces", mark, self.at, "write the index there")
+            raise self.mistake(
+                "empty-brackets", "nothing stands in these braces", mark, self.at, "write the index there"
+            )
         return parts
 
     def _parts(self, first: int, last: int) -> tuple[str, ...]:
@@ -254,7 +261,9 @@ class Scanner:
                 found.append(LETTERS[command])
             elif not (char in " ,_{}.~" or command in (*SPACES, *WORDS, "!")):
                 message = f"`{self.written(at, at + 1 + len(command))}` cannot stand in a subscript"
-                raise self.mistake("bad-subscript", message, at, at + 1 + len(command), "an index has letters and digits")
+                raise self.mistake(
+                    "bad-subscript", message, at, at + 1 + len(command), "an index has letters and digits"
+                )
             joined = False
             at += 1 + len(command)
         return tuple(found)

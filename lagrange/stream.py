@@ -60,7 +60,9 @@ class TokenStream:
             message = "a prime stands behind nothing that it could differentiate"
             return self._mistake("misplaced-prime", message, token, "write `x'`")
         if token.hidden:
-            return self._mistake("ends-early", "something must follow here, before the braces end", token, "complete it")
+            return self._mistake(
+                "ends-early", "something must follow here, before the braces end", token, "complete it"
+            )
         if token.text in (")", "]"):
             help_ = "remove it, or open it before"
             return self._mistake("not-opened", f"this `{token.text}` closes nothing", token, help_)
