@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from lagrange.characters import DOT, GREEK, PRIMES, SUPERSCRIPTS
 from lagrange.diagnostics import Fragment, ProblemError
-from lagrange.latex_commands import LETTERS, VECTORS, WORDS
+from lagrange.latex_commands import ACCENTS, LETTERS, VECTORS, WORDS
 from lagrange.latex_names import Names, spellings
 from lagrange.latex_scanner import Scanner, Scripts
 from lagrange.lexicon import FUNCTIONS, Role
@@ -256,14 +256,13 @@ class LatexAtoms(Scanner):
             inner, self.at = Stem(GREEK[char]), start + 1
         elif command in LETTERS:
             inner, self.at = Stem(LETTERS[command]), start + 1 + len(command)
-        elif command in WORDS or command in VECTORS or char == "{":
+        elif command in WORDS or command in VECTORS or command in ACCENTS or char == "{":
             self.at = start + (1 + len(command) if command else 0)
             inside = self.stem(*self.argument(start))
             if inside is None:
                 return None
-            inner = Stem(
-                inside.letter, inside.parts, inside.primes, inside.vector or (command if command in VECTORS else "")
-            )
+            bold = inside.vector or (command if command in VECTORS else "")
+            inner = replace(inside, primes=inside.primes + ACCENTS.get(command, 0), vector=bold)
         else:
             return None
         scripts = self.scripts(self.at)

@@ -102,6 +102,9 @@ def help_for_command(command: str) -> str:
     """A way out where a command is not known."""
     if command in _CURES:
         return _CURES[command]
+    for length in (1, 2):
+        if command[:-length] in LETTERS or command[:-length] in FUNCTIONS:
+            return rf"did you mean `\{command[:-length]} {command[-length:]}`? A space ends a command"
     known = {
         *LETTERS,
         *FUNCTIONS,

@@ -21,6 +21,7 @@ _RISE = re.compile(rf"\s*{_D}{_ORDER}\s*")
 _BY_TIME = re.compile(rf"\s*(?:{_D}\s*t|\\mathrm\s*\{{\s*dt\s*\}}){_ORDER}\s*")
 _PARTIAL = re.compile(rf"\s*\\partial(?![A-Za-z]){_ORDER}\s*")
 _BY_PARTIAL = re.compile(r"\\partial(?![A-Za-z])")
+_OF_TIME = re.compile(r"\s*(?:\(\s*t\s*\)|\\left\s*\(\s*t\s*\\right\s*\))")
 _ORDER_BEHIND = re.compile(rf"{_ORDER}\s*\Z")
 
 
@@ -63,6 +64,8 @@ class LatexFunctions(LatexAtoms):
         if scripts.subscript is not None:
             message, help_ = f"`{name}` has no subscript", r"the logarithm is `\ln`"
             raise self.mistake("bad-subscript", message, *scripts.subscript, help_)
+        if scripts.exponent is not None:
+            self._check_exponent(name, *scripts.exponent)
         self.hang(scripts)
         self.at = max(self.at, named)
         self.skip()
@@ -77,6 +80,16 @@ class LatexFunctions(LatexAtoms):
                 self._said(start, f"({self.written(start, end + 1)})^", "put the exponent next to the function")
         elif not self.stops() and self.at_operator() != "|":
             self._argument(name, start)
+
+    def _check_exponent(self, name: str, first: int, last: int) -> None:
+        inside = self.text[first:last].strip()
+        if inside.isdigit():
+            return
+        help_ = rf"write `(\{name} x)^n`"
+        if inside in ("-1", "⁻¹") and f"a{name}" in NAMED_FUNCTIONS:
+            help_ = rf"the inverse function is `\arc{name}`, the reciprocal `1/\{name} x`"
+        message = f"an exponent behind `{name}` must be a whole number"
+        raise self.mistake("function-exponent", message, first, last, help_)
 
     def _is_number(self, at: int) -> bool:
         return self.text[at + 1 : self.group_end(at)].strip().isdigit()
@@ -104,6 +117,8 @@ class LatexFunctions(LatexAtoms):
                 self.tail()
             else:
                 self.factor()
+                if self.moving > moving and kind == "name" and _OF_TIME.match(self.text, self.at, self.limit):
+                    self.bracket(applied=True)
             end = self.at
             symbols += not number
             last = (before, first, end)
@@ -307,6 +322,8 @@ class LatexFunctions(LatexAtoms):
         self.skip()
         if not self.stops() and not self.at_operator():
             self.factor()
+        self.skip()
+        self._at_arguments()
         self.skip()
         if self.looking_at("/"):
             slash = self.at

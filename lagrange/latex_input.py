@@ -43,7 +43,7 @@ _CLOSES = {")": ")", "]": "]", "\\}": "}", "\\rbrace": "}", "\\rbrack": "]", "\\
 _OPENS = {"(": ")", "[": "]", "\\{": "}", "\\lbrace": "}", "\\lbrack": "]", "\\lvert": "|", "\\lVert": "‖", "|": "|",
     "\\vert": "|", "\\|": "‖", ".": "."}  # fmt: skip
 _DELIMITER = re.compile(r"\\[A-Za-z]+|\\[{}|]|[()\[\]|.]")
-_ENDING = (")", "]", "}", "rbrace", "rbrack", "rvert", "rVert", "right")
+_ENDING = (")", "]", "\\}", "\\rbrace", "\\rbrack", "\\rvert", "\\rVert")
 _WORD = re.compile(r"[A-Za-z0-9_ ]*")
 
 
@@ -73,20 +73,12 @@ class LatexLexer(LatexFunctions):
         """Reads all that stands between two places; what has been read before is left as it was."""
         at, limit = self.at, self.limit
         self.at, self.limit = first, last
-        self._deeper(first)
         self._items()
         if not self.ends():
             written = self._written_here()
             help_ = "remove it, or open it before"
             raise self.mistake("not-opened", f"this `{written}` closes nothing", self.at, self.at + len(written), help_)
-        self.depth -= 1
         self.at, self.limit = at, limit
-
-    def _deeper(self, at: int) -> None:
-        self.depth += 1
-        if self.depth > MAX_NESTING + 1:
-            message = f"this nests deeper than {MAX_NESTING}"
-            raise self.mistake("nested-too-deep", message, at, at + 1, "introduce abbreviations")
 
     def _items(self) -> None:
         while True:
@@ -100,7 +92,12 @@ class LatexLexer(LatexFunctions):
         if self.ends():
             return True
         command = self.command()
-        return self.text[self.at] in ")]" or command in _ENDING or (command == "|" and self._norms > 0)
+        if command in SIZES and command[-1] not in "lrt":
+            found = _DELIMITER.match(self.text, self.at + 1 + len(command), self.limit)
+            return found is not None and found[0] in _ENDING
+        if command in SIZES:
+            return command[-1] != "l" and command != "left"
+        return self.text[self.at] in ")]" or "\\" + command in _ENDING or (command == "|" and self._norms > 0)
 
     def at_operator(self) -> str:
         """The operator that stands here, as plain text; empty where there is none."""
@@ -115,6 +112,14 @@ class LatexLexer(LatexFunctions):
 
     def factor(self) -> None:
         """One factor, or one operator."""
+        self.depth += 1
+        if self.depth > MAX_NESTING + 1:
+            message = f"this nests deeper than {MAX_NESTING}"
+            raise self.mistake("nested-too-deep", message, self.at, self.at + 1, "introduce abbreviations")
+        self._factor()
+        self.depth -= 1
+
+    def _factor(self) -> None:
         self.steps += 1
         start, char = self.at, self.text[self.at]
         if self.at_operator():
@@ -312,11 +317,9 @@ class LatexLexer(LatexFunctions):
             self.put(Kind.NAME, "abs" if closing == "|" else "norm", start, opened)
         index = len(self.found)
         self.operator("[" if closing == "]" else "(", start, opened, hidden=False)
-        self._deeper(start)
         self._norms += closing == "‖" and not sized
         self._items()
         self._norms -= closing == "‖" and not sized
-        self.depth -= 1
         self._close(closing, start, opened)
         if closing == "]" and (applied or not self._has_comma(index)):
             first, last = self.found[index], self.found[-1]

@@ -144,7 +144,7 @@ class Scanner:
         Gives where it begins and ends, and reads on behind it.
         """
         self.skip()
-        if self.ends() or self.text[self.at] in "^_)]=&|":
+        if self.ends() or self.text[self.at] in "^_)]=&|+*/,":
             written = self.written(owner, owner + 1 + len(_command_at(self.text, owner)))
             message = f"`{written}` takes what stands behind it in braces"
             raise self.mistake(
