@@ -47,7 +47,7 @@ SIZES = (
     "left", "right", *(size + side for size in ("big", "Big", "bigg", "Bigg") for side in ("", "l", "r", "m")),
 )  # fmt: skip
 
-OPERATORS = {"cdot": "*", "times": "*", "ast": "*", "div": "/", "slash": "/", "prime": "'", "equal": "="}
+OPERATORS = {"cdot": "⋅", "times": "⨯", "ast": "*", "div": "/", "slash": "/", "prime": "'", "equal": "="}
 
 ENVIRONMENTS = tuple(
     name + star

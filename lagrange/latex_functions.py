@@ -260,7 +260,7 @@ class LatexFunctions(LatexAtoms):
         factors = 0
         while not (self.ends() or self.stops()):
             operator = self.at_operator()
-            if operator and (operator not in "*/" or not factors):
+            if operator and (operator not in "*/⋅⨯" or not factors):
                 break
             factors += not operator
             self.factor()

@@ -55,7 +55,7 @@ class Mark:
 _MARK = re.compile(
     r"(?P<comment>%[^\n]*)|\\(?P<side>begin|end)\s?\{(?P<name>[A-Za-z]{1,20}\*?)\}"
     r"|(?P<row>\\\\\*?(?:\[[0-9a-z. ]{1,20}\])?|\\newline(?![A-Za-z]))"
-    r"|(?P<words>\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{[^{}]{0,200}\})"
+    r"|(?P<words>\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{(?:[^{}]|\{[^{}]{0,80}\}){0,200}\})"
     r"|(?P<label>\\(?:label|tag\*?|eqref|ref|cite)\s?\{[^{}]{0,200}\})|(?P<box>\\(?:boxed|fbox)\s?\{)"
     r"|(?P<wide>\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\{[^{}]{0,20}\}|\\hfill(?![A-Za-z]))"
     r"|(?P<thin>\\(?:[,;:! ]|nonumber|notag|displaystyle|hline|centering|noindent)(?![A-Za-z]))"

@@ -24,7 +24,7 @@ class Kind(Enum):
     NUMBER = auto()  # digits with a decimal point or a power of ten, or a fraction of two digits
     NAME = auto()
     PRIMES = auto()  # `count` of them
-    OPERATOR = auto()  # + - * / ^ = ( ) [ ] , |
+    OPERATOR = auto()  # + - * / ^ = ( ) [ ] , | and in LaTeX ⋅ ⨯, which multiply vectors too
     END = auto()
 
 
