@@ -101,10 +101,14 @@ def _code(whole: Fragment) -> tuple[str, list[tuple[int, Fragment]]]:
         elif opens:
             fence, begins, line = opens["fence"], min(end + 1, len(whole.text)), " " * len(line)
         else:
-            for span in [s for s in _SPAN.finditer(line) if "=" in s["code"]]:
-                code = _part(whole, start + span.start("code"), start + span.end("code"))
-                found += [(start + span.start(), equation) for equation in equations(code)]
-                line = line[: span.start()] + " " * len(span[0]) + line[span.end() :]
+            shown, at = [], 0
+            for span in _SPAN.finditer(line):
+                if "=" in span["code"]:
+                    code = _part(whole, start + span.start("code"), start + span.end("code"))
+                    found += [(start + span.start(), equation) for equation in equations(code)]
+                    shown += [line[at : span.start()], " " * len(span[0])]
+                    at = span.end()
+            line = "".join([*shown, line[at:]])
         blanked.append(line)
     return "\n".join(blanked[:-1]), found
 

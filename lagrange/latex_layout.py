@@ -160,7 +160,7 @@ def has_equation(marks: Sequence[Mark], region: Region) -> bool:
 
 def rows(fragment: Fragment, marks: Sequence[Mark], region: Region) -> list[LatexFragment]:
     """The equations in one part of a text."""
-    trim = _Trim(fragment.text, marks)
+    trim = _Trim(fragment.text, marks[region.first : region.last])
     found: list[tuple[int, int, bool]] = []
     for start, end, equals in _cut(marks, region):
         start, end = trim.both(start, end)

@@ -81,7 +81,9 @@ class Meaning(ScalarMeaning):
         at = next((n for n in range(len(factors) - 1, 0, -1) if factors[n][0] == sign), 0)
         if not at:
             return None
-        before, behind = (self._product_of(part) for part in (factors[:at], (("*", factors[at][1]), *factors[at + 1 :])))
+        before, behind = (
+            self._product_of(part) for part in (factors[:at], (("*", factors[at][1]), *factors[at + 1 :]))
+        )
         return (before, behind) if self.is_vector(before) and self.is_vector(behind) else None
 
     def _product_of(self, factors: Factors) -> Tree:
