@@ -231,13 +231,13 @@ def test_an_error_in_a_file_has_its_place(here: Path) -> None:
     )
     result = run("check", PENDULUM, "a.md")
     assert result.exit_code == 2
-    assert "a.md:3:34" in result.stderr
+    assert "a.md:3:33" in result.stderr
 
 
 def test_the_answers_of_a_file_may_be_in_latex(here: Path) -> None:
     text = OSCILLATOR + "answers: {equations: ['$$ m\\ddot{x} = -k x $$']}\n"
     (here / "latex.yaml").write_text(text, encoding="utf-8")
-    assert run("check", "latex.yaml").exit_code in (0, 1)
+    assert run("check", "latex.yaml").exit_code == 0
     (here / "wrong.yaml").write_text(text.replace("ddot", "dot"), encoding="utf-8")
     assert run("check", "wrong.yaml").exit_code == 1
     (here / "bad.yaml").write_text(text.replace("ddot", "foo"), encoding="utf-8")
