@@ -134,6 +134,9 @@ class LatexLexer(LatexBrackets):
         elif command:
             self.operator(OPERATORS[command], start, self.at)
         elif char in _SIGNS:
+            if char == "=" and self.looking_at("="):
+                self.at += 1
+                self.note("`==` is read as `=`", start, self.at, "")
             self.operator(char, start, self.at)
         elif char == "^":
             self.at -= 1

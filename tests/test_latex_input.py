@@ -759,6 +759,13 @@ def _read_or_refused(text: str) -> None:
         assert str(d)
 
 
+def test_a_doubled_sign_is_one() -> None:
+    notes: list[Diagnostic] = []
+    equation = read_equation(latex(r"\dot x == y"), SCOPE, notes, latex=True)
+    assert (str(equation.lhs), str(equation.rhs)) == ("x'", "y")
+    assert ["==" in n.message for n in notes] == [True]
+
+
 def test_problem_files_are_plain_text() -> None:
     with pytest.raises(ProblemError, match="no meaning here"):
         read_equation(Fragment.of(r"\dot x = 0"), SCOPE)
