@@ -15,7 +15,6 @@ from typing import TypeAlias, TypeVar
 import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError
-from lagrange.latex_input import latex_tokens
 from lagrange.latex_layout import is_latex
 from lagrange.lexicon import FUNCTIONS, OPERATIONS
 from lagrange.meaning import DIFFERENTIALS
@@ -122,6 +121,8 @@ class _Reading:
     def __init__(self, fragment: Fragment, scope: Scope, limit: int, latex: bool = False) -> None:
         _check_length(fragment, limit)
         if latex and is_latex(fragment):
+            from lagrange.latex_input import latex_tokens  # many tables, wanted seldom
+
             found, notes = latex_tokens(fragment, scope)
         else:
             found, notes = tokens(fragment, scientific=scope.scalar("e") is None)

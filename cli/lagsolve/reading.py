@@ -7,7 +7,6 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from lagrange.answer_files import equations_in_file
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source
 from lagrange.loader import read_source
 from lagrange.yaml_nodes import MAX_BYTES, decode
@@ -34,6 +33,8 @@ def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragme
     """
     fragments = [Fragment.of(text, f"equation {n}") for n, text in enumerate(equations, start=1)]
     if file is not None:
+        from lagrange.answer_files import equations_in_file
+
         source = _standard_input() if file == "-" else read_source(Path(file))
         fragments += equations_in_file(source, Path(file).suffix)
     return tuple(fragments)
