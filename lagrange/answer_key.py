@@ -1,7 +1,7 @@
 """Reading what the textbook says: the `answers` of a problem file, and a reference system given under `equations`.
 
 Equations stay text, for they are read and judged as any reader's answer; but what cannot be read is a mistake of the
-file and reported with the others. Text in LaTeX is not tried here.
+file and reported with the others. They may be in LaTeX.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation, read_value
+from lagrange.latex_layout import equations
 from lagrange.names import canonical
 from lagrange.nodes import Node, Scalar
 from lagrange.nodes import Sequence as ListNode
@@ -87,9 +88,11 @@ class AnswerReader:
 
     def _try(self, reader: Reader[Any], fragment: Fragment) -> None:
         """Reads an answer for its mistakes only: notes on its reading belong to the verdict on it."""
-        if "\\" not in fragment.text and "$" not in fragment.text:
-            limited = partial(reader, limit=MAX_ANSWER_CHARACTERS) if reader is read_equation else reader
-            self.reading.read_quietly(limited, fragment, self.scope, [])
+        limited: Reader[Any] = partial(read_value, latex=True)
+        if reader is read_equation:
+            limited = partial(read_equation, limit=MAX_ANSWER_CHARACTERS, latex=True)
+        for one in equations(fragment):
+            self.reading.read_quietly(limited, one, self.scope, [])
 
     def _equilibrium(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
         """Nested lists are alternatives; a flat list is one system."""

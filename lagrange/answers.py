@@ -16,6 +16,7 @@ import sympy as sp
 from lagrange.comparison import Comparison, Standing, System, compare
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.exact import DivisionByZeroError, is_zero
+from lagrange.latex_layout import separated
 from lagrange.notation import CONSTANT, Slots, base
 from lagrange.references import Candidate, Reading, Reference, read_answer
 
@@ -72,6 +73,7 @@ class AnswerVerdict:
 
 def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerVerdict:
     """The verdict on equations of motion."""
+    answer = separated(answer)
     if not answer:
         raise ProblemError(
             Diagnostic("no-answer", "there is no equation to check", help="give equations with -e, or in a file")

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict, check_equations
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.latex_layout import separated
 from lagrange.notation import base
 from lagrange.problem import Problem
 from lagrange.reaction_answers import AtRest, check_reaction
@@ -243,6 +244,7 @@ def _missing_equilibria(number: int) -> str:
 
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
     """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
+    answer = separated(answer)
     if problem.equations:
         return CheckedAnswer(check_equations(answer, reference_of_equations(problem)))
     solution = solve(problem)

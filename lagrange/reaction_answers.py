@@ -43,10 +43,10 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[sp.Expr]:
     """What may be meant, each of these being zero."""
     if "=" in fragment.text:
-        equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS)
+        equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS, latex=True)
         lhs, rhs = equation.lhs, equation.rhs
         return [] if isinstance(lhs, Vector) or isinstance(rhs, Vector) else [lhs - rhs]
-    value = read_value(fragment, reference.scope, [])
+    value = read_value(fragment, reference.scope, [], latex=True)
     return [] if isinstance(value, Vector) else [force - value for force in _meanings(reaction)]
 
 

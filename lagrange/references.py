@@ -287,7 +287,7 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     notes: list[Diagnostic] = []
     text = fragment.text.strip()
     try:
-        equation = read_equation(fragment, scope, notes, MAX_ANSWER_CHARACTERS)
+        equation = read_equation(fragment, scope, notes, MAX_ANSWER_CHARACTERS, latex=True)
     except ProblemError as error:
         return Reading(text, error=error)
     lhs, rhs = equation.lhs, equation.rhs

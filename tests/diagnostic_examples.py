@@ -37,6 +37,19 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     # -- expressions -------------------------------------------------------------------------------------------------
     "argument-of-prescribed": ("A coordinate or prescribed motion is a function of t alone.", File(
         "title: Example\ncoordinates: [x]\nfunctions: {u: [t]}\nconstraints: {a: x = u(x)}\n")),
+    "ambiguous-product": ("A run of letters is a product of declared names in several ways; write spaces.", problem(
+        "answers: {equations: ['aba \\cdot x = 0']}", parameters="[a, b, ab, ba]")),
+    "bad-derivative": ("A derivative is written `\\dot{x}`, `\\frac{d^2 x}{dt^2}` or `\\frac{\\partial f}{\\partial x}`.",
+        r"\frac{d^2\theta}{dt} = 0"),
+    "bad-root": ("A root has a whole number as its index.", r"\sqrt[n]{x} = 0"),
+    "bad-subscript": ("An index has letters and digits, and belongs to a letter.", r"(\theta)_1 = 0"),
+    "continued-line": ("In a file, an equation stands on one line, or in an environment of LaTeX.", None),
+    "double-script": ("A letter has one exponent and one subscript; `_{1,2}` has two parts.", r"\theta^2^3 = 0"),
+    "latex-argument": ("What a command takes stands in braces; without them it is one letter or digit.",
+        r"\dot x^23 = 0"),
+    "not-a-vector": ("Bold letters, arrows and hats belong to vectors.", r"\mathbf{x} = 0"),
+    "unknown-command": ("Answers have the commands of mathematics, and nothing is expanded.", r"\ddot{\thet} = 0"),
+    "words-in-equation": ("Words stand beside an equation, not in it.", r"\theta = 0 + \text{a constant} + x"),
     "bad-exponent": ("A superscript is a whole number.", "x⁻ = 0"),
     "bad-number": ("A number has one decimal point.", "1.2.3 = x"),
     "components": ("A vector has two or three components.", problem("gravity: '[1, 2, 3, 4]'")),

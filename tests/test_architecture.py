@@ -20,7 +20,8 @@ LAYERS = {
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
         differentiation trigonometry common_factor textbook""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
-        meaning vector_meaning expressions tidying""",
+        meaning vector_meaning latex_commands latex_layout latex_scanner latex_names latex_atoms latex_functions
+        latex_derivatives latex_brackets latex_input expressions answer_files tidying""",
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
          velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
         forces constraint_equations answer_key choices

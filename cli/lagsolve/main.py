@@ -117,7 +117,8 @@ def _look_for_garbage_seldom() -> None:
 def check(problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str) -> None:
     """Compare somebody's equations of motion with the derived ones.
 
-    Give the equations with -e, one each, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input).
+    Give the equations with -e, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input); a .tex or
+    .md file has them in its mathematics. They may be in LaTeX.
     Without either, the answers in the problem file are compared. Exit status: 0 equivalent; 1 wrong, incomplete or
     trivial; 2 unreadable; 3 undecided.
     """
