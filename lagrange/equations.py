@@ -21,7 +21,7 @@ from lagrange.displacements import Elimination
 from lagrange.exact import NoPointError, UnsupportedError
 from lagrange.kinematics import Configuration
 from lagrange.notation import prime, variation
-from lagrange.principle import Principle
+from lagrange.balance import Balance
 from lagrange.textbook import Factor, common_factor, normalised
 from lagrange.trigonometry import Element, Ring
 
@@ -49,7 +49,7 @@ class EquationsOfMotion:
     """
 
     configuration: Configuration
-    principle: Principle
+    principle: Balance
     elimination: Elimination
     reduced: sp.Expr
     equations: tuple[EquationOfMotion, ...]
@@ -60,7 +60,7 @@ class EquationsOfMotion:
         return tuple(e.expression for e in self.equations)
 
 
-def equations_of_motion(principle: Principle, elimination: Elimination) -> EquationsOfMotion:
+def equations_of_motion(principle: Balance, elimination: Elimination) -> EquationsOfMotion:
     """The equations of motion of a configuration, the dependent virtual displacements eliminated."""
     configuration = principle.configuration
     coordinates = configuration.slots.coordinates
@@ -69,7 +69,7 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Equat
     displacements = [ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
     reduced = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
     equations = tuple(
-        _divided(principle, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
+        equation_of_motion(principle, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
     )
     return EquationsOfMotion(configuration, principle, elimination, textbook.form(reduced), equations)
 
@@ -87,7 +87,7 @@ def of_independent(d: Sequence[Element], ring: Ring, elimination: Elimination) -
     return found
 
 
-def _divided(principle: Principle, coordinate: sp.Symbol, coefficient: Element) -> EquationOfMotion:
+def equation_of_motion(principle: Balance, coordinate: sp.Symbol, coefficient: Element) -> EquationOfMotion:
     """The equation without common factors and common denominators, its leading acceleration positive."""
     textbook = principle.textbook
     expression = textbook.form(coefficient)

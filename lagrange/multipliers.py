@@ -1,0 +1,95 @@
+"""Equations of motion from Lagrange's equations with multipliers.
+
+    L_k = Σ_j λ_j a_jk ,      L_k = d/dt ∂T/∂q_k' − ∂T/∂q_k − Q_k .
+
+Where coordinates are independent there are no multipliers, and L_k = 0. Otherwise the equations of as many coordinates
+q_d as there are independent constraints are solved for the multipliers, Σ_j a_jd λ_j = L_d, and those put into the others.
+The coordinates q_d are those whose δq were solved for, because the same minor of A must not vanish. Where that minor is
+too large to be inverted, the equations are combined with the solved displacements instead, Σ_k L_k δq_k = 0, from
+which the multipliers drop out by A δq = 0. Of constraints that follow from others the multipliers are left out: they
+are not determined, and bring no new direction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import sympy as sp
+
+from lagrange.displacements import Elimination
+from lagrange.energies import Energies
+from lagrange.equations import EquationsOfMotion, equation_of_motion, of_independent
+from lagrange.linear import solved_linear
+from lagrange.trigonometry import Element
+
+
+@dataclass(frozen=True)
+class LagrangeMotion(EquationsOfMotion):
+    """The equations of motion of a configuration from its Lagrange equations.
+
+    energies     T, V and the equations with multipliers
+    used         indices of the rows that have a multiplier
+    multipliers  of these, in textbook form, with accelerations in them; None where they are not written down
+    """
+
+    energies: Energies
+    used: tuple[int, ...]
+    multipliers: tuple[sp.Expr, ...] | None
+
+
+def lagrange_motion(found: Energies, elimination: Elimination) -> LagrangeMotion:
+    """Lagrange's equations of a configuration without multipliers."""
+    configuration = found.configuration
+    coordinates = configuration.slots.coordinates
+    used = tuple(n for n in range(len(configuration.rows)) if n not in elimination.unused)
+    forces = _multipliers(found, elimination, used)
+    if forces is None:
+        free = of_independent(found.coefficients, found.ring, elimination)
+    else:
+        free = [_without(found, k, used, forces) for k in elimination.independent]
+    return LagrangeMotion(
+        configuration=configuration,
+        principle=found,
+        elimination=elimination,
+        reduced=sp.S.Zero,
+        equations=tuple(
+            equation_of_motion(found, coordinates[k], e) for k, e in zip(elimination.independent, free, strict=True)
+        ),
+        energies=found,
+        used=used,
+        multipliers=None if forces is None else tuple(found.textbook.form(f) for f in forces),
+    )
+
+
+def _without(found: Energies, k: int, used: Sequence[int], forces: Sequence[Element]) -> Element:
+    """L_k − Σ_j λ_j a_jk, the λ_j put in."""
+    ring, rows = found.ring, found.configuration.rows
+    shares = (
+        f * ring.from_sympy(rows[n].coefficients[k])
+        for n, f in zip(used, forces, strict=True)
+        if rows[n].coefficients[k] != 0
+    )
+    return found.coefficients[k] - ring.total(shares)
+
+
+def _multipliers(found: Energies, elimination: Elimination, used: Sequence[int]) -> list[Element] | None:
+    """The λ_j from Σ_j a_jd λ_j = L_d; None where they are too large."""
+    if not used:
+        return []
+    rows, ring = found.configuration.rows, found.ring
+    matrix = [[rows[n].coefficients[d] for n in used] for d in elimination.dependent]
+    placeholders = [sp.Dummy(f"L_{d}", real=True) for d in elimination.dependent]
+    solved = solved_linear(matrix, placeholders, found.configuration.states)
+    if solved is None:
+        return None
+    values: Mapping[sp.Symbol, Element] = {
+        p: found.coefficients[d] for p, d in zip(placeholders, elimination.dependent, strict=True)
+    }
+    forces = []
+    for value in solved:
+        if value is None:
+            return None
+        shares = ((ring.from_sympy(sp.diff(value, p)), left) for p, left in values.items() if value.has(p))
+        forces.append(ring.total(share * left for share, left in shares))
+    return forces
