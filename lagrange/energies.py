@@ -32,7 +32,7 @@ from lagrange.lagrangian import (
     velocity_of,
 )
 from lagrange.rigid_bodies import Rotation
-from lagrange.textbook import Textbook
+from lagrange.textbook import Textbook, common_factor
 from lagrange.trigonometry import Element, Ring
 from lagrange.vectors import Vector
 
@@ -99,12 +99,12 @@ def energies(configuration: Configuration) -> Energies:
         textbook=textbook,
         velocities={p.name: p.velocity.map(textbook.form) for p in moving},
         squares={p.name: textbook.form(_square(p, configuration)) for p in moving},
-        kinetic=_written_kinetic(configuration, kinetic, textbook),
+        kinetic=_written_kinetic(configuration, kinetic, ring),
         potential=_written_potential(configuration, potential, textbook),
         momenta=forms(momenta),
         rates=forms(rates),
         partials=forms(partials),
-        applied=forms(applied),
+        applied=tuple(Textbook(ring, merge=True).form(q) for q in applied),
         quasi=forms(quasi),
         left=forms(left),
     )
@@ -144,17 +144,29 @@ def _quasi(configuration: Configuration, k: int, ring: Ring) -> Element:
     return ring.zero if ring.is_zero(found) else found
 
 
-def _written_kinetic(configuration: Configuration, kinetic: Element, textbook: Textbook) -> sp.Expr:
-    """T in textbook form; squares of a body's ω_1, ... that are sums are kept where that is shorter: C (φ' cos θ + ψ')²/2.
+def _written_kinetic(configuration: Configuration, kinetic: Element, ring: Ring) -> sp.Expr:
+    """T in textbook form, what all its terms have in common in front: m (r'² + r² φ'²)/2.
 
-    They are of ω in the triad in which it is shortest; that they are a part of T is seen when the rest is formed.
+    Squares of a body's ω_1, ... that are sums are kept where that is shorter, C (φ' cos θ + ψ')²/2; they are of ω in the
+    triad in which it is shortest.
     """
-    whole = textbook.form(kinetic)
+    textbook = Textbook(ring, merge=True)
+    whole = _in_front(textbook.form(kinetic))
     squares = sp.Add(*(s for r in configuration.rotations for s in _squares_of_sums(r, textbook)))
     if squares == 0:
         return whole
-    parts = textbook.form(kinetic - textbook.ring.from_sympy(squares)) + squares
+    parts = _in_front(textbook.form(kinetic - ring.from_sympy(squares))) + squares
     return parts if parts.count_ops() < whole.count_ops() else whole
+
+
+def _in_front(total: sp.Expr) -> sp.Expr:
+    """A sum with what all its terms have in common before a bracket: as m/2 or m, but not as m/10."""
+    factor = common_factor(total)
+    if not total.is_Add or not factor.powers or any(e < 0 for _, e in factor.powers):
+        return total
+    rest = factor.divide(total)
+    numbers = (abs(term.as_coeff_Mul()[0]) for term in sp.Add.make_args(rest))
+    return factor.expression * rest if sp.Rational(factor.number).q <= 2 and max(numbers) <= 2 else total
 
 
 def _squares_of_sums(rotation: Rotation, textbook: Textbook) -> list[sp.Expr]:

@@ -21,6 +21,7 @@ from lagrange.displacements import Elimination
 from lagrange.exact import NoPointError, UnsupportedError
 from lagrange.kinematics import Configuration
 from lagrange.notation import prime, variation
+from lagrange.principle import Principle
 from lagrange.balance import Balance
 from lagrange.textbook import Factor, common_factor, normalised
 from lagrange.trigonometry import Element, Ring
@@ -44,14 +45,13 @@ class EquationOfMotion:
 class EquationsOfMotion:
     """The equations of one configuration; the rows of the configuration complete them.
 
+    principle    what they follow from
     elimination  of the dependent virtual displacements
-    reduced      Σ over the independent δq: the principle with the dependent ones put in, in textbook form
     """
 
     configuration: Configuration
     principle: Balance
     elimination: Elimination
-    reduced: sp.Expr
     equations: tuple[EquationOfMotion, ...]
 
     @property
@@ -60,7 +60,18 @@ class EquationsOfMotion:
         return tuple(e.expression for e in self.equations)
 
 
-def equations_of_motion(principle: Balance, elimination: Elimination) -> EquationsOfMotion:
+@dataclass(frozen=True)
+class DalembertMotion(EquationsOfMotion):
+    """The equations from d'Alembert's principle.
+
+    reduced  Σ over the independent δq: the principle with the dependent ones put in, in textbook form
+    """
+
+    principle: Principle
+    reduced: sp.Expr
+
+
+def equations_of_motion(principle: Principle, elimination: Elimination) -> DalembertMotion:
     """The equations of motion of a configuration, the dependent virtual displacements eliminated."""
     configuration = principle.configuration
     coordinates = configuration.slots.coordinates
@@ -71,7 +82,7 @@ def equations_of_motion(principle: Balance, elimination: Elimination) -> Equatio
     equations = tuple(
         equation_of_motion(principle, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
     )
-    return EquationsOfMotion(configuration, principle, elimination, textbook.form(reduced), equations)
+    return DalembertMotion(configuration, principle, elimination, equations, textbook.form(reduced))
 
 
 def of_independent(d: Sequence[Element], ring: Ring, elimination: Elimination) -> list[Element]:

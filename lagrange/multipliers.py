@@ -28,12 +28,12 @@ from lagrange.trigonometry import Element
 class LagrangeMotion(EquationsOfMotion):
     """The equations of motion of a configuration from its Lagrange equations.
 
-    energies     T, V and the equations with multipliers
+    principle    T, V and the equations with multipliers
     used         indices of the rows that have a multiplier
     multipliers  of these, in textbook form, with accelerations in them; None where they are not written down
     """
 
-    energies: Energies
+    principle: Energies
     used: tuple[int, ...]
     multipliers: tuple[sp.Expr, ...] | None
 
@@ -52,11 +52,9 @@ def lagrange_motion(found: Energies, elimination: Elimination) -> LagrangeMotion
         configuration=configuration,
         principle=found,
         elimination=elimination,
-        reduced=sp.S.Zero,
         equations=tuple(
             equation_of_motion(found, coordinates[k], e) for k, e in zip(elimination.independent, free, strict=True)
         ),
-        energies=found,
         used=used,
         multipliers=None if forces is None else tuple(found.textbook.form(f) for f in forces),
     )
@@ -81,7 +79,7 @@ def _multipliers(found: Energies, elimination: Elimination, used: Sequence[int])
     matrix = [[rows[n].coefficients[d] for n in used] for d in elimination.dependent]
     placeholders = [sp.Dummy(f"L_{d}", real=True) for d in elimination.dependent]
     solved = solved_linear(matrix, placeholders, found.configuration.states)
-    if solved is None:
+    if solved is None or any(p.has(sp.Abs) for p in found.applied):  # friction with an |λ| that is not known yet
         return None
     values: Mapping[sp.Symbol, Element] = {
         p: found.coefficients[d] for p, d in zip(placeholders, elimination.dependent, strict=True)

@@ -20,6 +20,8 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.letters import letters
+from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import variation
 from lagrange.problem import Problem
 from lagrange.solution import Solution
@@ -112,6 +114,7 @@ def reference_of_solution(solution: Solution) -> Reference:
         scope,
         scalars={
             **_potential(solution),
+            **_energies(solution),
             **_reactions(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
@@ -170,6 +173,16 @@ def _potential(solution: Solution) -> dict[str, sp.Expr]:
     """V, as a derivation writes the given potential energy."""
     potential = solution.configuration.potential
     return {"V": potential} if potential != 0 and "V" not in solution.problem.scope.names() else {}
+
+
+def _energies(solution: Solution) -> dict[str, sp.Expr]:
+    """T, V, L, v_P², p_k, Q_k and N_k as a derivation by Lagrange's equations writes them, the file's coordinates first."""
+    found: dict[str, sp.Expr] = {}
+    named = letters(solution)
+    for dynamics in (*(c.dynamics for c in reversed(solution.choices)), solution.dynamics):
+        if dynamics is not None and isinstance(dynamics.written, LagrangeMotion):
+            found |= {s.name: e for s, e in named.meanings(dynamics.written.principle).items()}
+    return found
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:

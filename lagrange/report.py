@@ -12,7 +12,8 @@ from lagrange.answers import Verdict
 from lagrange.checking import ComparedAnswer, compared_answers
 from lagrange.derivation import Derivation, Step
 from lagrange.diagnostics import Diagnostic
-from lagrange.dynamics import Motion
+from lagrange.dynamics import Law, Method, Motion
+from lagrange.equations import DalembertMotion
 from lagrange.explain.checks import explain_checks
 from lagrange.explain.constraints import (
     explain_classification,
@@ -31,11 +32,14 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
+from lagrange.letters import letters, states_potential
+from lagrange.multipliers import LagrangeMotion
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
 
 if TYPE_CHECKING:
+    from lagrange.explain.lagrange import Told
     from lagrange.static_reactions import StaticReactions
 
 
@@ -64,9 +68,11 @@ class Report:
         return not self.shortcomings
 
 
-def report(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Report:
+def report(
+    problem: Problem, choice: str | None = None, *, complete: bool = True, method: Method = Method.DALEMBERT
+) -> Report:
     """Solves a problem and explains the solution. Raises what `solve` raises."""
-    solution = solve(problem, choice, complete=complete)
+    solution = solve(problem, choice, complete=complete, method=method)
     answers = tuple(compared_answers(solution))
     steps = tuple(_steps(solution, answers))
     return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation_of(solution))
@@ -74,7 +80,7 @@ def report(problem: Problem, choice: str | None = None, *, complete: bool = True
 
 def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Step]:
     problem, classification = solution.problem, solution.classification
-    yield explain_statement(problem, solution.configuration)
+    yield explain_statement(problem, solution.configuration, not _tells_energies(solution))
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
@@ -92,7 +98,11 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
-            yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
+            written = c.dynamics.written
+            if isinstance(written, LagrangeMotion):
+                yield from _by_lagrange(solution, written)
+            elif isinstance(written, DalembertMotion):
+                yield explain_motion_in_choice(c.coordinates, written, problem)
             yield from _reactions(solution, c.dynamics, c.name)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
 
@@ -137,16 +147,50 @@ def _motion(solution: Solution) -> Iterator[Step]:
     law, dynamics = solution.law, solution.dynamics
     if law is None or dynamics is None:
         return
-    if solution.works:
+    written = dynamics.written
+    if solution.works and not isinstance(written, LagrangeMotion):
         freedom = solution.classification.degrees_of_freedom
         yield explain_newton(law.newton, dynamics.rubbed, solution.configuration, freedom)
         yield explain_works(solution.works, solution.configuration)
+    if dynamics.rubbed and isinstance(written, LagrangeMotion):
+        from lagrange.explain.lagrange import explain_friction_first
+
+        yield explain_friction_first(_told(solution, law, written))
     if dynamics.rubbed:
         yield from _reactions(solution, dynamics)
-    yield explain_principle(dynamics.written)
-    yield explain_equations(dynamics.written, solution.problem)
+    if isinstance(written, LagrangeMotion):
+        yield from _by_lagrange(solution, written)
+    elif isinstance(written, DalembertMotion):
+        yield explain_principle(written)
+        yield explain_equations(written, solution.problem)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
+
+
+def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
+    """T, V and Q_k, Lagrange's equations, and what they come to without multipliers."""
+    from lagrange.explain.lagrange import explain_energies, explain_lagrange, explain_lagrange_motion
+
+    if solution.law is not None:
+        told = _told(solution, solution.law, written)
+        yield explain_energies(told)
+        yield explain_lagrange(told)
+        yield explain_lagrange_motion(told)
+
+
+def _told(solution: Solution, law: Law, written: LagrangeMotion) -> Told:
+    """What is told of Lagrange's equations in one set of coordinates."""
+    from lagrange.explain.lagrange import Told
+
+    finite = frozenset(c.row.name for c in solution.classification.constraints if c.integrable)
+    rubbed = solution.dynamics.rubbed if solution.dynamics is not None else ()
+    return Told(written, letters(solution), law, solution.problem, rubbed, finite)
+
+
+def _tells_energies(solution: Solution) -> bool:
+    """Whether V is told of where T is, the weights' with that of springs and fields."""
+    by_lagrange = solution.law is not None and solution.law.method is Method.LAGRANGE
+    return by_lagrange and not states_potential(solution)
 
 
 def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Iterator[Step]:

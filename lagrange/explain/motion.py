@@ -22,7 +22,7 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import virtual_displacement
-from lagrange.equations import EquationsOfMotion
+from lagrange.equations import DalembertMotion, EquationsOfMotion
 from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
@@ -33,7 +33,7 @@ from lagrange.problem import Problem
 ZERO = sp.S.Zero
 
 
-def explain_principle(motion: EquationsOfMotion) -> Step:
+def explain_principle(motion: DalembertMotion) -> Step:
     """The principle, the accelerations, and the principle written out."""
     body = [
         _multiplied(motion.configuration),
@@ -81,9 +81,9 @@ def _principle(configuration: Configuration) -> sp.Expr:
     return sp.Add(*terms, *terms_of_bodies(configuration), *terms_of_dampers(configuration), potential)
 
 
-def _accelerations(motion: EquationsOfMotion) -> list[Block]:
+def _accelerations(motion: DalembertMotion) -> list[Block]:
     accelerations = motion.principle.accelerations
-    suffix = _suffix(motion.configuration)
+    suffix = suffix_of(motion.configuration)
     lines = [
         Equation((VectorSymbol(f"r_{name}''"), a), label=f"acceleration{suffix}-{name}")
         for name, a in accelerations.items()
@@ -102,17 +102,18 @@ def _accelerations(motion: EquationsOfMotion) -> list[Block]:
     return [prose(f"{words[0].upper()}{words[1:]} {verb}"), display(*lines, *rates)]
 
 
-def _suffix(configuration: Configuration) -> str:
+def suffix_of(configuration: Configuration) -> str:
+    """What labels in a choice of coordinates end in."""
     return f"-{configuration.name}" if configuration.name else ""
 
 
-def explain_equations(motion: EquationsOfMotion, problem: Problem) -> Step:
+def explain_equations(motion: DalembertMotion, problem: Problem) -> Step:
     """The equations in the file's own coordinates."""
     body: list[Block] = []
     if motion.configuration.rows:
         body += _with_the_solved(motion)
     body += _conclusion(motion)
-    body += _final(motion, problem)
+    body += final_equations(motion, problem)
     title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
     return Step(
         Rule.EQUATIONS_OF_MOTION,
@@ -121,10 +122,10 @@ def explain_equations(motion: EquationsOfMotion, problem: Problem) -> Step:
     )
 
 
-def _with_the_solved(motion: EquationsOfMotion) -> list[Block]:
+def _with_the_solved(motion: DalembertMotion) -> list[Block]:
     """The principle with the dependent displacements put in."""
     configuration = motion.configuration
-    suffix = _suffix(configuration)
+    suffix = suffix_of(configuration)
     solved = [variation(configuration.slots.coordinates[d]) for d in motion.elimination.dependent]
     return [
         prose("With ", *listed(math(d) for d in solved), " put in, ", Ref(f"written-out{suffix}"), " becomes"),
@@ -143,11 +144,11 @@ def _conclusion(motion: EquationsOfMotion) -> list[Block]:
         if len(free) == 1
         else " are independent, so what multiplies each of them vanishes"
     )
-    scaling = _scaling(motion)
-    return [prose(*listed(free), arbitrary, *((" (", *scaling, ")") if scaling else ()), ":")]
+    clauses = scaling(motion)
+    return [prose(*listed(free), arbitrary, *((" (", *clauses, ")") if clauses else ()), ":")]
 
 
-def _scaling(motion: EquationsOfMotion) -> tuple[Part, ...]:
+def scaling(motion: EquationsOfMotion) -> tuple[Part, ...]:
     """`multiplying by x and dividing by m r, where r ≠ 0`."""
     multiplied = _distinct(e.factor.denominator.expression for e in motion.equations)
     divided = _distinct(e.factor.numerator.expression for e in motion.equations)
@@ -171,10 +172,10 @@ def _distinct(factors: Iterable[sp.Expr]) -> list[sp.Expr]:
     return [f for f in dict.fromkeys(factors) if f != 1]
 
 
-def _final(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
+def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     """The boxed equations, with the constraints that complete them."""
     configuration = motion.configuration
-    suffix = _suffix(configuration)
+    suffix = suffix_of(configuration)
     lines = [Equation((e.expression, ZERO), label=f"motion{suffix}-{e.coordinate.name}") for e in motion.equations]
     lines += [_constraint(configuration, r.name, problem) for r in configuration.rows]
     return [display(*lines, boxed=True, detail=Detail.BRIEF)]
@@ -185,9 +186,9 @@ def _constraint(configuration: Configuration, name: str, problem: Problem) -> Eq
     row = next(r for r in configuration.rows if r.name == name)
     if not configuration.expressed:
         constraint = next(c for c in problem.constraints if c.name == name)
-        return Equation((constraint.lhs, constraint.rhs), label=f"with{_suffix(configuration)}-{name}")
+        return Equation((constraint.lhs, constraint.rhs), label=f"with{suffix_of(configuration)}-{name}")
     shown = row.velocity_form(configuration.slots) if row.finite is None else row.finite
-    return Equation((shown, ZERO), label=f"with{_suffix(configuration)}-{name}")
+    return Equation((shown, ZERO), label=f"with{suffix_of(configuration)}-{name}")
 
 
 def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
@@ -244,7 +245,7 @@ def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
     return found
 
 
-def explain_motion_in_choice(coordinates: GeneralizedCoordinates, motion: EquationsOfMotion, problem: Problem) -> Step:
+def explain_motion_in_choice(coordinates: GeneralizedCoordinates, motion: DalembertMotion, problem: Problem) -> Step:
     """The principle and the equations in a choice of coordinates."""
     configuration = motion.configuration
     name = coordinates.choice.name
@@ -262,6 +263,6 @@ def explain_motion_in_choice(coordinates: GeneralizedCoordinates, motion: Equati
     if configuration.rows:
         body += _with_the_solved(motion)
     body += _conclusion(motion)
-    body += _final(motion, problem)
+    body += final_equations(motion, problem)
     title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
     return Step(Rule.EQUATIONS_OF_MOTION, f"{title}: {spoken(name)}", tuple(body))

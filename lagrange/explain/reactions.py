@@ -7,6 +7,7 @@ import sympy as sp
 from lagrange.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose
 from lagrange.dynamics import Motion
 from lagrange.explain.words import plural, spoken
+from lagrange.multipliers import LagrangeMotion
 from lagrange.newton import Newton
 from lagrange.reactions import Reactions
 
@@ -35,12 +36,13 @@ def explain_reactions(
     lost = [
         r.name for r in newton.reactions if r.name in reactions.multipliers and reactions.multipliers[r.name] is None
     ]
+    equations = "Lagrange's" if isinstance(motion.written, LagrangeMotion) else "Newton's"
     if lines and not long:
-        words = "Newton's equations and the constraints, differentiated until accelerations occur, are linear in "
+        words = f"{equations} equations and the constraints, differentiated until accelerations occur, are linear in "
         what = "accelerations and multipliers; solved for the latter they give"
         body.append(prose(*((words, what) if first else ("In these coordinates the same equations give",))))
     elif lines:
-        body.append(prose("Solved for the multipliers, Newton's equations give long expressions, left out here."))
+        body.append(prose(f"Solved for the multipliers, {equations} equations give long expressions, left out here."))
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))
     if lost:

@@ -14,6 +14,7 @@ import sympy as sp
 
 from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
 from lagrange.displacements import possible_displacement, virtual_displacement
+from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import FormSymbol, Wedge
 from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
@@ -76,8 +77,11 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _statics(solution.equilibrium, solution.stability, write)
     if solution.law is not None:
         found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
+    if solution.dynamics is not None and isinstance(solution.dynamics.written, LagrangeMotion):
+        found["method"] = "lagrange"
     if solution.dynamics is not None:
         found["equations"] = _equations(solution.dynamics.written, write)
+        found |= _by_lagrange(solution.dynamics.written, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
         found |= _reactions(solution, solution.dynamics.reactions, write)
     if solution.reactions_at_rest is not None:
@@ -135,6 +139,7 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
         found["equations"] = _equations(c.dynamics.written, write)
+        found |= _by_lagrange(c.dynamics.written, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
         values = c.dynamics.reactions.multipliers
         tensions = c.dynamics.reactions.tensions
@@ -255,6 +260,26 @@ def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
     slots = motion.configuration.slots
     rows = (r.velocity_form(slots) if r.finite is None else r.finite for r in motion.configuration.rows)
     return [f"{write(e)} = 0" for e in (*motion.expressions, *rows)]
+
+
+def _by_lagrange(motion: EquationsOfMotion, write: Write) -> dict[str, Any]:
+    """T, V, p_k, the Q_k of what is not in V, and Lagrange's equations; left out where these are not the method."""
+    if not isinstance(motion, LagrangeMotion):
+        return {}
+    found, coordinates = motion.principle, motion.configuration.slots.coordinates
+
+    def each(values: Sequence[sp.Expr]) -> dict[str, str]:
+        return {q.name: write(v) for q, v in zip(coordinates, values, strict=True)}
+
+    result: dict[str, Any] = {
+        "kinetic_energy": write(found.kinetic),
+        "potential_energy": write(found.potential),
+        "momenta": each(found.momenta),
+        "generalized_forces": each(found.applied),
+    }
+    if found.has_quasi_coordinates:
+        result["quasi_coordinate_terms"] = each(found.quasi)
+    return {"lagrange": result}
 
 
 def _spot(spot: Spot, write: Write) -> dict[str, Any]:
