@@ -12,14 +12,14 @@ are not determined, and bring no new direction.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.displacements import Elimination
 from lagrange.energies import Energies
-from lagrange.equations import EquationsOfMotion, equation_of_motion, of_independent
+from lagrange.equations import EquationOfMotion, EquationsOfMotion, equation_of_motion, of_independent
 from lagrange.linear import solved_linear
 from lagrange.trigonometry import Element
 
@@ -41,23 +41,52 @@ class LagrangeMotion(EquationsOfMotion):
 def lagrange_motion(found: Energies, elimination: Elimination) -> LagrangeMotion:
     """Lagrange's equations of a configuration without multipliers."""
     configuration = found.configuration
-    coordinates = configuration.slots.coordinates
     used = tuple(n for n in range(len(configuration.rows)) if n not in elimination.unused)
     forces = _multipliers(found, elimination, used)
     if forces is None:
-        free = of_independent(found.coefficients, found.ring, elimination)
+        equations = _combined(found, elimination)
     else:
-        free = [_without(found, k, used, forces) for k in elimination.independent]
+        free = (_without(found, k, used, forces) for k in elimination.independent)
+        equations = _equations(found, elimination, free)
+        if any(_is_split(e.expression) for e in equations):
+            equations = tuple(map(_tidier, equations, _combined(found, elimination)))
     return LagrangeMotion(
         configuration=configuration,
         principle=found,
         elimination=elimination,
-        equations=tuple(
-            equation_of_motion(found, coordinates[k], e) for k, e in zip(elimination.independent, free, strict=True)
-        ),
+        equations=equations,
         used=used,
         multipliers=None if forces is None else tuple(found.textbook.form(f) for f in forces),
     )
+
+
+def _equations(
+    found: Energies, elimination: Elimination, free: Iterable[Element]
+) -> tuple[EquationOfMotion, ...]:
+    """The equations of the independent coordinates, divided by what their terms have in common."""
+    coordinates = found.configuration.slots.coordinates
+    return tuple(
+        equation_of_motion(found, coordinates[k], e) for k, e in zip(elimination.independent, free, strict=True)
+    )
+
+
+def _combined(found: Energies, elimination: Elimination) -> tuple[EquationOfMotion, ...]:
+    """The same from Σ_k L_k δq_k = 0."""
+    return _equations(found, elimination, of_independent(found.coefficients, found.ring, elimination))
+
+
+def _is_split(expression: sp.Expr) -> bool:
+    """Whether sums are left in denominators."""
+    return any(p.base.is_Add and p.exp.could_extract_minus_sign() for p in expression.atoms(sp.Pow))
+
+
+def _tidier(first: EquationOfMotion, second: EquationOfMotion) -> EquationOfMotion:
+    """One equation in two forms: with the multipliers put in, or combined; the latter may share a denominator."""
+    forms = (first.expression, second.expression)
+    split, other = (_is_split(e) for e in forms)
+    if split != other:
+        return second if split else first
+    return second if forms[1].count_ops() < forms[0].count_ops() else first
 
 
 def _without(found: Energies, k: int, used: Sequence[int], forces: Sequence[Element]) -> Element:

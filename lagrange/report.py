@@ -34,7 +34,7 @@ from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
 from lagrange.letters import letters, states_potential
 from lagrange.multipliers import LagrangeMotion
-from lagrange.problem import Problem
+from lagrange.problem import Find, Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
 
@@ -51,11 +51,12 @@ class Report:
     answers: tuple[ComparedAnswer, ...]
     derivation: Derivation
     notation: Notation
+    remarks: tuple[Diagnostic, ...] = ()
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What is to be said of how the file was read."""
-        return self.solution.problem.notes
+        """What is to be said of how the file was read, and of what was asked."""
+        return (*self.solution.problem.notes, *self.remarks)
 
     @property
     def shortcomings(self) -> tuple[Diagnostic, ...]:
@@ -75,7 +76,18 @@ def report(
     solution = solve(problem, choice, complete=complete, method=method)
     answers = tuple(compared_answers(solution))
     steps = tuple(_steps(solution, answers))
-    return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation_of(solution))
+    derivation = Derivation(problem.title, problem.source, steps)
+    remarks = _remarks(problem, method)
+    return Report(solution, answers, derivation, notation_of(solution), remarks)
+
+
+def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
+    """That a method of motion was asked for where nothing moves."""
+    if method is Method.DALEMBERT or Find.MOTION in problem.find:
+        return ()
+    message = f"`--method {method}` makes no difference here: no equations of motion are asked for"
+    help_ = "equilibrium is found by the principle of virtual work; `find: motion` asks for equations of motion"
+    return (Diagnostic("method-without-motion", message, help=help_).as_note(),)
 
 
 def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Step]:

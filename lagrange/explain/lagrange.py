@@ -253,8 +253,6 @@ def _general(told: Told) -> list[Block]:
     bound = bool(told.found.configuration.rows)
     right = force if bound or any(q != 0 for q in told.found.applied) else ZERO
     left = sp.Add(Rate(momentum), -Partial(function, q), evaluate=False)
-    if told.found.has_quasi_coordinates:
-        left = sp.Add(Rate(momentum), -Partial(function, q), -letters.addition(sp.Symbol("k")), evaluate=False)
     with_potential: tuple[Part, ...] = (
         ("With ", math(function, letters.kinetic - letters.potential), ", ") if told.found.potential != 0 else ()
     )
@@ -335,11 +333,14 @@ def _derivatives(told: Told) -> list[Block]:
     momenta = [
         Equation((letters.momentum(q), Partial(function, v), p), label=f"p{told.suffix}-{q.name}")
         for q, v, p in zip(told.coordinates, told.velocities, found.momenta, strict=True)
+        if p != 0
     ]
     rates = [
         Equation((Rate(letters.momentum(q)), rate), label=f"rate{told.suffix}-{q.name}")
-        for q, rate in zip(told.coordinates, found.rates, strict=True)
+        for q, p, rate in zip(told.coordinates, found.momenta, found.rates, strict=True)
+        if p != 0
     ]
+    still = [v for v, p in zip(told.velocities, found.momenta, strict=True) if p == 0]
     partials = [
         Equation((Partial(function, q), p), label=f"slope{told.suffix}-{q.name}")
         for q, p in zip(told.coordinates, found.partials, strict=True)
@@ -347,13 +348,19 @@ def _derivatives(told: Told) -> list[Block]:
     ]
     absent = [q for q, p in zip(told.coordinates, found.partials, strict=True) if p == 0]
     long = any(rate.count_ops() > LONGEST for rate in found.rates)
-    is_are = plural(len(momenta), "The generalized momentum is", "The generalized momenta are")
-    body: list[Block] = [prose(is_are), display(*momenta)]
-    its = plural(len(rates), "and its rate of change", "and their rates of change")
-    body += [
-        prose(its, detail=Detail.FULL if long else Detail.STEPS),
-        display(*rates, detail=Detail.FULL if long else Detail.STEPS),
-    ]
+    body: list[Block] = []
+    if still:
+        gone = listed(math(letters.momentum(q)) for q, p in zip(told.coordinates, found.momenta, strict=True) if p == 0)
+        ending = plural(len(still), " does not occur in ", " do not occur in ")
+        body.append(prose(*listed(math(v) for v in still), ending, math(function), ": ", *gone,
+                          plural(len(still), " is 0.", " are 0.")))  # fmt: skip
+    if momenta:
+        begin = "The others are" if still and len(momenta) > 1 else "The other is" if still else plural(
+            len(momenta), "The generalized momentum is", "The generalized momenta are"
+        )
+        shown = Detail.FULL if long else Detail.STEPS
+        its = plural(len(rates), "and its rate of change", "and their rates of change")
+        body += [prose(begin), display(*momenta), prose(its, detail=shown), display(*rates, detail=shown)]
     names = listed(math(q) for q in absent)
     if absent:
         verb = plural(len(absent), " does not occur in ", " do not occur in ")
@@ -385,14 +392,16 @@ def _quasi(told: Told) -> list[Block]:
         for q, n in zip(told.coordinates, found.quasi, strict=True)
         if n != 0
     ]
-    k = sp.Symbol("k")
+    k, q = sp.Symbol("k"), sp.Symbol("q_k", real=True)
+    added = letters.addition(k)
+    left = sp.Add(Rate(letters.momentum(k)), -Partial(told.function, q), -added, evaluate=False)
     return [
         prose("The angular velocity ", math(omega), " is given as it is, and its coefficients are no derivatives of "
               "angles: some coordinates are quasi-coordinates, which do not determine how the body is turned. For them "
-              "Lagrange's expression has a term too much, ", math(letters.addition(k)), ", the angular momentum times "
-              "the rate of change of the coefficient of ", math(sp.Symbol("q_k'", real=True)), " in the angular "
-              "velocity less the derivative of this by ", math(sp.Symbol("q_k", real=True)), " (Boltzmann, Hamel). It "
-              "is taken away:"),
+              "Lagrange's expression has a term too much, ", math(added), ": the angular momentum times the rate of "
+              "change of the coefficient of ", math(sp.Symbol("q_k'", real=True)), " in the angular velocity, less the "
+              "derivative of ", math(told.letters.kinetic), " by ", math(q), " as far as the body's rotation goes "
+              "(Boltzmann, Hamel). Their left sides are ", math(left), ", with"),
         display(*lines),
     ]  # fmt: skip
 
