@@ -2,15 +2,16 @@
 
     p_k = ∂T/∂q_k' ,      d/dt p_k − ∂L/∂q_k = Q_k + Σ_j λ_j a_jk ,      L = T − V .
 
-V is the potential energy of weights, springs and given potentials; Q_k is made of everything else by its virtual work,
-δW = Σ Q_k δq_k. A damper adds −∂F/∂q_k' of Rayleigh's function F = c d'²/2. Velocities and angular velocities are those of
-`lagrangian.py`, which has no step in common with d'Alembert's principle; here they are put into the ring, where T comes
-out tidy. A body whose ω the file gives may move in quasi-coordinates; N_k = H·(ω_k' − ∂ω/∂q_k) is then what Lagrange's
-expression has too much (Boltzmann, Hamel), and d/dt p_k − ∂L/∂q_k − N_k takes its place.
+V is the potential energy of weights, springs and given potentials; Q_k is made of everything else by its virtual
+work, δW = Σ Q_k δq_k. A damper adds −∂F/∂q_k' of Rayleigh's function F = c d'²/2. Velocities and angular velocities are
+those of `lagrangian.py`, which has no step in common with d'Alembert's principle; here they are put into the ring,
+where T comes out tidy. A body whose ω the file gives may move in quasi-coordinates; N_k = H·(ω_k' − ∂ω/∂q_k) is then
+what Lagrange's expression has too much (Boltzmann, Hamel), and d/dt p_k − ∂L/∂q_k − N_k takes its place.
 
-Every velocity of the configuration is free in T: no constraint on velocities has been put in. With x' = R φ' put into
-m (x'² + R² φ'²)/2 before differentiating, ∂T/∂q' would lack what the reaction balances, and the equations would be wrong
-unless the constraint comes to a finite relation. Reference: Whittaker, Analytical Dynamics, §§ 26, 30, 87.
+Every velocity of the configuration is free in T: no constraint on velocities has been put in. With y' = x' tan θ put
+into the T of a sleigh before differentiating, ∂T/∂x' would be made of what the reaction balances too, and the equations
+would be wrong; they are not where the constraint comes to a finite relation. Reference: Whittaker, Analytical Dynamics,
+§§ 26, 30, 87.
 """
 
 from __future__ import annotations
@@ -147,8 +148,8 @@ def _quasi(configuration: Configuration, k: int, ring: Ring) -> Element:
 def _written_kinetic(configuration: Configuration, kinetic: Element, ring: Ring) -> sp.Expr:
     """T in textbook form, what all its terms have in common in front: m (r'² + r² φ'²)/2.
 
-    Squares of a body's ω_1, ... that are sums are kept where that is shorter, C (φ' cos θ + ψ')²/2; they are of ω in the
-    triad in which it is shortest.
+    Squares of a body's ω_1, ... that are sums are kept where that is shorter, C (φ' cos θ + ψ')²/2; they are of ω in
+    the triad in which it is shortest.
     """
     textbook = Textbook(ring, merge=True)
     whole = _in_front(textbook.form(kinetic))

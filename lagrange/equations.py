@@ -16,13 +16,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from lagrange.balance import Balance
 from lagrange.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
 from lagrange.displacements import Elimination
 from lagrange.exact import NoPointError, UnsupportedError
 from lagrange.kinematics import Configuration
 from lagrange.notation import prime, variation
 from lagrange.principle import Principle
-from lagrange.balance import Balance
 from lagrange.textbook import Factor, common_factor, normalised
 from lagrange.trigonometry import Element, Ring
 
@@ -80,7 +80,8 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Dalem
     displacements = [ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
     reduced = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
     equations = tuple(
-        equation_of_motion(principle, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
+        equation_of_motion(principle, coordinates[k], d)
+        for k, d in zip(elimination.independent, coefficients, strict=True)
     )
     return DalembertMotion(configuration, principle, elimination, equations, textbook.form(reduced))
 

@@ -68,7 +68,9 @@ def kinetic_energy(configuration: Configuration) -> sp.Expr:
         velocity = velocity_of(p, slots)
         terms.append(p.mass * velocity.dot(velocity) / 2)
     for r in configuration.rotations:
-        terms += [moment * w**2 / 2 for moment, w in zip(r.inertia, spin_along_axes(r, slots), strict=True) if moment != 0]
+        terms += [
+            moment * w**2 / 2 for moment, w in zip(r.inertia, spin_along_axes(r, slots), strict=True) if moment != 0
+        ]
     return sp.Add(*terms)
 
 

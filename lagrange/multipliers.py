@@ -3,11 +3,11 @@
     L_k = Σ_j λ_j a_jk ,      L_k = d/dt ∂T/∂q_k' − ∂T/∂q_k − Q_k .
 
 Where coordinates are independent there are no multipliers, and L_k = 0. Otherwise the equations of as many coordinates
-q_d as there are independent constraints are solved for the multipliers, Σ_j a_jd λ_j = L_d, and those put into the others.
-The coordinates q_d are those whose δq were solved for, because the same minor of A must not vanish. Where that minor is
-too large to be inverted, the equations are combined with the solved displacements instead, Σ_k L_k δq_k = 0, from
-which the multipliers drop out by A δq = 0. Of constraints that follow from others the multipliers are left out: they
-are not determined, and bring no new direction.
+q_d as there are independent constraints are solved for the multipliers, Σ_j a_jd λ_j = L_d, and those put into the
+others. The coordinates q_d are those whose δq were solved for, because the same minor of A must not vanish. Where
+that minor is too large to be inverted, or friction holds an |λ| that is not known yet, the equations are combined with
+the solved displacements instead, Σ_k L_k δq_k = 0, from which the reactions drop out by A δq = 0. Of constraints that
+follow from others the multipliers are left out: they are not determined, and bring no new direction.
 """
 
 from __future__ import annotations
@@ -60,9 +60,7 @@ def lagrange_motion(found: Energies, elimination: Elimination) -> LagrangeMotion
     )
 
 
-def _equations(
-    found: Energies, elimination: Elimination, free: Iterable[Element]
-) -> tuple[EquationOfMotion, ...]:
+def _equations(found: Energies, elimination: Elimination, free: Iterable[Element]) -> tuple[EquationOfMotion, ...]:
     """The equations of the independent coordinates, divided by what their terms have in common."""
     coordinates = found.configuration.slots.coordinates
     return tuple(

@@ -20,11 +20,11 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.balance import Balance
 from lagrange.kinematics import Configuration
 from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_in_blocks, solved_linear, tidy_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import Unspecified, t
-from lagrange.balance import Balance
 from lagrange.textbook import common_factor, textbook_form
 from lagrange.vectors import Vector
 

@@ -176,7 +176,7 @@ def _potential(solution: Solution) -> dict[str, sp.Expr]:
 
 
 def _energies(solution: Solution) -> dict[str, sp.Expr]:
-    """T, V, L, v_P², p_k, Q_k and N_k as a derivation by Lagrange's equations writes them, the file's coordinates first."""
+    """T, V, L, v_P, p_k, Q_k, N_k of a derivation by Lagrange's equations; those of the file's coordinates prevail."""
     found: dict[str, sp.Expr] = {}
     named = letters(solution)
     for dynamics in (*(c.dynamics for c in reversed(solution.choices)), solution.dynamics):

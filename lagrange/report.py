@@ -39,7 +39,7 @@ from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
 
 if TYPE_CHECKING:
-    from lagrange.explain.lagrange import Told
+    from lagrange.explain.energies import Told
     from lagrange.static_reactions import StaticReactions
 
 
@@ -165,7 +165,7 @@ def _motion(solution: Solution) -> Iterator[Step]:
         yield explain_newton(law.newton, dynamics.rubbed, solution.configuration, freedom)
         yield explain_works(solution.works, solution.configuration)
     if dynamics.rubbed and isinstance(written, LagrangeMotion):
-        from lagrange.explain.lagrange import explain_friction_first
+        from lagrange.explain.energies import explain_friction_first
 
         yield explain_friction_first(_told(solution, law, written))
     if dynamics.rubbed:
@@ -181,7 +181,8 @@ def _motion(solution: Solution) -> Iterator[Step]:
 
 def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
     """T, V and Q_k, Lagrange's equations, and what they come to without multipliers."""
-    from lagrange.explain.lagrange import explain_energies, explain_lagrange, explain_lagrange_motion
+    from lagrange.explain.energies import explain_energies
+    from lagrange.explain.lagrange import explain_lagrange, explain_lagrange_motion
 
     if solution.law is not None:
         told = _told(solution, solution.law, written)
@@ -192,7 +193,7 @@ def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
 
 def _told(solution: Solution, law: Law, written: LagrangeMotion) -> Told:
     """What is told of Lagrange's equations in one set of coordinates."""
-    from lagrange.explain.lagrange import Told
+    from lagrange.explain.energies import Told
 
     finite = frozenset(c.row.name for c in solution.classification.constraints if c.integrable)
     rubbed = solution.dynamics.rubbed if solution.dynamics is not None else ()

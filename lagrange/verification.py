@@ -223,8 +223,10 @@ def check_reactions(
 
     passed = agreed(configuration.states, follow, (*known, *claims))
     equations = "Lagrange's equations" if method is Method.DALEMBERT else "the equations of d'Alembert's principle"
-    what = f"reactions satisfy {equations} with multipliers" if multipliers else (
-        f"accelerations, solved for, satisfy {equations}"
+    what = (
+        f"reactions satisfy {equations} with multipliers"
+        if multipliers
+        else (f"accelerations, solved for, satisfy {equations}")
     )
     name = f"the {what}"
     return [Check(name, passed, EXACT, configuration.name)]
@@ -246,9 +248,7 @@ def _left_by_other(configuration: Configuration, method: Method) -> tuple[sp.Exp
     return tuple(d.to_sympy() for d in dalembert(configuration).coefficients)
 
 
-def _agrees_with_other(
-    motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...], method: Method
-) -> bool | None:
+def _agrees_with_other(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...], method: Method) -> bool | None:
     configuration = motion.configuration
     system = multiplier_system(configuration, _left_by_other(configuration, method), multipliers)
     result = compare(motion.expressions, system)

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from conftest import PROBLEMS, ROOT
 
+from lagrange.dynamics import Method
 from lagrange.loader import load
 from lagrange.render import json, latex, pretty
 from lagrange.report import Report, report
@@ -18,6 +19,7 @@ from lagrange.report import Report, report
 GOLDEN = ROOT / "tests" / "golden"
 ACTUAL = ROOT / "tests" / "actual"
 SHIPPED = sorted(PROBLEMS.glob("chapter6/*.yaml"))
+BY_LAGRANGE = ("chapter6/ex11-ideal-pendulum", "chapter6/ex17-spherical-pendulum", "motion/rolling-disc")
 
 
 @pytest.fixture(scope="module", params=SHIPPED, ids=lambda p: p.stem)
@@ -38,8 +40,23 @@ FORMATS = {
 @pytest.mark.parametrize("ending", FORMATS)
 def test_output_is_as_it_was(solved: tuple[str, Report, Report], ending: str, request: pytest.FixtureRequest) -> None:
     name, printed, complete = solved
-    actual = FORMATS[ending](complete if ending == "json" else printed)
-    golden = GOLDEN / f"{name}.{ending}"
+    compare(f"{name}.{ending}", FORMATS[ending](complete if ending == "json" else printed), request)
+
+
+@pytest.mark.parametrize("ending", ["80.txt", "tex"])
+@pytest.mark.parametrize("name", BY_LAGRANGE)
+def test_output_by_lagranges_equations_is_as_it_was(name: str, ending: str, request: pytest.FixtureRequest) -> None:
+    printed = report(load(PROBLEMS / f"{name}.yaml"), complete=False, method=Method.LAGRANGE)
+    compare(_by_lagrange(name, ending), FORMATS[ending](printed), request)
+
+
+def _by_lagrange(name: str, ending: str) -> str:
+    return f"{name.partition('/')[2]}.lagrange.{ending}"
+
+
+def compare(file: str, actual: str, request: pytest.FixtureRequest) -> None:
+    """What is printed against the golden file."""
+    golden = GOLDEN / file
     if request.config.getoption("--renew"):
         golden.write_text(actual, encoding="utf-8")
         return
@@ -52,4 +69,5 @@ def test_output_is_as_it_was(solved: tuple[str, Report, Report], ending: str, re
 
 def test_no_golden_file_is_left_over() -> None:
     expected = {f"{p.stem}.{ending}" for p in SHIPPED for ending in FORMATS}
+    expected |= {_by_lagrange(name, ending) for name in BY_LAGRANGE for ending in ("80.txt", "tex")}
     assert {p.name for p in GOLDEN.iterdir() if p.name != "README.md"} == expected
