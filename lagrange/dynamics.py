@@ -81,7 +81,8 @@ class Law:
     def equations(self, configuration: Configuration, elimination: Elimination) -> EquationsOfMotion:
         """The equations of motion of a configuration."""
         if self.method is Method.LAGRANGE:
-            return lagrange_motion(energies(configuration), elimination)
+            unknown = self.newton.multipliers_by_name.values()
+            return lagrange_motion(energies(configuration), elimination, tuple(unknown))
         return equations_of_motion(dalembert(configuration), elimination)
 
 

@@ -101,7 +101,7 @@ def energies(configuration: Configuration) -> Energies:
         velocities={p.name: p.velocity.map(textbook.form) for p in moving},
         squares={p.name: textbook.form(_square(p, configuration)) for p in moving},
         kinetic=_written_kinetic(configuration, kinetic, ring),
-        potential=_written_potential(configuration, potential, textbook),
+        potential=_written_potential(configuration, textbook),
         momenta=forms(momenta),
         rates=forms(rates),
         partials=forms(partials),
@@ -176,9 +176,10 @@ def _squares_of_sums(rotation: Rotation, textbook: Textbook) -> list[sp.Expr]:
     return [moment * w**2 / 2 for moment, w in zip(rotation.inertia, spins, strict=True) if w.is_Add]
 
 
-def _written_potential(configuration: Configuration, potential: Element, textbook: Textbook) -> sp.Expr:
-    """V in textbook form; the squares of springs are kept where that is shorter: k (d − l)²/2."""
-    whole = textbook.form(potential)
-    springs = sp.Add(*(s.energy for s in configuration.springs))
-    parts = textbook.form(potential - textbook.ring.from_sympy(springs)) + springs
-    return parts if parts.count_ops() < whole.count_ops() else whole
+def _written_potential(configuration: Configuration, textbook: Textbook) -> sp.Expr:
+    """V as the sum of what it is made of; a spring's as k (d − l)²/2 where that is shorter."""
+    springs = [s.energy for s in configuration.springs]
+    fields = configuration.potential - sp.Add(*springs)
+    written = (min(textbook.form(e), e, key=lambda form: form.count_ops()) for e in springs)
+    weights = potential_energy(configuration) - configuration.potential
+    return sp.Add(textbook.form(weights), textbook.form(fields), *written)

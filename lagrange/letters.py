@@ -26,6 +26,18 @@ class Letters:
     forces: str
     quasi: str
     speeds: str
+    index: str
+
+    @property
+    def coordinate(self) -> sp.Symbol:
+        """q_k, any coordinate."""
+        return _symbol(f"q_{self.index}")
+
+    @property
+    def any(self) -> tuple[sp.Symbol, sp.Symbol, sp.Symbol]:
+        """p_k, Q_k and N_k of any coordinate."""
+        k = _symbol(self.index)
+        return self.momentum(k), self.force(k), self.addition(k)
 
     def momentum(self, coordinate: sp.Symbol) -> sp.Symbol:
         """p_k."""
@@ -50,6 +62,7 @@ class Letters:
             self.potential: found.potential,
             self.lagrangian: found.kinetic - found.potential,
         }
+        known |= {s: s for s in self.any}
         known |= {self.speed(name): sp.sqrt(square) for name, square in found.squares.items()}
         for k, q in enumerate(found.configuration.slots.coordinates):
             known |= {self.momentum(q): found.momenta[k], self.force(q): found.applied[k]}
@@ -77,6 +90,7 @@ def letters(solution: Solution) -> Letters:
         forces=_free("Q", "K", "Q_gen", taken=taken, of=coordinates),
         quasi=_free("N", "B", "N_gen", taken=taken, of=coordinates),
         speeds=_free("v", "u", "v_abs", taken=taken, of=points),
+        index=next(k for k in ("k", "n", "s", "gen") if k not in coordinates and f"q_{k}" not in taken),
     )
 
 

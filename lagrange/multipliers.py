@@ -12,7 +12,7 @@ follow from others the multipliers are left out: they are not determined, and br
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -21,6 +21,7 @@ from lagrange.displacements import Elimination
 from lagrange.energies import Energies
 from lagrange.equations import EquationOfMotion, EquationsOfMotion, equation_of_motion, of_independent
 from lagrange.linear import solved_linear
+from lagrange.reactions import over_one_denominator
 from lagrange.trigonometry import Element
 
 
@@ -38,11 +39,11 @@ class LagrangeMotion(EquationsOfMotion):
     multipliers: tuple[sp.Expr, ...] | None
 
 
-def lagrange_motion(found: Energies, elimination: Elimination) -> LagrangeMotion:
-    """Lagrange's equations of a configuration without multipliers."""
+def lagrange_motion(found: Energies, elimination: Elimination, unknown: Collection[sp.Symbol] = ()) -> LagrangeMotion:
+    """Lagrange's equations of a configuration without multipliers; `unknown` are those that friction may have in it."""
     configuration = found.configuration
     used = tuple(n for n in range(len(configuration.rows)) if n not in elimination.unused)
-    forces = _multipliers(found, elimination, used)
+    forces = None if _has(found.applied, unknown) else _multipliers(found, elimination, used)
     if forces is None:
         equations = _combined(found, elimination)
     else:
@@ -56,7 +57,7 @@ def lagrange_motion(found: Energies, elimination: Elimination) -> LagrangeMotion
         elimination=elimination,
         equations=equations,
         used=used,
-        multipliers=None if forces is None else tuple(found.textbook.form(f) for f in forces),
+        multipliers=None if forces is None else tuple(over_one_denominator(found.textbook.form(f)) for f in forces),
     )
 
 
@@ -87,6 +88,11 @@ def _tidier(first: EquationOfMotion, second: EquationOfMotion) -> EquationOfMoti
     return second if forms[1].count_ops() < forms[0].count_ops() else first
 
 
+def _has(forces: Iterable[sp.Expr], unknown: Collection[sp.Symbol]) -> bool:
+    """Whether the forces have an |λ| in them."""
+    return any(not f.free_symbols.isdisjoint(unknown) for f in forces)
+
+
 def _without(found: Energies, k: int, used: Sequence[int], forces: Sequence[Element]) -> Element:
     """L_k − Σ_j λ_j a_jk, the λ_j put in."""
     ring, rows = found.ring, found.configuration.rows
@@ -106,7 +112,7 @@ def _multipliers(found: Energies, elimination: Elimination, used: Sequence[int])
     matrix = [[rows[n].coefficients[d] for n in used] for d in elimination.dependent]
     placeholders = [sp.Dummy(f"L_{d}", real=True) for d in elimination.dependent]
     solved = solved_linear(matrix, placeholders, found.configuration.states)
-    if solved is None or any(p.has(sp.Abs) for p in found.applied):  # friction with an |λ| that is not known yet
+    if solved is None:
         return None
     values: Mapping[sp.Symbol, Element] = {
         p: found.coefficients[d] for p, d in zip(placeholders, elimination.dependent, strict=True)

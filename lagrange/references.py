@@ -108,13 +108,15 @@ def reference_of_solution(solution: Solution) -> Reference:
     signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
     scope = problem.scope
     angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
-    new = [*(q for c in problem.choices for q in c.coordinates), *angles]
+    energies = _energies(solution)
+    general = [letters(solution).coordinate] if energies else []
+    new = [*(q for c in problem.choices for q in c.coordinates), *angles, *general]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
         scalars={
             **_potential(solution),
-            **_energies(solution),
+            **energies,
             **_reactions(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),

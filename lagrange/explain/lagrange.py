@@ -24,7 +24,7 @@ from lagrange.explain.energies import Told
 from lagrange.explain.motion import final_equations, scaling
 from lagrange.explain.newton import nature
 from lagrange.explain.words import plural, spoken
-from lagrange.notation import Partial, Rate, VectorSymbol
+from lagrange.notation import Partial, Rate, VectorSymbol, prime, variation
 from lagrange.textbook import textbook_form
 
 ZERO = sp.S.Zero
@@ -46,21 +46,20 @@ def _general(told: Told) -> list[Block]:
     """The equations for a coordinate q_k."""
     if told.choice:
         return _without_multipliers(told)
-    letters, function = told.letters, told.function
-    q = sp.Symbol("q_k", real=True)
-    momentum, force = letters.momentum(sp.Symbol("k")), letters.force(sp.Symbol("k"))
+    letters, function, q = told.letters, told.function, told.letters.coordinate
+    momentum, force, _ = letters.any
     bound = bool(told.found.configuration.rows)
     right = force if bound or any(q != 0 for q in told.found.applied) else ZERO
-    left = sp.Add(Rate(momentum), -Partial(function, q), evaluate=False)
-    with_potential: tuple[Part, ...] = (
-        ("With ", math(function, letters.kinetic - letters.potential), ", ") if told.found.potential != 0 else ()
+    with_potential: tuple[Part, ...] = ("Lagrange's equations for the coordinates ", math(q))
+    if told.found.potential != 0:
+        with_potential = ("With ", math(function, letters.kinetic - letters.potential), ", ", *with_potential)
+    words = prose(*with_potential, ", and the generalized momenta in them, are")
+    lines = (
+        Equation((Rate(momentum) - Partial(function, q), right), label="lagrange"),
+        Equation((momentum, Partial(function, prime(q))), label="momenta"),
     )
-    velocity = sp.Symbol("q_k'", real=True)
-    sentences = [
-        prose(*with_potential, "Lagrange's equations for the coordinates ", math(q), " and their generalized momenta ",
-              math(momentum, Partial(function, velocity)), " are ", math(left, right), ".")
-    ]  # fmt: skip
-    return [paragraph(*sentences, *_of_reactions(told))]
+    reactions = _of_reactions(told)
+    return [words, display(*lines), *([paragraph(*reactions)] if reactions else [])]
 
 
 def _without_multipliers(told: Told) -> list[Block]:
@@ -88,12 +87,14 @@ def _of_reactions(told: Told) -> list[Prose]:
         reaction = told.reaction(r)
         if reaction.directions is not None and (reaction.rod is not None or reaction.is_normal):
             found += nature(reaction)
+        if reaction.named:
+            found.append(prose("With it ", math(reaction.multiplier, reaction.per_force * reaction.force), "."))
     return found
 
 
 def _not_put_in(told: Told) -> list[Block]:
     """Why a constraint on velocities is not put into T before differentiating."""
-    kinematic = [r for r in told.found.configuration.rows if r.finite is None]
+    kinematic = [r for r in told.rows if r.finite is None]
     if not kinematic:
         return []
     names = listed(spoken(r.name) for r in kinematic)
@@ -200,14 +201,14 @@ def _quasi(told: Told) -> list[Block]:
         for q, n in zip(told.coordinates, found.quasi, strict=True)
         if n != 0
     ]
-    k, q = sp.Symbol("k"), sp.Symbol("q_k", real=True)
-    added = letters.addition(k)
-    left = sp.Add(Rate(letters.momentum(k)), -Partial(told.function, q), -added, evaluate=False)
+    q = letters.coordinate
+    momentum, _, added = letters.any
+    left = Rate(momentum) - Partial(told.function, q) - added
     return [
         prose("The angular velocity ", math(omega), " is given as it is, and its coefficients are no derivatives of "
               "angles: some coordinates are quasi-coordinates, which do not determine how the body is turned. For them "
               "Lagrange's expression has a term too much, ", math(added), ": the angular momentum times the rate of "
-              "change of the coefficient of ", math(sp.Symbol("q_k'", real=True)), " in the angular velocity, less the "
+              "change of the coefficient of ", math(prime(q)), " in the angular velocity, less the "
               "derivative of ", math(told.letters.kinetic), " by ", math(q), " as far as the body's rotation goes "
               "(Boltzmann, Hamel). Their left sides are ", math(left), ", with"),
         display(*lines),
@@ -222,13 +223,14 @@ def _with_multipliers(told: Told) -> list[Block]:
     ]
     left_out = len(told.found.configuration.rows) - len(told.rows)
     body: list[Block] = [
-        prose("Lagrange's equations are" if told.choice else "With these, Lagrange's equations are"),
+        prose("Lagrange's equations " if told.choice else "With these, Lagrange's equations ", Ref("lagrange"), " are"),
         display(*lines),
     ]
     if left_out:
         names = listed(spoken(r.name) for n, r in enumerate(told.found.configuration.rows) if n not in told.motion.used)
         verb = plural(left_out, " follows from the others, and needs", " follow from the others, and need")
-        body.append(prose(*names, verb, " no multiplier of its own." if left_out == 1 else " no multipliers."))
+        begin = plural(left_out, "The constraint ", "The constraints ")
+        body.append(prose(begin, *names, verb, " no multiplier of its own." if left_out == 1 else " no multipliers."))
     return body
 
 
@@ -270,8 +272,10 @@ def explain_lagrange_motion(told: Told) -> Step:
         body += _eliminated(told)
     else:
         clauses = scaling(motion)
-        body.append(prose("Lagrange's equations are therefore" if len(motion.equations) > 1 else
-                          "Lagrange's equation is therefore", *((" (", *clauses, ")") if clauses else ())))  # fmt: skip
+        one = len(motion.equations) == 1
+        scaled = (" (", *clauses, ")") if clauses else ()
+        body.append(prose("Lagrange's equation " if one else "Lagrange's equations ", Ref("lagrange"),
+                          " is therefore" if one else " are therefore", *scaled))  # fmt: skip
     body += final_equations(motion, told.problem)
     title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
     if told.problem.choices and not told.choice:
@@ -291,8 +295,9 @@ def _eliminated(told: Told) -> list[Block]:
     if motion.multipliers is None:
         return [
             prose("Multiply each equation by the virtual displacement of its coordinate, with the solved displacements "
-                  "of ", *dependent, " put in, and add: the reactions drop out. What multiplies each free "
-                  "displacement vanishes", *scaled, ":")
+                  "of ", *dependent, " put in, and add: the reactions drop out. What multiplies ",
+                  *listed(math(variation(told.coordinates[k])) for k in motion.elimination.independent),
+                  " vanishes", *scaled, ":")
         ]  # fmt: skip
     reactions = [told.reaction(r) for r in told.rows]
     lines = [
