@@ -13,7 +13,7 @@ from conftest import PROBLEMS, ROOT
 
 from lagrange.dynamics import Method
 from lagrange.loader import load
-from lagrange.render import json, latex, pretty
+from lagrange.render import html, json, latex, markdown, pretty
 from lagrange.report import Report, report
 
 GOLDEN = ROOT / "tests" / "golden"
@@ -35,6 +35,12 @@ FORMATS = {
     "tex": lambda r: latex.render([(r.derivation, r.notation)]),
     "json": lambda r: json.render([r]),
 }
+PAGES = {
+    "md": lambda r: markdown.render([(r.derivation, r.notation)]),
+    "html": lambda r: html.render([(r.derivation, r.notation)]),
+}
+KEPT = [p for p in SHIPPED if p.name.startswith(("ex04", "ex06", "ex11", "ex16", "ex17", "ex18"))]
+"""The problems whose pages are kept as well."""
 
 
 @pytest.mark.parametrize("ending", FORMATS)
@@ -54,9 +60,18 @@ def _by_lagrange(name: str, ending: str) -> str:
     return f"{name.partition('/')[2]}.lagrange.{ending}"
 
 
-def compare(file: str, actual: str, request: pytest.FixtureRequest) -> None:
-    """What is printed against the golden file."""
-    golden = GOLDEN / file
+@pytest.mark.parametrize("ending", PAGES)
+@pytest.mark.parametrize("solved", KEPT, ids=lambda p: p.stem, indirect=True)
+def test_pages_are_as_they_were(
+    solved: tuple[str, Report, Report], ending: str, request: pytest.FixtureRequest
+) -> None:
+    name, printed, _ = solved
+    compare(f"{name}.{ending}", PAGES[ending](printed), request)
+
+
+def compare(name: str, actual: str, request: pytest.FixtureRequest) -> None:
+    """Compares with the golden file of this name, or writes it."""
+    golden = GOLDEN / name
     if request.config.getoption("--renew"):
         golden.write_text(actual, encoding="utf-8")
         return
@@ -70,4 +85,5 @@ def compare(file: str, actual: str, request: pytest.FixtureRequest) -> None:
 def test_no_golden_file_is_left_over() -> None:
     expected = {f"{p.stem}.{ending}" for p in SHIPPED for ending in FORMATS}
     expected |= {_by_lagrange(name, ending) for name in BY_LAGRANGE for ending in ("80.txt", "tex")}
+    expected |= {f"{p.stem}.{ending}" for p in KEPT for ending in PAGES}
     assert {p.name for p in GOLDEN.iterdir() if p.name != "README.md"} == expected
