@@ -322,6 +322,13 @@ def _eliminated(told: Told) -> list[Block]:
             prose("No coordinate is free: the constraints alone determine the motion."),
         ]
     others = plural(len(free), "the equation of ", "the equations of ")
+    if not any(row.coefficients[k] != 0 for row in told.rows for k in motion.elimination.independent):
+        clean = plural(len(free), " holds no multiplier, and is", " hold no multiplier, and are")
+        return [
+            prose(of, *dependent, *where, gives),
+            display(*lines),
+            prose(f"{others[0].upper()}{others[1:]}", *listed(free), clean, *scaled),
+        ]
     ending = plural(len(free), "it becomes", "they become")
     if long:
         return [
