@@ -30,8 +30,8 @@ LAYERS = {
         restrictions combinations candidates first_integrals hidden_relations""",
     "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
-        coordinates linear rods newton workless balance principle lagrangian energies reactions friction equations multipliers
-        comparison constant_inertia dynamics spot verification equilibrium stability static_reactions statics""",
+        coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
+        multipliers comparison constant_inertia dynamics spot verification equilibrium stability static_reactions statics""",
     "results": "solution letters references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
