@@ -30,6 +30,8 @@ class Rule(StrEnum):
     REACTIONS = "reactions"  # m x'' = 2 x λ
     WORKLESS = "workless"  # R·δr = 0
     PRINCIPLE = "principle"  # (m r'' - F)·δr = 0
+    ENERGIES = "energies"  # T = m l² θ'²/2, V = −m g l cos θ
+    LAGRANGE = "lagrange-equations"  # p_θ = m l² θ', d/dt p_θ = ∂L/∂θ
     GENERALIZED_COORDINATES = "generalized-coordinates"  # x = l sin θ, y = l cos θ
     EQUATIONS_OF_MOTION = "equations-of-motion"  # l θ'' + g sin θ = 0
     QUASI_VELOCITIES = "quasi-velocities"  # u = x' cos θ + y' sin θ: u' = a ω²

@@ -20,11 +20,11 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.balance import Balance
 from lagrange.kinematics import Configuration
 from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_in_blocks, solved_linear, tidy_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import Unspecified, t
-from lagrange.principle import Principle
 from lagrange.textbook import common_factor, textbook_form
 from lagrange.vectors import Vector
 
@@ -111,7 +111,7 @@ class Place:
     show: Tidy
 
 
-def motion_system(principle: Principle, used: Sequence[Reaction]) -> LinearSystem:
+def motion_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
     """The equations with the multipliers of `used`, for accelerations and multipliers."""
     configuration = principle.configuration
     slots = configuration.slots
@@ -126,7 +126,7 @@ def motion_system(principle: Principle, used: Sequence[Reaction]) -> LinearSyste
     return LinearSystem(tuple(rows), tuple(right), unknowns)
 
 
-def equilibrium_system(principle: Principle, used: Sequence[Reaction]) -> LinearSystem:
+def equilibrium_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
     """The same at rest: n equations for the multipliers, velocities and accelerations being zero."""
     slots = principle.configuration.slots
     multipliers = tuple(r.multiplier for r in used)
@@ -140,7 +140,7 @@ def equilibrium_system(principle: Principle, used: Sequence[Reaction]) -> Linear
 
 
 def equations_with_multipliers(
-    principle: Principle, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
+    principle: Balance, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
 ) -> tuple[list[tuple[sp.Expr, ...]], list[sp.Expr]]:
     """D_k − Σ λ_j a_jk = 0 for each coordinate, as rows and right sides."""
     rows, right = [], []

@@ -20,6 +20,8 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.letters import letters
+from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import prime, variation
 from lagrange.problem import Problem
 from lagrange.quasi_velocities import quasi_variation
@@ -107,13 +109,16 @@ def reference_of_solution(solution: Solution) -> Reference:
     signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
     scope = problem.scope
     angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
-    new = [*(q for c in problem.choices for q in c.coordinates), *angles]
+    energies = _energies(solution)
+    general = [letters(solution).coordinate] if energies else []
+    new = [*(q for c in problem.choices for q in c.coordinates), *angles, *general]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
         scalars={
             **_potential(solution),
             **_quasi_variations(solution),
+            **energies,
             **_reactions(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
@@ -183,6 +188,16 @@ def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
         )
         for u in problem.speeds
     }
+
+
+def _energies(solution: Solution) -> dict[str, sp.Expr]:
+    """T, V, L, v_P, p_k, Q_k, N_k of a derivation by Lagrange's equations; those of the file's coordinates prevail."""
+    found: dict[str, sp.Expr] = {}
+    named = letters(solution)
+    for dynamics in (*(c.dynamics for c in reversed(solution.choices)), solution.dynamics):
+        if dynamics is not None and isinstance(dynamics.written, LagrangeMotion):
+            found |= {s.name: e for s, e in named.meanings(dynamics.written.principle).items()}
+    return found
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:

@@ -12,7 +12,8 @@ from lagrange.answers import Verdict
 from lagrange.checking import ComparedAnswer, compared_answers
 from lagrange.derivation import Derivation, Step
 from lagrange.diagnostics import Diagnostic
-from lagrange.dynamics import Motion
+from lagrange.dynamics import Law, Method, Motion
+from lagrange.equations import DalembertMotion
 from lagrange.explain.checks import explain_checks
 from lagrange.explain.constraints import (
     explain_classification,
@@ -31,11 +32,14 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
-from lagrange.problem import Problem
+from lagrange.letters import letters, states_potential
+from lagrange.multipliers import LagrangeMotion
+from lagrange.problem import Find, Problem
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, solve
 
 if TYPE_CHECKING:
+    from lagrange.explain.energies import Told
     from lagrange.quasi_verification import InSpeeds
     from lagrange.static_reactions import StaticReactions
 
@@ -48,11 +52,12 @@ class Report:
     answers: tuple[ComparedAnswer, ...]
     derivation: Derivation
     notation: Notation
+    remarks: tuple[Diagnostic, ...] = ()
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What is to be said of how the file was read."""
-        return self.solution.problem.notes
+        """What is to be said of how the file was read, and of what was asked."""
+        return (*self.solution.problem.notes, *self.remarks)
 
     @property
     def shortcomings(self) -> tuple[Diagnostic, ...]:
@@ -71,17 +76,30 @@ class Report:
         return markdown.body(self.derivation, self.notation)
 
 
-def report(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Report:
+def report(
+    problem: Problem, choice: str | None = None, *, complete: bool = True, method: Method = Method.DALEMBERT
+) -> Report:
     """Solves a problem and explains the solution. Raises what `solve` raises."""
-    solution = solve(problem, choice, complete=complete)
+    solution = solve(problem, choice, complete=complete, method=method)
     answers = tuple(compared_answers(solution))
     steps = tuple(_steps(solution, answers))
-    return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation_of(solution))
+    derivation = Derivation(problem.title, problem.source, steps)
+    remarks = _remarks(problem, method)
+    return Report(solution, answers, derivation, notation_of(solution), remarks)
+
+
+def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
+    """That a method of motion was asked for where nothing moves."""
+    if method is Method.DALEMBERT or Find.MOTION in problem.find:
+        return ()
+    message = f"`--method {method}` makes no difference here: no equations of motion are asked for"
+    help_ = "equilibrium is found by the principle of virtual work; `find: motion` asks for equations of motion"
+    return (Diagnostic("method-without-motion", message, help=help_).as_note(),)
 
 
 def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Step]:
     problem, classification = solution.problem, solution.classification
-    yield explain_statement(problem, solution.configuration)
+    yield explain_statement(problem, solution.configuration, not _tells_energies(solution))
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
@@ -101,7 +119,11 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
-            yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem, c.dynamics.with_multipliers)
+            written = c.dynamics.written
+            if isinstance(written, LagrangeMotion):
+                yield from _by_lagrange(solution, written)
+            elif isinstance(written, DalembertMotion):
+                yield explain_motion_in_choice(c.coordinates, written, problem, c.dynamics.with_multipliers)
         yield from _speeds(c.in_speeds, solution)
         if c.dynamics is not None:
             yield from _reactions(solution, c.dynamics, c.name)
@@ -148,16 +170,24 @@ def _motion(solution: Solution) -> Iterator[Step]:
     law, dynamics = solution.law, solution.dynamics
     if law is None or dynamics is None:
         return
-    if solution.works:
+    written = dynamics.written
+    if solution.works and not isinstance(written, LagrangeMotion):
         freedom = solution.classification.degrees_of_freedom
         yield explain_newton(law.newton, dynamics.rubbed, solution.configuration, freedom)
         yield explain_works(solution.works, solution.configuration)
+    if dynamics.rubbed and isinstance(written, LagrangeMotion):
+        from lagrange.explain.energies import explain_friction_first
+
+        yield explain_friction_first(_told(solution, law, written))
     if dynamics.rubbed:
         yield from _reactions(solution, dynamics)
-    yield explain_principle(dynamics.written)
-    shown = law.newton.equations is not None and not solution.configuration.rotations  # they are Newton's, then
-    multiplied = None if shown else dynamics.with_multipliers
-    yield explain_equations(dynamics.written, solution.problem, multiplied)
+    if isinstance(written, LagrangeMotion):
+        yield from _by_lagrange(solution, written)
+    elif isinstance(written, DalembertMotion):
+        yield explain_principle(written)
+        shown = law.newton.equations is not None and not solution.configuration.rotations  # they are Newton's, then
+        multiplied = None if shown else dynamics.with_multipliers
+        yield explain_equations(written, solution.problem, multiplied)
     yield from _speeds(solution.in_speeds, solution)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
@@ -169,6 +199,33 @@ def _speeds(found: InSpeeds | None, solution: Solution) -> Iterator[Step]:
 
         others = (solution.in_speeds, *(c.in_speeds for c in solution.choices))
         yield explain_speeds(found, solution.problem, found is next(s for s in others if s is not None))
+
+
+def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
+    """T, V and Q_k, Lagrange's equations, and what they come to without multipliers."""
+    from lagrange.explain.energies import explain_energies
+    from lagrange.explain.lagrange import explain_lagrange, explain_lagrange_motion
+
+    if solution.law is not None:
+        told = _told(solution, solution.law, written)
+        yield explain_energies(told)
+        yield explain_lagrange(told)
+        yield explain_lagrange_motion(told)
+
+
+def _told(solution: Solution, law: Law, written: LagrangeMotion) -> Told:
+    """What is told of Lagrange's equations in one set of coordinates."""
+    from lagrange.explain.energies import Told
+
+    finite = frozenset(c.row.name for c in solution.classification.constraints if c.integrable)
+    rubbed = solution.dynamics.rubbed if solution.dynamics is not None else ()
+    return Told(written, letters(solution), law, solution.problem, rubbed, finite)
+
+
+def _tells_energies(solution: Solution) -> bool:
+    """Whether V is told of where T is, the weights' with that of springs and fields."""
+    by_lagrange = solution.law is not None and solution.law.method is Method.LAGRANGE
+    return by_lagrange and not states_potential(solution)
 
 
 def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Iterator[Step]:

@@ -18,7 +18,7 @@ from lagrange.constant_inertia import check_constant_inertia
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.displacements import Elimination, carrying_rates, eliminate
-from lagrange.dynamics import Law, Motion, law_of_motion, motion
+from lagrange.dynamics import Law, Method, Motion, law_of_motion, motion
 from lagrange.equations import EquationsOfMotion, check_inertia
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.newton import Normal, normals
@@ -115,9 +115,12 @@ class Solution:
         return decided and all(check.passed for check in self.checks)
 
 
-def solve(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Solution:
+def solve(
+    problem: Problem, choice: str | None = None, *, complete: bool = True, method: Method = Method.DALEMBERT
+) -> Solution:
     """Solves a problem; with `choice`, in that choice of generalized coordinates only.
 
+    method    by what equations of motion are derived; statics knows only the principle of virtual work
     complete  also what is long and not shown unasked: several reactions in dependent coordinates, if a choice has them
 
     Raises ProblemError where the problem contradicts itself, UndecidedError and NotCoveredError where it cannot be
@@ -151,7 +154,7 @@ def solve(problem: Problem, choice: str | None = None, *, complete: bool = True)
 
         check_statics(problem, configuration)
     if Find.MOTION in problem.find:
-        solution = _with_motion(solution, complete)
+        solution = _with_motion(solution, complete, method)
     if problem.speeds:
         solution = _with_speeds(solution)
     return _with_equilibrium(solution) if Find.EQUILIBRIUM in problem.find else solution
@@ -194,10 +197,10 @@ def _with_equilibrium(solution: Solution) -> Solution:
     )
 
 
-def _law(solution: Solution, at_rest: bool = False) -> Law:
+def _law(solution: Solution, at_rest: bool = False, method: Method = Method.DALEMBERT) -> Law:
     """Newton's law in the file's coordinates."""
     rank = solution.classification.rank
-    return law_of_motion(solution.problem, solution.configuration, solution.elimination, rank, at_rest)
+    return law_of_motion(solution.problem, solution.configuration, solution.elimination, rank, at_rest, method)
 
 
 def _elimination_in(c: ChoiceSolution) -> Elimination:
@@ -208,10 +211,10 @@ def _elimination_in(c: ChoiceSolution) -> Elimination:
     return eliminate(configuration.rows, len(coordinates), configuration.states, first)
 
 
-def _with_motion(solution: Solution, complete: bool) -> Solution:
+def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution:
     """The solution with the equations of motion, in the file's coordinates and in every choice."""
     original = solution.configuration
-    law = _law(solution)
+    law = _law(solution, method=method)
     problem = law.problem
     reactions = law.newton.multipliers_by_name
     given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
@@ -223,17 +226,17 @@ def _with_motion(solution: Solution, complete: bool) -> Solution:
     found = dynamics.equations
     check_inertia(found)
     multipliers = tuple(reactions.values())
-    checks = [*solution.checks, *check_workless(works), *check_motion(found, reactions)]
-    checks += check_reactions(found.configuration, multipliers, dynamics.reactions)
+    checks = [*solution.checks, *check_workless(works), *check_motion(found, reactions, method)]
+    checks += check_reactions(found.configuration, multipliers, dynamics.reactions, method)
     choices = []
     for c in solution.choices:
         configuration = c.coordinates.configuration
         elimination = _elimination_in(c)
         there = motion(law, configuration, elimination)
         checks += check_displacements(configuration, elimination)
-        checks += check_motion(there.equations, reactions)
+        checks += check_motion(there.equations, reactions, method)
         checks.append(check_choice(found, there.equations))
-        checks += check_reactions(found.configuration, multipliers, there.reactions)
+        checks += check_reactions(found.configuration, multipliers, there.reactions, method)
         spot = spot_value(System(there.equations.configuration, there.equations.expressions), given)
         choices.append(replace(c, dynamics=there, spot=spot))
     spot = spot_value(System(found.configuration, found.expressions), given)

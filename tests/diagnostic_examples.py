@@ -238,6 +238,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-such-choice": ("The problem has no choice of coordinates of that name.",
         Command(("ex11", "--choice", "angel"))),
     "no-answer": ("Give equations with -e, or in a file.", None),
+    "method-without-motion": ("A note: `--method` chooses how equations of motion are derived, and none are asked for.",
+        Command(("ladder", "--method", "lagrange"))),
     "no-equations": ("The problem asks for no motion.", Command(("check", "ex05", "-e", "x' = 0"))),
     "too-many-equations": ("An answer has twelve equations at most.",
         Command(("check", "ex11", *("-e", "x = 0") * 13))),

@@ -173,7 +173,6 @@ def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None
         (["--fragment", "--format", "markdown"], "--fragment goes with --format latex"),
         (["--fragment", "-o", "a.html"], "--fragment goes with --format latex"),
         (["--format", "docx"], "'docx' is not one of"),
-        (["--method", "lagrange"], "--method lagrange is not there yet"),
         (["--method", "magic"], "'magic' is not one of"),
         (["--watch"], "--watch is not there yet"),
         (["--detail", "all"], "'all' is not one of"),
@@ -215,6 +214,25 @@ def test_method_detail_and_choice() -> None:
         result = run(PENDULUM, "--choice", name, "--format", "json")
         assert result.exit_code == 0, result.stderr
         assert [c["name"] for c in json.loads(result.stdout)["choices"]] == [name]
+
+
+def test_lagranges_equations_as_the_method() -> None:
+    result = run(PENDULUM, "--method", "lagrange")
+    assert (result.exit_code, result.stderr) == (0, "")
+    assert "Lagrange's equations: angle" in result.stdout
+    assert "D'Alembert's principle\n" not in result.stdout
+    found = json.loads(run(PENDULUM, "--method", "lagrange", "--format", "json").stdout)
+    assert found["method"] == "lagrange"
+    assert found["lagrange"]["kinetic_energy"] == "m*(x'^2 + y'^2)/2"
+    assert found["choices"][0]["lagrange"]["momenta"] == {"theta": "m*l^2*theta'"}
+    assert r"p_{\theta}" in run(PENDULUM, "--method", "lagrange", "--format", "latex").stdout
+
+
+def test_lagranges_equations_where_nothing_moves() -> None:
+    result = run("ladder", "--method", "lagrange")
+    assert result.exit_code == 0
+    assert "note[method-without-motion]" in result.stderr
+    assert result.stdout == run("ladder").stdout
 
 
 # Several problems

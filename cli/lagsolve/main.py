@@ -62,8 +62,6 @@ def solve(
     """Derive and check the equations of each PROBLEM."""
     from lagsolve.output import Destination
 
-    if method != "dalembert":
-        raise click.UsageError(f"--method {method} is not there yet; there is only dalembert")
     if watch:
         raise click.UsageError("--watch is not there yet")
     if problems.count("-") > 1:
@@ -72,7 +70,7 @@ def solve(
     destination.spare(problems)
     reports, status = [], OK
     for name in problems:
-        report, outcome = _solved(name, choice, destination.is_complete, several=len(problems) > 1)
+        report, outcome = _solved(name, choice, method, destination.is_complete, several=len(problems) > 1)
         reports.append(report)
         status = max(status, outcome)
     if any(reports):
@@ -80,17 +78,18 @@ def solve(
     sys.exit(status)
 
 
-def _solved(name: str, choice: str | None, complete: bool, several: bool) -> tuple[Report | None, int]:
+def _solved(name: str, choice: str | None, method: str, complete: bool, several: bool) -> tuple[Report | None, int]:
     """What is found, and its exit status. Messages go to standard error, under the name where there are several."""
     heading = f"{name}:\n" if several else ""
     gc.disable()
     try:
+        from lagrange.dynamics import Method
         from lagrange.loader import read_problem
         from lagrange.report import report
         from lagsolve.reading import problem_source
 
         _look_for_garbage_seldom()
-        found = report(read_problem(problem_source(name)), choice, complete=complete)
+        found = report(read_problem(problem_source(name)), choice, complete=complete, method=Method(method))
     except Exception as error:
         return None, complain(error, heading)
     messages = (*found.notes, *found.shortcomings)

@@ -14,6 +14,7 @@ import sympy as sp
 
 from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
 from lagrange.displacements import possible_displacement, virtual_displacement
+from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import FormSymbol, Wedge
 from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
@@ -78,8 +79,11 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _statics(solution.equilibrium, solution.stability, write)
     if solution.law is not None:
         found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
+    if solution.dynamics is not None and isinstance(solution.dynamics.written, LagrangeMotion):
+        found["method"] = "lagrange"
     if solution.dynamics is not None:
         found |= _motion(solution.dynamics, write)
+        found |= _by_lagrange(solution.dynamics.written, write)
     if solution.in_speeds is not None:
         found["speeds"] = _speeds(solution.in_speeds, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
@@ -139,6 +143,7 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
         found |= _motion(c.dynamics, write)
+        found |= _by_lagrange(c.dynamics.written, write)
     if c.in_speeds is not None:
         found["speeds"] = _speeds(c.in_speeds, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
@@ -301,6 +306,26 @@ def _speeds(found: InSpeeds, write: Write) -> dict[str, Any]:
         if equations.rates is not None:
             result["rates"] = {u.name.rstrip("'"): write(value) for u, value in equations.rates.items()}
     return result
+
+
+def _by_lagrange(motion: EquationsOfMotion, write: Write) -> dict[str, Any]:
+    """T, V, p_k, the Q_k of what is not in V, and Lagrange's equations; left out where these are not the method."""
+    if not isinstance(motion, LagrangeMotion):
+        return {}
+    found, coordinates = motion.principle, motion.configuration.slots.coordinates
+
+    def each(values: Sequence[sp.Expr]) -> dict[str, str]:
+        return {q.name: write(v) for q, v in zip(coordinates, values, strict=True)}
+
+    result: dict[str, Any] = {
+        "kinetic_energy": write(found.kinetic),
+        "potential_energy": write(found.potential),
+        "momenta": each(found.momenta),
+        "generalized_forces": each(found.applied),
+    }
+    if found.has_quasi_coordinates:
+        result["quasi_coordinate_terms"] = each(found.quasi)
+    return {"lagrange": result}
 
 
 def _spot(spot: Spot, write: Write) -> dict[str, Any]:
