@@ -31,11 +31,11 @@ LAYERS = {
     "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
         coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia dynamics
-        lagrangian spot verification equilibrium stability static_reactions statics""",
+        lagrangian spot verification conservative energies noether conservation equilibrium stability static_reactions statics""",
     "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
-        explain.reactions explain.static_reactions explain.statics explain.checks""",
+        explain.reactions explain.conservation explain.static_reactions explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",
