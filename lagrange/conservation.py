@@ -14,7 +14,7 @@ decided in the same way, and may be undecided.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 
 import sympy as sp
@@ -102,14 +102,14 @@ class Conserved:
     """What one set of equations conserves.
 
     energy     its rate, where it is not conserved
-    bound      cyclic coordinates whose momenta are not conserved, because constraints on velocities bind them
+    bound      momenta of cyclic coordinates that are not conserved, because constraints on velocities bind these
     undecided  cyclic coordinates of which that could not be decided
     """
 
     motion: EquationsOfMotion
     integrals: tuple[Integral, ...]
     energy: EnergyRate | None = None
-    bound: tuple[sp.Symbol, ...] = ()
+    bound: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     undecided: tuple[sp.Symbol, ...] = ()
 
 
@@ -155,7 +155,7 @@ class _Search:
         integrals = self._independent([self._integral(s) for s in symmetries(found, self.configuration)])
         integrals = [replace(i, constant=self._is_constant(i.expression)) for i in integrals]
         reached = {i.coordinate for i in integrals}
-        bound: list[sp.Symbol] = []
+        bound: dict[sp.Symbol, sp.Expr] = {}
         undecided: list[sp.Symbol] = []
         for k in self._cyclic():
             coordinate = self.slots.coordinates[k]
@@ -169,10 +169,13 @@ class _Search:
             elif not self.energies.are_quasi and any(
                 r.coefficients[k] != 0 for r in self.configuration.rows if r.finite is None
             ):
-                (undecided if verdict is None else bound).append(coordinate)
+                if verdict is None:
+                    undecided.append(coordinate)
+                else:
+                    bound[coordinate] = momentum
         energy, rate = self._energy(integrals)
         ordered = sorted([*integrals, *energy], key=lambda i: i.quantity in _ENERGIES)
-        return Conserved(self.motion, tuple(ordered), rate, tuple(bound), tuple(undecided))
+        return Conserved(self.motion, tuple(ordered), rate, bound, tuple(undecided))
 
     def _cyclic(self) -> list[int]:
         """The coordinates on which nothing depends but perhaps a constraint."""

@@ -170,7 +170,7 @@ def _damping(configuration: Configuration) -> sp.Expr:
 
 
 def _doubled(e: sp.Expr) -> list[sp.Expr]:
-    """The sines and cosines of multiples of one angle, which stand for squares less constants: 2 sin² θ = 1 − cos 2θ."""
+    """The functions of multiples of one angle, which stand for squares less constants: 2 sin² θ = 1 − cos 2θ."""
     found = [f for f in e.atoms(sp.sin, sp.cos) if f.args[0].as_coeff_Mul()[0] not in (1, -1) and not f.args[0].is_Add]
     return found or [sp.Dummy()]
 

@@ -31,7 +31,7 @@ def explain_conserved(found: Conserved, choice: str = "", taken: Collection[str]
     for i in found.integrals:
         body += _shown(found, [i], choice, small) if i.because not in together else []
     if found.bound:
-        body.append(_bound(found.bound))
+        body.append(_bound(tuple(found.bound)))
     if found.undecided:
         names = listed(math(q) for q in found.undecided)
         whose = plural(len(found.undecided), "the momentum that belongs to ", "the momenta that belong to ")
@@ -143,7 +143,8 @@ def _proof(found: Conserved, integral: Integral) -> tuple[Part, ...]:
     terms: list[tuple[Part, ...]] = []
     for m, e in used:
         reference = Ref(f"motion{suffix}-{e.coordinate.name}")
-        terms.append((reference,) if m == 1 else (math(m), " times ", reference))
+        factor: tuple[Part, ...] = ("(", math(m), ")") if m.is_Add else (math(m),)
+        terms.append((reference,) if m == 1 else (*factor, " times ", reference))
     if len(terms) < 2:
         return terms[0] if terms else ()
     parts = [part for n, term in enumerate(terms) for part in (*((_between(n, len(terms)),) if n else ()), *term)]
