@@ -145,6 +145,7 @@ class _Search:
         self.slots = motion.configuration.slots
         self.multipliers = multipliers
         self.driven = driven
+        self._rates: dict[sp.Expr, sp.Expr] = {}
         self.system = System(self.configuration, motion.expressions)
         textbook = Textbook(motion.principle.ring, multipliers.values())
         self.energies: Energies = energies(self.configuration, textbook, frictions)
@@ -247,7 +248,7 @@ class _Search:
     def _proved(self, integral: Integral) -> Integral:
         """The integral, without its multipliers where the identity does not hold."""
         sides = (m * e for m, e in zip(integral.multipliers, self.motion.expressions, strict=True) if m != 0)
-        difference = sp.Add(self.slots.time_derivative(integral.expression), *(-s for s in sides))
+        difference = sp.Add(self._rate(integral.expression), *(-s for s in sides))
         symbols = symbols_of([difference])
 
         def holds(point: Point) -> bool:
@@ -293,7 +294,13 @@ class _Search:
 
     def _is_constant(self, expression: sp.Expr) -> bool | None:
         """Whether the rate of an expression vanishes with the accelerations that the equations give."""
-        return self._vanishes_along(self.slots.time_derivative(expression))
+        return self._vanishes_along(self._rate(expression))
+
+    def _rate(self, expression: sp.Expr) -> sp.Expr:
+        """The time derivative, found once."""
+        if expression not in self._rates:
+            self._rates[expression] = self.slots.time_derivative(expression)
+        return self._rates[expression]
 
     def _vanishes_along(self, rate: sp.Expr) -> bool | None:
         expressions = (rate, *self.system.equations, *self.system.accelerated_constraints)
@@ -328,7 +335,7 @@ class _Search:
 
     def _rate_holds(self, expression: sp.Expr, rate: sp.Expr) -> bool | None:
         """Whether a rate is that of an expression, with the accelerations and multipliers of d'Alembert's principle."""
-        difference = self.slots.time_derivative(expression) - rate
+        difference = self._rate(expression) - rate
         if not self.driven:
             return self._vanishes_along(difference)
         rows = self.configuration.rows

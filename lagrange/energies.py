@@ -126,9 +126,13 @@ class Energies:
         return {*self.slots.coordinates, *self.slots.prescribed, t}
 
     def _written(self, element: Element) -> sp.Expr:
-        whole = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if _moves(e, self._moving)))
-        varying = self.form(_varying(element, self._moving))
-        return sp.Add(min((whole, varying), key=lambda e: (e.has(*_doubled(varying)), e.count_ops())), self.given)
+        varying = _varying(element, self._moving)
+        written = self.form(varying)
+        doubled = _doubled(written)
+        if len(varying) < len(element) and doubled:
+            whole = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if _moves(e, self._moving)))
+            written = written if whole.has(*doubled) else whole
+        return sp.Add(written, self.given)
 
     @property
     def _whole_potential(self) -> Element:
@@ -148,6 +152,7 @@ def energies(configuration: Configuration, textbook: Textbook, frictions: Collec
     potential = ring.zero - ring.total(dot(f.vector, f.point, ring) for f in steady)
     loads = [f for f in configuration.loads if f not in steady]
     others, forces, hidden = of_the_rest(configuration, loads, frictions, ring)
+    potential = potential + ring.from_sympy(others)
     if configuration.expressed:
         potential, fields = potential + ring.from_sympy(fields), sp.S.Zero
     return Energies(
@@ -155,7 +160,7 @@ def energies(configuration: Configuration, textbook: Textbook, frictions: Collec
         textbook=textbook,
         kinetic=_kinetic(configuration, ring),
         potential=potential,
-        given=sp.Add(springs, fields, others),
+        given=sp.Add(springs, fields),
         forces=forces,
         damping=_damping(configuration),
         hidden=hidden,
@@ -171,8 +176,7 @@ def _damping(configuration: Configuration) -> sp.Expr:
 
 def _doubled(e: sp.Expr) -> list[sp.Expr]:
     """The functions of multiples of one angle, which stand for squares less constants: 2 sin² θ = 1 − cos 2θ."""
-    found = [f for f in e.atoms(sp.sin, sp.cos) if f.args[0].as_coeff_Mul()[0] not in (1, -1) and not f.args[0].is_Add]
-    return found or [sp.Dummy()]
+    return [f for f in e.atoms(sp.sin, sp.cos) if f.args[0].as_coeff_Mul()[0] not in (1, -1) and not f.args[0].is_Add]
 
 
 def _varying(element: Element, moving: set[sp.Symbol]) -> Element:

@@ -96,12 +96,12 @@ def candidates(energies: Energies, columns: Sequence[Sequence[sp.Expr]]) -> list
     rows = configuration.rows
     quasi = energies.are_quasi
     forces = [f.to_sympy() for f in energies.lagrangian_forces]
-    momenta = [p.to_sympy() for p in energies.momenta]
 
     def displaced(kind: Kind, xi: Sequence[sp.Expr]) -> Candidate:
-        rates = [slots.time_derivative(x) for x in xi]
         r = sp.Add(*(x * f for x, f in zip(xi, forces, strict=True) if x != 0))
-        r += sp.Add(*(x * p for x, p in zip(rates, momenta, strict=True) if x != 0))
+        if kind is not Kind.TRANSLATION:
+            rates = [slots.time_derivative(x) for x in xi]
+            r += sp.Add(*(x * p.to_sympy() for x, p in zip(rates, energies.momenta, strict=True) if x != 0))
         powers = (sp.Add(*(a * x for a, x in zip(row.coefficients, xi, strict=True))) for row in rows)
         return Candidate(kind, tuple(xi), (*powers, r))
 

@@ -24,12 +24,9 @@ def explain_conserved(found: Conserved, choice: str = "", taken: Collection[str]
     """
     body: list[Block] = []
     small = sp.Symbol(next((n for n in SMALL if n not in taken), SMALL[0]), real=True)
-    together = (Because.CYCLIC, Because.GAUGE, Because.NO_REACTION)
-    for because in together:
+    for because in Because:
         members = [i for i in found.integrals if i.because is because]
         body += _shown(found, members, choice, small) if members else []
-    for i in found.integrals:
-        body += _shown(found, [i], choice, small) if i.because not in together else []
     if found.bound:
         body.append(_bound(tuple(found.bound)))
     if found.undecided:
@@ -72,19 +69,17 @@ def _reason(integrals: Sequence[Integral], small: sp.Symbol) -> tuple[Part, ...]
             rates = plural(len(coordinates), "rate of change of a function", "rates of change of functions")
             return (*names, f"{occur} in the energies, and {forces} {rates} of the position")
         case Because.DEPENDENT:
-            return ("Although positions depend on time, the energy is not changed by that",)
+            return ("What moves by itself turns out to have no power in sum",)
+        case Because.ROTATION if len(integrals) > 1:
+            planes = [(" in ", *listed(math(q) for q in i.displacement or ())) for i in integrals]
+            return ("The rotations", *_joined(planes), _NOTHING_MORE)
+        case Because.TRANSLATION | Because.ADMITTED if len(integrals) > 1:
+            moved = [(" ", *_displaced(i, small)) for i in integrals]
+            return ("The displacements", *_joined(moved), _NOTHING_MORE)
         case Because.ROTATION:
-            return (
-                "The rotation ",
-                *_displaced(first, small),
-                " changes neither energy, and nothing else does work in it",
-            )
+            return ("The rotation ", *_displaced(first, small), _NOTHING)
         case Because.TRANSLATION | Because.ADMITTED:
-            return (
-                "The displacement ",
-                *_displaced(first, small),
-                " changes neither energy, and nothing else does work in it",
-            )
+            return ("The displacement ", *_displaced(first, small), _NOTHING)
         case Because.CONSERVATIVE:
             return ("All that does work has a potential in which time does not occur",)
         case Because.TIME_FREE:
@@ -95,6 +90,15 @@ def _reason(integrals: Sequence[Integral], small: sp.Symbol) -> tuple[Part, ...]
 
 
 _NOTHING = " changes neither energy, and nothing else does work in it"
+_NOTHING_MORE = " change neither energy, and nothing else does work in them"
+
+
+def _joined(items: Sequence[tuple[Part, ...]]) -> list[Part]:
+    """Items that may be lists themselves: `in x and y; in y and z; and in z and x`."""
+    last = len(items) - 1
+    return [
+        part for n, item in enumerate(items) for part in (*((("; and" if n == last else ";"),) if n else ()), *item)
+    ]
 
 
 def _varied(coordinates: Sequence[sp.Symbol]) -> tuple[Part, ...]:
@@ -124,6 +128,10 @@ def _conclusion(found: Conserved, integrals: Sequence[Integral]) -> tuple[Part, 
     proofs = [_proof(found, i) for i in integrals]
     if not all(proofs):
         return (f"Along the motion {more if several else one} {'stay' if several else 'stays'} constant",)
+    if several and any(len([m for m in i.multipliers if m != 0]) > 1 for i in integrals):
+        return (
+            f"Therefore combinations of the equations of motion are the rates of change of {more}, which are constant",
+        )
     words = [part for n, proof in enumerate(proofs) for part in (*((_between(n, len(proofs)),) if n else ()), *proof)]
     if integrals[0].because is Because.GAUGE:
         return ("Therefore ", *words, " can be integrated")
