@@ -104,6 +104,7 @@ class Conserved:
     energy     its rate, where it is not conserved
     bound      momenta of cyclic coordinates that are not conserved, because constraints on velocities bind these
     undecided  cyclic coordinates of which that could not be decided
+    potential  whether there is a potential energy
     """
 
     motion: EquationsOfMotion
@@ -111,6 +112,31 @@ class Conserved:
     energy: EnergyRate | None = None
     bound: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     undecided: tuple[sp.Symbol, ...] = ()
+    potential: bool = True
+
+
+def first_integral(motion: EquationsOfMotion, expression: sp.Expr) -> bool | None:
+    """Whether an expression in q, q', t is constant along every motion; None: undecided.
+
+    Its rate must vanish with the accelerations that the equations give, at random admitted states. What is constant by
+    the constraints alone is so too.
+    """
+    return _vanishes_along(motion, motion.configuration.slots.time_derivative(expression))
+
+
+def _vanishes_along(motion: EquationsOfMotion, rate: sp.Expr) -> bool | None:
+    system = System(motion.configuration, motion.expressions)
+    expressions = (rate, *system.equations, *system.accelerated_constraints)
+    symbols = symbols_of(expressions)
+
+    def holds(point: Point) -> bool | None:
+        accelerated = with_accelerations(state(point, motion.configuration, symbols), system)
+        return None if accelerated is None else accelerated.is_zero(rate)
+
+    try:
+        return agreed(motion.configuration.states, holds, expressions)
+    except DivisionByZeroError:
+        return None
 
 
 def conserved(motion: Motion, multipliers: Mapping[str, sp.Symbol], frictions: Collection[str] = ()) -> Conserved:
@@ -176,7 +202,7 @@ class _Search:
                     bound[coordinate] = momentum
         energy, rate = self._energy(integrals)
         ordered = sorted([*integrals, *energy], key=lambda i: i.quantity in _ENERGIES)
-        return Conserved(self.motion, tuple(ordered), rate, bound, tuple(undecided))
+        return Conserved(self.motion, tuple(ordered), rate, bound, tuple(undecided), self.energies.has_potential)
 
     def _cyclic(self) -> list[int]:
         """The coordinates on which nothing depends but perhaps a constraint."""
@@ -294,26 +320,13 @@ class _Search:
 
     def _is_constant(self, expression: sp.Expr) -> bool | None:
         """Whether the rate of an expression vanishes with the accelerations that the equations give."""
-        return self._vanishes_along(self._rate(expression))
+        return _vanishes_along(self.motion, self._rate(expression))
 
     def _rate(self, expression: sp.Expr) -> sp.Expr:
         """The time derivative, found once."""
         if expression not in self._rates:
             self._rates[expression] = self.slots.time_derivative(expression)
         return self._rates[expression]
-
-    def _vanishes_along(self, rate: sp.Expr) -> bool | None:
-        expressions = (rate, *self.system.equations, *self.system.accelerated_constraints)
-        symbols = symbols_of(expressions)
-
-        def holds(point: Point) -> bool | None:
-            accelerated = with_accelerations(state(point, self.configuration, symbols), self.system)
-            return None if accelerated is None else accelerated.is_zero(rate)
-
-        try:
-            return agreed(self.configuration.states, holds, expressions)
-        except DivisionByZeroError:
-            return None
 
     def _energy(self, integrals: Sequence[Integral]) -> tuple[list[Integral], EnergyRate | None]:
         """The energy where no symmetry has given it: conserved after all, or its rate."""
@@ -337,7 +350,7 @@ class _Search:
         """Whether a rate is that of an expression, with the accelerations and multipliers of d'Alembert's principle."""
         difference = self._rate(expression) - rate
         if not self.driven:
-            return self._vanishes_along(difference)
+            return _vanishes_along(self.motion, difference)
         rows = self.configuration.rows
         multipliers = tuple(self.multipliers[r.name] for r in rows)
         equations = [

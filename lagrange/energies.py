@@ -135,6 +135,11 @@ class Energies:
         return sp.Add(written, self.given)
 
     @property
+    def has_potential(self) -> bool:
+        """Whether V is not constant."""
+        return self.given != 0 or bool(_varying(self.potential, self._moving))
+
+    @property
     def _whole_potential(self) -> Element:
         return self.potential + self.ring.from_sympy(self.given)
 

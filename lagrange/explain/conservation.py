@@ -48,12 +48,12 @@ def _shown(found: Conserved, integrals: Sequence[Integral], choice: str, small: 
     long = any(i.expression.count_ops() > LONGEST for i in integrals)
     ending = "." if long else ":"
     return [
-        prose(*_reason(integrals, small), ". ", *_conclusion(found, integrals), ending),
+        prose(*_reason(found, integrals, small), ". ", *_conclusion(found, integrals), ending),
         display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS),
     ]
 
 
-def _reason(integrals: Sequence[Integral], small: sp.Symbol) -> tuple[Part, ...]:
+def _reason(found: Conserved, integrals: Sequence[Integral], small: sp.Symbol) -> tuple[Part, ...]:
     first = integrals[0]
     coordinates = [i.coordinate for i in integrals if i.coordinate is not None]
     names = listed(math(q) for q in coordinates)
@@ -81,9 +81,12 @@ def _reason(integrals: Sequence[Integral], small: sp.Symbol) -> tuple[Part, ...]
         case Because.TRANSLATION | Because.ADMITTED:
             return ("The displacement ", *_displaced(first, small), _NOTHING)
         case Because.CONSERVATIVE:
+            if not found.potential:
+                return ("Nothing does work",)
             return ("All that does work has a potential in which time does not occur",)
         case Because.TIME_FREE:
-            return ("Time occurs in the positions, but in neither energy, and all else that does work has a potential",)
+            else_ = "all else that does work has a potential" if found.potential else "nothing else does work"
+            return (f"Time occurs in the positions, but in neither energy, and {else_}",)
         case Because.CARRIED:
             return ("A delay ", math(small), " together with the displacement ", *_displaced(first, small),
                     " changes nothing")  # fmt: skip
