@@ -36,6 +36,7 @@ class Rule(StrEnum):
     EQUATIONS_OF_MOTION = "equations-of-motion"  # l θ'' + g sin θ = 0
     QUASI_VELOCITIES = "quasi-velocities"  # u = x' cos θ + y' sin θ: u' = a ω²
     SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
+    CONSERVED = "conserved"  # m l² θ'²/2 − m g l cos θ = const
     EQUILIBRIUM = "equilibrium"  # tan θ = (2k - 1)/tan α
     CHECKS = "checks"  # Lagrange's equations give the same
 

@@ -10,11 +10,13 @@ import sympy as sp
 
 from lagrange.answers import Verdict
 from lagrange.checking import ComparedAnswer, compared_answers
+from lagrange.conservation import Conserved
 from lagrange.derivation import Derivation, Step
 from lagrange.diagnostics import Diagnostic
 from lagrange.dynamics import Law, Method, Motion
 from lagrange.equations import DalembertMotion
 from lagrange.explain.checks import explain_checks
+from lagrange.explain.conservation import explain_conserved
 from lagrange.explain.constraints import (
     explain_classification,
     explain_constraints,
@@ -127,6 +129,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
         yield from _speeds(c.in_speeds, solution)
         if c.dynamics is not None:
             yield from _reactions(solution, c.dynamics, c.name)
+        yield from _conserved(c.conserved, problem, c.name)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
 
 
@@ -191,6 +194,13 @@ def _motion(solution: Solution) -> Iterator[Step]:
     yield from _speeds(solution.in_speeds, solution)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
+    yield from _conserved(solution.conserved, solution.problem)
+
+
+def _conserved(found: Conserved | None, problem: Problem, choice: str = "") -> Iterator[Step]:
+    step = None if found is None else explain_conserved(found, choice, names_of(problem))
+    if step is not None:
+        yield step
 
 
 def _speeds(found: InSpeeds | None, solution: Solution) -> Iterator[Step]:

@@ -1,12 +1,13 @@
 """solve(): the stages in order.
 
 statement -> constraints -> classification -> displacements -> Newton's law -> workless constraints -> d'Alembert's
-principle -> generalized coordinates -> equations of motion -> reactions -> checks. Each stage is a function of its own
-in a module of its own; what each of them finds is a field of the result.
+principle -> generalized coordinates -> equations of motion -> reactions -> what is conserved -> checks. Each stage is a
+function of its own in a module of its own; what each of them finds is a field of the result.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ import sympy as sp
 
 from lagrange.classification import Classification, classify
 from lagrange.comparison import System
+from lagrange.conservation import Conserved, check_conserved, conserved
 from lagrange.constant_inertia import check_constant_inertia
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
@@ -57,6 +59,7 @@ class ChoiceSolution:
     reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
     in_speeds: InSpeeds | None = None
+    conserved: Conserved | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -83,6 +86,7 @@ class Solution:
     equilibrium    its equilibria, where these are asked for; their stability, where there is a potential
     reactions_at_rest  the reactions there, where there are constraints
     in_speeds    the velocities, and the equations of motion, by the quasi-velocities of the file
+    conserved      what the motion conserves; None where it is found in a choice only
     """
 
     problem: Problem
@@ -101,6 +105,7 @@ class Solution:
     reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
     in_speeds: InSpeeds | None = None
+    conserved: Conserved | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -121,7 +126,8 @@ def solve(
     """Solves a problem; with `choice`, in that choice of generalized coordinates only.
 
     method    by what equations of motion are derived; statics knows only the principle of virtual work
-    complete  also what is long and not shown unasked: several reactions in dependent coordinates, if a choice has them
+    complete  also what is long and not shown unasked: several reactions, and what is conserved, in dependent
+              coordinates, if a choice has them
 
     Raises ProblemError where the problem contradicts itself, UndecidedError and NotCoveredError where it cannot be
     solved.
@@ -228,6 +234,9 @@ def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution
     multipliers = tuple(reactions.values())
     checks = [*solution.checks, *check_workless(works), *check_motion(found, reactions, method)]
     checks += check_reactions(found.configuration, multipliers, dynamics.reactions, method)
+    frictions = {f.name for f in law.frictions}
+    kept = conserved(dynamics, reactions, frictions) if complete or not solution.choices else None
+    checks += check_conserved(kept) if kept else []
     choices = []
     for c in solution.choices:
         configuration = c.coordinates.configuration
@@ -238,7 +247,9 @@ def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution
         checks.append(check_choice(found, there.equations))
         checks += check_reactions(found.configuration, multipliers, there.reactions, method)
         spot = spot_value(System(there.equations.configuration, there.equations.expressions), given)
-        choices.append(replace(c, dynamics=there, spot=spot))
+        integrals = conserved(there, reactions, frictions) if complete or _is_short(c, solution.choices) else None
+        checks += check_conserved(integrals) if integrals else []
+        choices.append(replace(c, dynamics=there, spot=spot, conserved=integrals))
     spot = spot_value(System(found.configuration, found.expressions), given)
     return replace(
         solution,
@@ -250,6 +261,7 @@ def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution
         spot=spot,
         choices=tuple(choices),
         checks=tuple(checks),
+        conserved=kept,
     )
 
 
@@ -271,6 +283,11 @@ def _with_speeds(solution: Solution) -> Solution:
         checks += check_speeds(there, problem)
         choices.append(replace(c, in_speeds=there))
     return replace(solution, in_speeds=own, choices=tuple(choices), checks=tuple(checks))
+
+
+def _is_short(choice: ChoiceSolution, choices: Sequence[ChoiceSolution]) -> bool:
+    """Whether a choice has no square roots, or all have."""
+    return not choice.coordinates.signs or all(c.coordinates.signs for c in choices)
 
 
 def _substitutions(chosen: list[GeneralizedCoordinates]) -> list[Check]:

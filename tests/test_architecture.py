@@ -33,12 +33,13 @@ LAYERS = {
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
         coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
         multipliers comparison constant_inertia dynamics quasi_velocities quasi_equations spot verification
-        quasi_verification equilibrium stability static_reactions statics""",
+        quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
+        statics""",
     "results": "solution letters references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
-        explain.energies explain.lagrange explain.quasi_velocities explain.reactions explain.static_reactions
-        explain.statics explain.checks""",
+        explain.energies explain.lagrange explain.quasi_velocities explain.reactions explain.conservation
+        explain.static_reactions explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape

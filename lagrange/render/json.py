@@ -20,6 +20,7 @@ from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
 
 if TYPE_CHECKING:
+    from lagrange.conservation import Conserved
     from lagrange.constraints import ConstraintAnalysis
     from lagrange.dynamics import Motion
     from lagrange.equations import EquationsOfMotion
@@ -88,6 +89,8 @@ def as_object(report: Report) -> dict[str, Any]:
         found["speeds"] = _speeds(solution.in_speeds, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
         found |= _reactions(solution, solution.dynamics.reactions, write)
+    if solution.conserved is not None:
+        found["conserved"] = _conserved(solution.conserved, write)
     if solution.reactions_at_rest is not None:
         found |= _reactions_at_rest(solution.reactions_at_rest, solution.works, found.get("reactions", {}), write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
@@ -154,6 +157,8 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
             | ({"tension": write(tensions[name])} if name in tensions else {})
             for name, value in values.items()
         }
+    if c.conserved is not None:
+        found["conserved"] = _conserved(c.conserved, write)
     if c.reactions_at_rest is not None:
         found |= _reactions_at_rest(c.reactions_at_rest, (), found.get("reactions", {}), write)
     if c.spot is not None:
@@ -326,6 +331,26 @@ def _by_lagrange(motion: EquationsOfMotion, write: Write) -> dict[str, Any]:
     if found.has_quasi_coordinates:
         result["quasi_coordinate_terms"] = each(found.quasi)
     return {"lagrange": result}
+
+
+def _conserved(conserved: Conserved, write: Write) -> list[dict[str, Any]]:
+    """The integrals; last the energy where it is not conserved, with its rate (null: undecided)."""
+    found: list[dict[str, Any]] = []
+    for i in conserved.integrals:
+        one: dict[str, Any] = {"kind": i.quantity.value}
+        if i.coordinate is not None:
+            one["coordinate"] = i.coordinate.name
+        one |= {"expression": write(i.expression), "because": i.because.value}
+        if i.displacement:
+            one["displacement"] = {q.name: write(x) for q, x in i.displacement.items()}
+        if i.multipliers:
+            one["multipliers"] = [write(m) for m in i.multipliers]
+        found.append(one)
+    if conserved.energy is not None:
+        rate = conserved.energy.rate
+        expression = write(conserved.energy.expression)
+        found.append({"kind": "energy", "expression": expression, "rate": None if rate is None else write(rate)})
+    return found
 
 
 def _spot(spot: Spot, write: Write) -> dict[str, Any]:
