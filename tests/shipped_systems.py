@@ -141,12 +141,12 @@ def double_atwood() -> tuple[Route, ...]:
     return (literature(names, equations, strings, multipliers="lambda_S1 lambda_S lambda_S2 lambda_S3"),)
 
 
-def slope_of(X: sp.Expr, s: sp.Expr, h: sp.Expr, alpha: sp.Expr) -> tuple[sp.Expr, sp.Expr]:  # noqa: N803
+def slope_of(X: sp.Expr, s: sp.Expr, h: sp.Expr, alpha: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return (X + s * cos(alpha) + h * sin(alpha), -s * sin(alpha) + h * cos(alpha))
 
 
 def cylinder_on_wedge() -> tuple[Route, ...]:
-    X, s, h, psi = moving("X s h psi")  # noqa: N806
+    X, s, h, psi = moving("X s h psi")
     big, m, radius, alpha, g = constants("M m R alpha g")
     cylinder = flat(m, slope_of(X, s, h, alpha), m * radius**2 / 2, -psi, force=(0, -m * g, 0))
     wedge = Rigid(big, (X, 0, 0), sp.eye(3), (0, 0, 0), force=(0, -big * g, 0))
@@ -156,7 +156,7 @@ def cylinder_on_wedge() -> tuple[Route, ...]:
 
 def rough_wedge() -> tuple[Route, ...]:
     """Free bodies: on the block N along the normal and mu N up the face, on the wedge their opposites and the floor."""
-    X, Y, s, h = moving("X Y s h")  # noqa: N806
+    X, Y, s, h = moving("X Y s h")
     big, m, mu, alpha, g = constants("M m mu alpha g")
     normal, floor = sp.Symbol("lambda_face"), sp.Symbol("lambda_floor")
     away, down = sp.Matrix([sin(alpha), cos(alpha)]), sp.Matrix([cos(alpha), -sin(alpha)])

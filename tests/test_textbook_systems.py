@@ -122,6 +122,14 @@ def agree(one: Mapping[str, mpf], other: Mapping[str, mpf]) -> None:
         assert abs(one[n] - other[n]) < AGREED * (1 + abs(one[n])), f"{n}: {mp.nstr(one[n])} and {mp.nstr(other[n])}"
 
 
+NONLINEAR = {"appell-hamel", "constant-speed", "parallel-skates"}
+"""Problems whose constraints are not linear in the velocities: in `test_nonlinear_constraints`."""
+
+
+def test_every_shipped_problem_of_motion_has_a_second_route() -> None:
+    assert {path.stem for path in (PROBLEMS / "motion").glob("*.yaml")} - NONLINEAR == set(SHIPPED)
+
+
 # -- classification ----------------------------------------------------------------------------------------------------
 
 
