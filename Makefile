@@ -7,7 +7,7 @@ NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p $(NEW_ENOUGH) 2>/dev/null && echo $$p && break; done)
 
-.PHONY: demo test lint sweep golden clean
+.PHONY: demo test lint sweep bench golden clean
 
 $(VENV)/installed: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -35,6 +35,10 @@ lint: $(VENV)/installed
 # Every shipped problem in every format; LaTeX, Markdown and HTML are tried with pdflatex, pandoc and chromium where these are installed.
 sweep: $(VENV)/installed
 	$(BIN)/python tests/sweep.py
+
+# Seconds that every shipped problem takes, and chains of 2 to 16 links.
+bench: $(VENV)/installed
+	$(BIN)/python tests/bench/speed.py
 
 # Renews the golden files. Read the difference before you commit it.
 golden: $(VENV)/installed
