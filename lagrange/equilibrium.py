@@ -80,6 +80,7 @@ class Equilibrium:
     given        whether the position is taken as given, because the forces alone are determined
     solution     all solutions
     branches     those of the solution, without multipliers
+    multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each row that is no identity
     """
 
     configuration: Configuration
@@ -92,6 +93,7 @@ class Equilibrium:
     given: bool
     solution: SolutionSet
     branches: tuple[Branch, ...]
+    multipliers: tuple[sp.Symbol, ...] = ()
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -140,13 +142,17 @@ def virtual_work(configuration: Configuration) -> VirtualWork:
 
 
 def equilibrium(
-    configuration: Configuration, elimination: Elimination, unknown_forces: tuple[sp.Symbol, ...] = ()
+    configuration: Configuration,
+    elimination: Elimination,
+    unknown_forces: tuple[sp.Symbol, ...] = (),
+    work: VirtualWork | None = None,
 ) -> Equilibrium:
     """The equilibria of a configuration, in closed form as far as possible.
 
     unknown_forces  the symbols to be found beside the coordinates
+    work            of the forces at rest, if that is not the work of the applied forces
     """
-    work = virtual_work(configuration)
+    work = work or virtual_work(configuration)
     coordinates = configuration.slots.coordinates
     left = of_independent(work.coefficients, work.ring, elimination)
     displacements = [work.ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
@@ -212,7 +218,7 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     else:
         equations = [c.expression for c in e.conditions]
     solution = solutions(equations, (*coordinates, *e.forces, *multipliers), (*multipliers, *e.forces))
-    return replace(e, solution=solution, branches=_without(solution.branches, multipliers))
+    return replace(e, solution=solution, branches=_without(solution.branches, multipliers), multipliers=tuple(multipliers))
 
 
 def _without(branches: tuple[Branch, ...], multipliers: list[sp.Symbol]) -> tuple[Branch, ...]:
