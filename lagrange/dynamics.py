@@ -20,6 +20,7 @@ from lagrange.equations import EquationsOfMotion, equations_of_motion
 from lagrange.exact import Point
 from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
 from lagrange.kinematics import Configuration, Load
+from lagrange.matrix_form import MatrixForm, matrix_form
 from lagrange.newton import Newton, Reaction, newton_equations
 from lagrange.notation import Sign
 from lagrange.principle import dalembert
@@ -72,6 +73,7 @@ class Motion:
     shown      the configuration with |λ| in its friction
     signs      the signs of multipliers that friction leaves open, each with its λ
     symbolic   the equations with |λ| in them, where λ is long
+    solved     the accelerations of independent coordinates, where they are asked for and short
     """
 
     equations: EquationsOfMotion
@@ -80,6 +82,19 @@ class Motion:
     shown: Configuration
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     symbolic: EquationsOfMotion | None = None
+    solved: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    @cached_property
+    def matrices(self) -> MatrixForm:
+        """The equations in matrix form."""
+        return matrix_form(self.equations)
+
+    @property
+    def accelerations(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """q'' as functions of position, velocity and time; empty where they were not found."""
+        if self.solved or self.reactions is None or self.reactions.configuration.expressed:
+            return self.solved
+        return {s: e for s, e in self.reactions.accelerations.items() if e is not None}
 
     @property
     def written(self) -> EquationsOfMotion:

@@ -22,7 +22,7 @@ from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.notation import variation
 from lagrange.problem import Problem
-from lagrange.solution import Solution
+from lagrange.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.vectors import Vector
 from lagrange.verification import multiplier_system
 
@@ -106,11 +106,14 @@ def reference_of_solution(solution: Solution) -> Reference:
     signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
     scope = problem.scope
     angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
-    new = [*(q for c in problem.choices for q in c.coordinates), *angles]
+    small = [x for x in small_displacements(solution) if x.name not in scope.names()]
+    letters = {s.name: s for s in letters_of_oscillations(solution) if s.name != "i"}
+    new = [*(q for c in problem.choices for q in c.coordinates), *angles, *small]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
         scalars={
+            **letters,
             **_potential(solution),
             **_reactions(solution),
             **{a.name: a for a in angles},

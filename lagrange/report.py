@@ -22,6 +22,7 @@ from lagrange.explain.constraints import (
     explain_integrability,
 )
 from lagrange.explain.displacements import explain_displacements
+from lagrange.explain.matrix_form import explain_matrix_form
 from lagrange.explain.motion import (
     explain_choice,
     explain_equations,
@@ -33,9 +34,10 @@ from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
-from lagrange.solution import Solution, solve
+from lagrange.solution import Solution, small_displacements, solve
 
 if TYPE_CHECKING:
+    from lagrange.linearization import Linearization
     from lagrange.static_reactions import StaticReactions
 
 
@@ -84,6 +86,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     yield from _statics(solution)
     yield from _motion(solution)
+    yield from _small_oscillations(solution.linearization)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
@@ -93,7 +96,9 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
             yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
+            yield explain_matrix_form(c.dynamics, c.name)
             yield from _reactions(solution, c.dynamics, c.name)
+        yield from _small_oscillations(c.linearization)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
 
 
@@ -123,6 +128,13 @@ def _statics(solution: Solution) -> Iterator[Step]:
     yield from _reactions_at_rest(solution, solution.reactions_at_rest)
 
 
+def _small_oscillations(found: Linearization | None) -> Iterator[Step]:
+    if found is not None:
+        from lagrange.explain.linearization import explain_linearization
+
+        yield explain_linearization(found)
+
+
 def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Iterator[Step]:
     if found is not None and solution.law is not None:
         from lagrange.explain.static_reactions import explain_reactions_at_rest
@@ -145,6 +157,7 @@ def _motion(solution: Solution) -> Iterator[Step]:
         yield from _reactions(solution, dynamics)
     yield explain_principle(dynamics.written)
     yield explain_equations(dynamics.written, solution.problem)
+    yield explain_matrix_form(dynamics)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
 
@@ -179,7 +192,7 @@ def notation_of(solution: Solution) -> Notation:
     problem = solution.problem
     new = [q for c in solution.choices for q in c.coordinates.configuration.slots.coordinates]
     return Notation(
-        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new))),
+        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
         speeds=tuple(problem.speeds),
         parameters=tuple(p.symbol for p in problem.parameters),

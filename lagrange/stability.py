@@ -97,8 +97,12 @@ def _is_symmetric(matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
     return True
 
 
-def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium) -> sp.Expr | None:
-    """An expression on a branch, in factors; None where it cannot be written down."""
+def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: bool = False) -> sp.Expr | None:
+    """An expression on a branch, in factors; None where it cannot be written down.
+
+    in_parameters  whether a form without coordinates is wanted, ω² − g²/(R² ω²) and not ω² sin² θ; else one whose sign
+                   is known
+    """
     letters = e.solution.letters
     try:
         there = resolved(letters.read(expression), b.common)
@@ -110,10 +114,16 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium) -> sp.Expr | None:
     if there.has(sp.zoo, sp.nan) or there.count_ops() > 4 * MOST_OPERATIONS:
         return None
     above, below = sp.fraction(sp.cancel(sp.together(there)))
+    numerators = [above, letters.reduced(above)]
+    if in_parameters:
+        numerators.append(resolved(numerators[1], b.common))
     forms = []
-    for p in (above, letters.reduced(above)):
+    for p in numerators:
         product = sp.factor(p) if factors(p) is not None else p
         forms.append(letters.write(product) / letters.write(sp.factor(below)))
+    if in_parameters:
+        unknowns = {*e.solution.unknowns}
+        return min(forms, key=lambda f: (bool(f.free_symbols & unknowns), f.count_ops()))
     return min(forms, key=lambda f: (sign_of(f) is None, f.count_ops()))
 
 
@@ -124,7 +134,9 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
     if any(x is None for x in entries):
         return Stability(Verdict.UNDECIDED)
     width = len(matrix)
-    return definiteness([[x for x in entries[n * width : (n + 1) * width] if x is not None] for n in range(width)], b, e)
+    return definiteness(
+        [[x for x in entries[n * width : (n + 1) * width] if x is not None] for n in range(width)], b, e
+    )
 
 
 def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium) -> Stability:

@@ -28,19 +28,22 @@ LAYERS = {
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions combinations candidates first_integrals hidden_relations""",
-    "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
+    "closed forms": "positivity unit_circle presentation polynomial_roots pencils closed_form solution_sets branching",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
-        coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia dynamics
-        lagrangian spot verification equilibrium stability static_reactions statics""",
-    "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
+        coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia matrix_form
+        dynamics lagrangian spot verification equilibrium stability static_reactions statics rest linear_stability linearization
+        linearization_checks""",
+    "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers frequency_answers
+        checking",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
-        explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
-        explain.reactions explain.static_reactions explain.statics explain.checks""",
+        explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion explain.matrix_form
+        explain.reactions explain.static_reactions explain.statics explain.linearization
+        explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",
-    "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
-        render.latex render.json""",
+    "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
+        render.latex render.json_linear render.json""",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
         lagsolve.main lagsolve.__main__""",
 }
@@ -54,7 +57,8 @@ FOR_TYPES_ONLY = {
 
 ROOMS = {
     "click": {"lagsolve.main", "lagsolve.group", "lagsolve.output", "lagsolve.status"},
-    "rich": {"lagrange.render.pretty", "lagrange.render.paragraphs", "lagrange.render.tables"},
+    "rich": {"lagrange.render.pretty", "lagrange.render.paragraphs", "lagrange.render.tables",
+             "lagrange.render.matrices"},
     "yaml": {"lagrange.yaml_composer", "lagrange.yaml_mistakes", "lagrange.yaml_nodes", "lagsolve.library"},
     "sympy": None,
     "mpmath": None,

@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Prose, Ref, Table, Term
+from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Matrices, Part, Prose, Ref, Table, Term
 from lagrange.displacements import possible_displacement, virtual_displacement
 from lagrange.notation import FormSymbol, Wedge
+from lagrange.render.json_linear import linearized, matrices, matrix
 from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
 
@@ -78,6 +79,9 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
     if solution.dynamics is not None:
         found["equations"] = _equations(solution.dynamics.written, write)
+        found |= matrices(solution.dynamics, write)
+    if solution.linearization is not None:
+        found["linearization"] = linearized(solution.linearization, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
         found |= _reactions(solution, solution.dynamics.reactions, write)
     if solution.reactions_at_rest is not None:
@@ -135,6 +139,9 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
         found["equations"] = _equations(c.dynamics.written, write)
+        found |= matrices(c.dynamics, write)
+    if c.linearization is not None:
+        found["linearization"] = linearized(c.linearization, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
         values = c.dynamics.reactions.multipliers
         tensions = c.dynamics.reactions.tensions
@@ -161,13 +168,11 @@ def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
 
 
 def _reactions(solution: Solution, reactions: Reactions, write: Write) -> dict[str, Any]:
-    """Accelerations and reactions; left out where they are too large, or not determined.
+    """The reactions; left out where they are too large, or not determined.
 
     A reaction that is too large in the file's coordinates is given in those of a choice, which is named.
     """
     found: dict[str, Any] = {}
-    if None not in reactions.accelerations.values():
-        found["accelerations"] = {s.name.rstrip("'"): write(v) for s, v in reactions.accelerations.items()}
     if solution.works:
         there = [("", reactions)]
         there += [(c.name, c.dynamics.reactions) for c in solution.choices if c.dynamics and c.dynamics.reactions]
@@ -278,6 +283,8 @@ def _block(block: Block, write: Write) -> dict[str, Any]:
         case Table(header=header, rows=rows):
             cells = [[_sentence((cell,), write) for cell in row] for row in rows]
             return {"table": {"header": [_sentence((h,), write) for h in header], "rows": cells}}
+        case Matrices(named=named):
+            return {"matrices": {name.name: matrix(rows, write) for name, rows in named}}
         case CheckMark(name=name, passed=passed, how=how):
             return {"check": _sentence(name, write), "passed": passed, "how": how}
 

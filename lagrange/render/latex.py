@@ -23,6 +23,7 @@ from lagrange.derivation import (
     Equation,
     Math,
     Mathematics,
+    Matrices,
     Part,
     Prose,
     Ref,
@@ -33,7 +34,7 @@ from lagrange.render.breaking import Breaker, Line
 from lagrange.render.ems import ems
 from lagrange.render.escape import escape
 from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
-from lagrange.render.shown import Shown, shown
+from lagrange.render.shown import Shown, entries, shown
 
 LINE = 36.0  # ems of an equation beside its number: a4, margins of 25 mm, 11 pt
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
@@ -119,6 +120,8 @@ class _Article:
                 yield from self.display(block)
             case Table():
                 yield from self.table(block)
+            case Matrices():
+                yield from self.matrices(block)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)
@@ -207,7 +210,28 @@ class _Article:
                 below = [_Row(rf"{ALIGN}\qquad {condition}")]
         return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *below]
 
-    # Tables and checks
+    # Matrices, tables and checks
+
+    def matrices(self, block: Matrices) -> Iterator[str]:
+        """Those that fit side by side, the others entry by entry."""
+        line: list[str] = []
+        used = 0.0
+        for name, rows in block.named:
+            cells = [[self.writer.plain(e) for e in row] for row in rows]
+            width = sum(max(ems(row[k]) for row in cells) + 1 for k in range(len(cells[0]))) + 4
+            if line and used + width > LINE:
+                yield from _unnumbered(line)
+                line, used = [], 0.0
+            if width > LINE:
+                yield from self.display(Display(tuple(entries(name, rows))))
+                if any(e == 0 for row in rows for e in row):
+                    yield f"The other entries of {self.inline((name,), '=')} are zero."
+                continue
+            inner = r" \\ ".join(" & ".join(row) for row in cells)
+            line.append(rf"{self.writer.plain(name)} = \begin{{pmatrix}} {inner} \end{{pmatrix}}")
+            used += width + 2
+        if line:
+            yield from _unnumbered(line)
 
     def table(self, block: Table) -> Iterator[str]:
         grid = [list(block.header), *(list(row) for row in block.rows)]
@@ -229,6 +253,12 @@ class _Article:
             how = f" --- {escape(check.how)}" if check.how else ""
             yield rf"\item[{MARKS[check.passed]}] {self.prose(check.name)}{how}"
         yield r"\end{itemize}"
+
+
+def _unnumbered(formulas: Sequence[str]) -> Iterator[str]:
+    yield r"\["
+    yield "  " + r" ,\qquad ".join(formulas)
+    yield r"\]"
 
 
 def _aligned(lines: Sequence[Line], relation: str) -> list[str]:

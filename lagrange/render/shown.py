@@ -6,7 +6,10 @@ is replaced by the equation itself.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+
+import sympy as sp
 
 from lagrange.derivation import Derivation, Detail, Display, Equation, Step
 
@@ -37,4 +40,15 @@ def shown(derivation: Derivation, detail: Detail, first: int = 1) -> Shown:
 def _equations(steps: tuple[Step, ...] | list[Step]) -> list[Equation]:
     return [
         equation for step in steps for block in step.body if isinstance(block, Display) for equation in block.equations
+    ]
+
+
+def entries(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> list[Equation]:
+    """M_12 = ... for each entry that is not zero; f_1 = ... of a column."""
+    column = len(rows[0]) == 1 and len(rows) > 1
+    return [
+        Equation((type(name)(f"{name.name}_{j}{'' if column else k}", real=True), e))
+        for j, row in enumerate(rows, start=1)
+        for k, e in enumerate(row, start=1)
+        if e != 0
     ]
