@@ -1,8 +1,8 @@
 """Stated frequencies of small oscillations: are they right, and all of them?
 
 A list has the ω of one equilibrium: each a root of its characteristic equation, by exact substitution, so that this
-needs no closed form; as many different ones as there are, the frequency 0 left out or not. Several lists are those of several
-equilibria. A list is tried at every equilibrium, in every set of coordinates, and the best verdict counts.
+needs no closed form; as many different ones as there are, the frequency 0 left out or not. Several lists are those of
+several equilibria. A list is tried at every equilibrium, in every set of coordinates, and the best verdict counts.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def check_frequencies(
 def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
     value = read_value(fragment, reference.scope, [])
     if isinstance(value, Vector):
-        raise ProblemError(Diagnostic("not-a-scalar", "a frequency is a number, not a vector", fragment.whole))
+        raise ProblemError(Diagnostic("vector-for-scalar", "a frequency is a number, not a vector", fragment.whole))
     return value
 
 

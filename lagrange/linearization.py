@@ -32,8 +32,7 @@ from lagrange.kinematics import Configuration, Row
 from lagrange.linear_stability import Judgement, Kind, LinearSystem, judged, kind_of
 from lagrange.matrix_form import MatrixForm, matrix_form
 from lagrange.notation import prime
-from lagrange.pencils import Frequency, Matrix, determinant, factored, frequencies
-from lagrange.polynomial_roots import square_root
+from lagrange.pencils import Frequency, Matrix, determinant, factored, frequencies, without_minus
 from lagrange.rest import branches_at_rest, check_rest, equilibria_of_motion, is_time, without_time
 from lagrange.solution_sets import Branch
 from lagrange.stability import Verdict, on_branch
@@ -41,16 +40,18 @@ from lagrange.textbook import common_factor, normalised, textbook_form
 
 MOST_EQUILIBRIA = 16
 MOST_COORDINATES = 6
+MOST_OPERATIONS = 100
+"""Operations of a coefficient that is still factored."""
 
 ZERO = sp.S.Zero
 
 
 @dataclass(frozen=True)
 class Damped:
-    """One coordinate with damping, ξ'' + 2ζω₀ ξ' + ω₀² ξ = 0: ω₀², ζ, and ω² = ω₀² (1 − ζ²)."""
+    """One coordinate with damping, ξ'' + 2δ ξ' + ω₀² ξ = 0: ω₀², δ = ζ ω₀, and ω² = ω₀² (1 − ζ²)."""
 
     own: sp.Expr
-    ratio: sp.Expr
+    rate: sp.Expr
     square: sp.Expr
 
 
@@ -192,7 +193,7 @@ def _about(
     written, coefficients = None, None
     roots: tuple[Frequency, ...] = ()
     if polynomial is not None:
-        written = sp.Mul(*(f**n for f, n in factored(polynomial, letter)))
+        written = sp.Mul(*(_in_powers(f, letter) ** n for f, n in factored(polynomial, letter)))
         written = written if damped else written.xreplace({letter: omega**2})
         coefficients = tuple(sp.Poly(polynomial, letter).all_coeffs())
         roots = () if damped else frequencies(mass, stiffness, polynomial, letter, with_modes=kind is Kind.NONE)
@@ -203,14 +204,19 @@ def _about(
     return SmallOscillations(free, shape, system, equations, written, unknown, judgement, _damped(system, judgement))
 
 
+def _in_powers(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
+    """A polynomial in a letter, its coefficients in factors where they are short."""
+    terms = sp.Poly(f, letter).terms()
+    return sp.Add(*((sp.factor(c) if c.count_ops() <= MOST_OPERATIONS else c) * letter**n for (n,), c in terms))
+
+
 def _damped(system: LinearSystem, judgement: Judgement) -> Damped | None:
     """What is said of one damped coordinate."""
     if system.kind is not Kind.DAMPED or len(system.mass) > 1 or judgement.stability.verdict is not Verdict.STABLE:
         return None
     [[m]], [[d]], [[k]] = system.mass, system.damping, system.stiffness
     own = sp.factor(k / m)
-    ratio = sp.factor(d / (2 * m)) / square_root(own)
-    return Damped(own, ratio, sp.factor(own - d**2 / (4 * m**2)))
+    return Damped(own, sp.factor(d / (2 * m)), without_minus(sp.factor(own - d**2 / (4 * m**2))))
 
 
 def matrices_on(
@@ -282,7 +288,7 @@ def _equations(mass: Matrix, damping: Matrix, stiffness: Matrix, moved: Sequence
     """M ξ'' + D ξ' + K ξ, each row without common factors."""
     for ms, ds, ks in zip(mass, damping, stiffness, strict=True):
         total = sp.Add(*(m * prime(x, 2) + d * prime(x) + k * x for m, d, k, x in zip(ms, ds, ks, moved, strict=True)))
-        formed = textbook_form(total)
+        formed = textbook_form(sp.fraction(sp.together(total))[0])
         yield normalised(common_factor(formed).only(lambda f: bool(f.is_nonzero)).divide(formed))
 
 

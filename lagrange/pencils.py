@@ -116,7 +116,7 @@ def closed_roots(factor: sp.Expr, letter: sp.Symbol) -> list[sp.Expr] | None:
     if found is None:
         return None
     centre, half = found
-    roots = [_without_minus(centre)] if half == 0 else [_sum(centre, -half), _sum(centre, half)]
+    roots = [without_minus(centre)] if half == 0 else [_sum(centre, -half), _sum(centre, half)]
     return None if any(r.count_ops() > LONGEST_ROOT for r in roots) else roots
 
 
@@ -133,13 +133,12 @@ def _parts_of_roots(factor: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Exp
     return sp.factor(-b / (2 * a)), -half if sign_of(half) == -1 else half
 
 
-def _without_minus(e: sp.Expr) -> sp.Expr:
+def without_minus(e: sp.Expr) -> sp.Expr:
     """−(a − b) c as (b − a) c."""
-    if not e.could_extract_minus_sign():
-        return e
-    for f in sp.Mul.make_args(e):
-        if f.is_Add and f.could_extract_minus_sign():
-            return sp.Mul(-1, e / f, sp.Add(*(-term for term in f.args)))
+    if e.as_coeff_Mul()[0].is_negative:
+        for f in sp.Mul.make_args(e):
+            if f.is_Add and len({term.could_extract_minus_sign() for term in f.args}) == 2:
+                return sp.Mul(-1, e / f, sp.Add(*(-term for term in f.args)))
     return e
 
 

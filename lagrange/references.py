@@ -107,7 +107,7 @@ def reference_of_solution(solution: Solution) -> Reference:
     scope = problem.scope
     angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
     small = [x for x in small_displacements(solution) if x.name not in scope.names()]
-    letters = {s.name: s for s in letters_of_oscillations(solution) if s.name != "i"}
+    letters = {s.name: s for s in letters_of_oscillations(solution)}
     new = [*(q for c in problem.choices for q in c.coordinates), *angles, *small]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(

@@ -34,7 +34,7 @@ from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
-from lagrange.solution import Solution, small_displacements, solve
+from lagrange.solution import Solution, letters_of_oscillations, small_displacements, solve
 
 if TYPE_CHECKING:
     from lagrange.linearization import Linearization
@@ -194,7 +194,7 @@ def notation_of(solution: Solution) -> Notation:
     return Notation(
         coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
-        speeds=tuple(problem.speeds),
+        speeds=(*problem.speeds, *letters_of_oscillations(solution)),
         parameters=tuple(p.symbol for p in problem.parameters),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),

@@ -229,7 +229,7 @@ def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
     """The letters for frequencies, exponents and damping ratios."""
     found = [f for f in (solution.linearization, *(c.linearization for c in solution.choices)) if f is not None]
     names = {f"{f.omega}{i}" for f in found for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
-    names |= {f.exponent.name for f in found} | ({"zeta", "i"} if found else set())
+    names |= {f.exponent.name for f in found} | ({"zeta"} if found else set())
     return tuple(sp.Symbol(n, real=True) for n in sorted(names))
 
 

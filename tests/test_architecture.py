@@ -33,8 +33,8 @@ LAYERS = {
         coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia matrix_form
         dynamics lagrangian spot verification equilibrium stability static_reactions statics rest linear_stability linearization
         linearization_checks""",
-    "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers frequency_answers
-        checking",
+    "results": """solution references answers reaction_answers equilibrium_comparison equilibrium_answers
+        frequency_answers checking""",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion explain.matrix_form
         explain.reactions explain.static_reactions explain.statics explain.linearization

@@ -128,7 +128,7 @@ gravity: g*j
 @pytest.mark.parametrize(
     ("more", "what"),
     [
-        ("find: linearization", "linearization"),
+        ("find: linearization\nunknowns: [N]", "small oscillations with unknown forces"),
         ('speeds: {u: "x\'"}', "speeds"),
     ],
 )

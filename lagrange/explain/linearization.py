@@ -32,8 +32,9 @@ from lagrange.solution_sets import Branch
 from lagrange.stability import Verdict
 
 ZERO = sp.S.Zero
-LONGEST = 200
-"""Operations of a characteristic equation that is still shown."""
+TIME = sp.Symbol("t", real=True)
+LONGEST = 120
+"""Operations of conditions, or of a characteristic equation, that are still shown."""
 
 
 def explain_linearization(found: Linearization) -> Step:
@@ -58,26 +59,28 @@ def _rest(found: Linearization) -> Iterator[Block]:
     e = found.equilibrium
     finite = e.configuration.finite_constraints
     cancelled = "The positions contain time, and the equations of motion do not: it has cancelled. "
-    start: list[Part] = [
-        cancelled if found.driven else "",
-        "The system can rest where the equations of motion hold with ",
-    ]
-    if not e.conditions:
-        yield prose(*start, "the equations of motion hold everywhere.")
+    start = (cancelled if found.driven else "") + "At rest all velocities and accelerations are zero"
+    shown = [c.expression for c in e.conditions]
+    long = not found.complete and sum(c.count_ops() for c in shown) > LONGEST
+    if e.configuration.rows:
+        start += ". Reactions balance the forces that are left" + (", and the constraints hold," if finite else "")
+    elif not shown:
+        yield prose(start, ", and the equations of motion hold everywhere.")
         return
-    one = len(e.conditions) == 1
-    yield prose(*start, f"of the equation{'' if one else 's'} of motion there remain{'s' if one else ''}")
-    yield display(
-        *(Equation((c.expression, ZERO), label=_label(found, "rest", n)) for n, c in enumerate(e.conditions, 1))
-    )
+    elif long:
+        start += ", and what remains of the equations of motion, long here, holds"
+    else:
+        one = len(shown) == 1
+        yield prose(start, f", and of the equation{'' if one else 's'} of motion there remain{'s' if one else ''}")
+        yield display(*(Equation((c, ZERO), label=_label(found, "rest", n)) for n, c in enumerate(shown, 1)))
+        start = "This holds"
     if not found.branches:
-        what = "No real position satisfies this: there is no equilibrium." if found.complete else (
-            "This is not solved in closed form."
-        )  # fmt: skip
-        yield prose(what, detail=Detail.BRIEF)
+        nowhere = f"{start} nowhere: there is no equilibrium."
+        yield prose(
+            nowhere if found.complete else f"{start} where it is not solved in closed form.", detail=Detail.BRIEF
+        )
         return
-    together = "With the constraints this" if finite else "This"
-    yield prose(f"{together} holds at" if found.complete else f"{together} holds, perhaps among other places, at")
+    yield prose(f"{start} at" if found.complete else f"{start}, perhaps among other places, at")
     for n, b in enumerate(found.branches, start=1):
         lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
         last = lines[-1]
@@ -160,7 +163,6 @@ def _matrices(s: SmallOscillations) -> Iterator[Block]:
 def _characteristic(n: int, s: SmallOscillations, found: Linearization, detail: Detail) -> Iterator[Block]:
     """det(K − ω² M) = 0, its roots with their modes."""
     unknown, c = s.unknown, s.characteristic
-    time = sp.Symbol("t", real=True)
     amplitude = " with constant amplitudes" if len(s.free) > 1 else " with a constant amplitude"
     if not s.oscillates:
         yield from _damped(n, s, found)
@@ -168,18 +170,15 @@ def _characteristic(n: int, s: SmallOscillations, found: Linearization, detail: 
     if c is None:
         yield prose("The equation for the frequencies is too long to be written down.", detail=detail)
         return
-    wave = (
-        sp.exp(sp.Symbol("i", real=True) * unknown * time)
-        if s.system.kind is Kind.GYROSCOPIC
-        else sp.cos(unknown * time)
-    )
+    gyroscopic = s.system.kind is Kind.GYROSCOPIC
+    wave = ("exp(i" if gyroscopic else "cos(", math(unknown), math(TIME), ")")
     closed = all(f.square is not None for f in s.frequencies)
     if len(s.free) > 1 and c.count_ops() <= LONGEST:
-        yield prose("Put proportional to ", math(wave), f"{amplitude}, they have a solution if", detail=detail)
+        yield prose("Put proportional to ", *wave, f"{amplitude}, they have a solution if", detail=detail)
         yield display(Equation((c, ZERO), label=_label(found, "frequencies", n)), detail=detail)
         yield prose("The roots are" if closed else _not_closed(s), detail=detail)
     else:
-        yield prose("It is solved by ", math(wave), f"{amplitude}, where" if closed else ", where", detail=detail)
+        yield prose("It is solved by ", *wave, f"{amplitude}, where" if closed else ", where", detail=detail)
     several = len(s.frequencies) > 1
     lines = []
     for k, f in enumerate(s.frequencies, start=1):
@@ -218,9 +217,9 @@ def _mode(f: Frequency, s: SmallOscillations, found: Linearization) -> tuple[Par
 def _damped(n: int, s: SmallOscillations, found: Linearization) -> Iterator[Block]:
     """With damping: the characteristic equation for p; for one coordinate what is known of it."""
     p, c = s.unknown, s.characteristic
-    wave = math(sp.exp(p * sp.Symbol("t", real=True)))
+    wave = ("exp(", math(p), math(TIME), ")")
     if c is not None and c.count_ops() <= LONGEST:
-        yield prose("Proportional to ", wave, plural(len(s.free), ", it has", ", they have"), " a solution if")
+        yield prose("Proportional to ", *wave, plural(len(s.free), ", it has", ", they have"), " a solution if")
         yield display(Equation((c, ZERO), label=_label(found, "exponents", n)))
     if s.damped is None:
         return
@@ -229,7 +228,7 @@ def _damped(n: int, s: SmallOscillations, found: Linearization) -> Iterator[Bloc
     yield prose("Without damping the frequency would be ", math(own), "; the damping ratio is ", math(ratio), ":")
     lines = [
         Equation((own**2, s.damped.own), label=_label(found, "own", n)),
-        Equation((ratio, s.damped.ratio), label=_label(found, "ratio", n)),
+        Equation((ratio, s.damped.rate / own), label=_label(found, "ratio", n)),
         Equation((omega**2, own**2 * (1 - ratio**2), s.damped.square), label=_label(found, "omega", n)),
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
