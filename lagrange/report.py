@@ -70,11 +70,11 @@ def report(problem: Problem, choice: str | None = None, *, complete: bool = True
     """Solves a problem and explains the solution. Raises what `solve` raises."""
     solution = solve(problem, choice, complete=complete)
     answers = tuple(compared_answers(solution))
-    steps = tuple(_steps(solution, answers))
+    steps = tuple(_steps(solution, answers, complete))
     return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation_of(solution))
 
 
-def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Step]:
+def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...], complete: bool) -> Iterator[Step]:
     problem, classification = solution.problem, solution.classification
     yield explain_statement(problem, solution.configuration)
     yield explain_constraints(classification)
@@ -85,7 +85,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     yield from _statics(solution)
-    yield from _motion(solution)
+    yield from _motion(solution, complete)
     yield from _small_oscillations(solution.linearization)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
@@ -96,7 +96,7 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
             yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem)
-            yield explain_matrix_form(c.dynamics, c.name)
+            yield from _matrix_form(c.dynamics, c.name, complete)
             yield from _reactions(solution, c.dynamics, c.name)
         yield from _small_oscillations(c.linearization)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
@@ -128,6 +128,13 @@ def _statics(solution: Solution) -> Iterator[Step]:
     yield from _reactions_at_rest(solution, solution.reactions_at_rest)
 
 
+def _matrix_form(dynamics: Motion, choice: str, complete: bool) -> Iterator[Step]:
+    """The equations in matrix form: in full detail only."""
+    step = explain_matrix_form(dynamics, choice) if complete else None
+    if step is not None:
+        yield step
+
+
 def _small_oscillations(found: Linearization | None) -> Iterator[Step]:
     if found is not None:
         from lagrange.explain.linearization import explain_linearization
@@ -144,7 +151,7 @@ def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Ite
             yield step
 
 
-def _motion(solution: Solution) -> Iterator[Step]:
+def _motion(solution: Solution, complete: bool) -> Iterator[Step]:
     """From Newton's law to the equations of motion; friction needs the reactions first."""
     law, dynamics = solution.law, solution.dynamics
     if law is None or dynamics is None:
@@ -157,7 +164,7 @@ def _motion(solution: Solution) -> Iterator[Step]:
         yield from _reactions(solution, dynamics)
     yield explain_principle(dynamics.written)
     yield explain_equations(dynamics.written, solution.problem)
-    yield explain_matrix_form(dynamics)
+    yield from _matrix_form(dynamics, "", complete)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
 

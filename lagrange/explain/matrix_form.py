@@ -13,8 +13,8 @@ LONGEST = 250
 """Operations of accelerations that are still shown."""
 
 
-def explain_matrix_form(motion: Motion, choice: str = "") -> Step:
-    """M q'' = f, with A q'' = b where constraints bind the coordinates; q'' where it is solved for."""
+def explain_matrix_form(motion: Motion, choice: str = "") -> Step | None:
+    """M q'' = f, with A q'' = b where constraints bind the coordinates; q'' where it is solved for. None where there is nothing to show."""
     form = motion.matrices
     slots = form.configuration.slots
     mass, force = VectorSymbol("M"), VectorSymbol("f")
@@ -52,4 +52,6 @@ def explain_matrix_form(motion: Motion, choice: str = "") -> Step:
         lines = (Equation((a, e), label=f"solved{suffix}-{a.name}") for a, e in solved.items())
         body.append(display(*lines, detail=Detail.FULL))
     title = "In matrix form" if many else "Solved for the acceleration"
+    if not body:
+        return None
     return Step(Rule.EQUATIONS_OF_MOTION, f"{title}: {spoken(choice)}" if choice else title, tuple(body))
