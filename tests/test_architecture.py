@@ -57,8 +57,12 @@ FOR_TYPES_ONLY = {
 
 ROOMS = {
     "click": {"lagsolve.main", "lagsolve.group", "lagsolve.output", "lagsolve.status"},
-    "rich": {"lagrange.render.pretty", "lagrange.render.paragraphs", "lagrange.render.tables",
-             "lagrange.render.matrices"},
+    "rich": {
+        "lagrange.render.pretty",
+        "lagrange.render.paragraphs",
+        "lagrange.render.tables",
+        "lagrange.render.matrices",
+    },
     "yaml": {"lagrange.yaml_composer", "lagrange.yaml_mistakes", "lagrange.yaml_nodes", "lagsolve.library"},
     "sympy": None,
     "mpmath": None,

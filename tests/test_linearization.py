@@ -18,6 +18,7 @@ from mpmath import cos, diff, matrix, mp, mpc, mpf, polyroots, sin, sqrt
 from lagrange.diagnostics import NotCoveredError, Source
 from lagrange.linear_stability import Kind
 from lagrange.linearization import Linearization, SmallOscillations
+from lagrange.checking import compared_answers
 from lagrange.loader import read_problem
 from lagrange.solution import Solution, solve
 from lagrange.stability import Verdict
@@ -451,3 +452,179 @@ def test_both_regimes_were_met(known: dict[str, Linearization]) -> None:
             met.add(all(at_numbers(c.lhs - c.rhs, p).real * (1 if c.relation == ">" else -1) > 0
                         for c in s.judgement.stability.conditions))  # fmt: skip
         assert met == {True, False}, name
+
+
+# Modes, verdicts, answers, what is refused
+
+
+def test_published_modes_of_the_molecule(known: dict[str, Linearization]) -> None:
+    """Goldstein, section 6.4: ω = 0, √(k/m), √(k/m (1 + 2m/M)), with (1, 1, 1), (1, 0, −1), (1, −2m/M, 1)."""
+    m, M, c = sp.symbols("m M c", positive=True)
+    [s] = of(SYSTEMS["molecule"], known).at
+    assert s is not None
+    wanted = [(0, (1, 1, 1)), (c / m, (1, 0, -1)), (c / m * (1 + 2 * m / M), (1, -2 * m / M, 1))]
+    for f, (square, mode) in zip(s.frequencies, wanted, strict=True):
+        assert sp.cancel(f.square - square) == 0
+        [found] = f.modes
+        assert all(sp.cancel(a - b) == 0 for a, b in zip(found, mode, strict=True))
+    assert s.judgement.stability.verdict is Verdict.UNDECIDED  # it may drift
+
+
+def test_modes_of_the_double_pendulum(known: dict[str, Linearization]) -> None:
+    """Every mode satisfies (K − ω² M) a = 0 in numbers, and different ones are orthogonal."""
+    system = SYSTEMS["double-pendulum"]
+    found = of(system, known)
+    for seed in SEEDS:
+        p = numbers(system, seed)
+        s = there(found, system, p)
+        mass, stiff = (
+            matrix([[at_numbers(e, p) for e in row] for row in x]) for x in (s.system.mass, s.system.stiffness)
+        )
+        modes = [matrix([at_numbers(a, p) for a in f.modes[0]]) for f in s.frequencies]
+        for f, mode in zip(s.frequencies, modes, strict=True):
+            assert mp.norm((stiff - at_numbers(f.square, p) * mass) * mode) < mpf(10) ** -25
+        assert abs((modes[0].T * mass * modes[1])[0]) < mpf(10) ** -25
+
+
+DEGENERATE = """
+parameters: [m, c, b]
+coordinates: [x, y, z]
+particles: {A: {mass: m, position: x*i}, B: {mass: m, position: y*i}, C: {mass: m, position: z*i}}
+forces: {ring: {potential: c*((x - y)^2 + (y - z)^2 + (z - x)^2)/2 + b*(x + y + z)^2/2}}
+"""
+
+
+def test_a_frequency_that_belongs_to_two_modes() -> None:
+    [s] = linear_equations(solved(DEGENERATE)).at
+    assert s is not None
+    assert sorted((str(f.square), f.multiplicity, len(f.modes)) for f in s.frequencies) == [
+        ("3*b/m", 1, 1),
+        ("3*c/m", 2, 2),
+    ]
+
+
+TRIPLE = """
+parameters: [m, l, g]
+coordinates: [a, b, c]
+particles:
+  P: {mass: m, position: l*sin(a)*i - l*cos(a)*j}
+  Q: {mass: m, position: r_P + l*sin(b)*i - l*cos(b)*j}
+  R: {mass: m, position: r_Q + l*sin(c)*i - l*cos(c)*j}
+gravity: -g*j
+"""
+
+
+def test_a_cubic_equation_stays_an_equation() -> None:
+    """The triple pendulum: x³ − 9x² + 18x − 6 = 0 for x = ω² l/g, Laguerre's polynomial; stable all the same."""
+    s = linear_equations(solved(TRIPLE)).at[0]
+    assert s is not None
+    [f] = s.frequencies
+    assert f.square is None
+    x, g, l = f.letter, *sp.symbols("g l", positive=True)
+    polynomial = sp.Poly(f.factor.xreplace({x: x * g / l}), x).monic()
+    assert polynomial.all_coeffs() == [1, -9, 18, -6]
+    assert s.judgement.stability.verdict is Verdict.STABLE
+
+
+def test_the_second_variation_says_the_same() -> None:
+    """Stability from `stability`, by statics, at every equilibrium of systems at rest that do not turn."""
+    for text in (PENDULUM, DOUBLE, CART, SPRING_PENDULUM, ROD, IN_X_AND_Y.replace("forces", "answers: {}\n#")):
+        solution = solved(text, "find: [equilibrium, linearization]")
+        found = linear_equations(solution)
+        assert solution.equilibrium is not None
+        assert solution.stability is not None
+        assert [b.relations for b in solution.equilibrium.branches] == [b.relations for b in found.branches]
+        for by_variation, s in zip(solution.stability.verdicts, found.at, strict=True):
+            if s is not None and by_variation.verdict is not Verdict.UNDECIDED:
+                assert by_variation.verdict is s.judgement.stability.verdict
+                assert {str(c) for c in by_variation.conditions} == {str(c) for c in s.judgement.stability.conditions}
+
+
+def test_one_damped_coordinate(known: dict[str, Linearization]) -> None:
+    [s] = of(SYSTEMS["damped"], known).at
+    m, c, b = sp.symbols("m c b", positive=True)
+    assert s is not None
+    assert s.damped is not None
+    assert s.damped.own == c / m
+    assert sp.cancel(s.damped.square - (c / m - b**2 / (4 * m**2))) == 0
+    assert sp.cancel(s.damped.rate - b / (2 * m)) == 0
+
+
+NONHOLONOMIC = """
+parameters: [m, J, c, k]
+coordinates: [x, y, theta]
+bodies: {skate: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+constraints: {blade: "x'*sin(theta) = y'*cos(theta)"}
+forces: {springs: {potential: c*x^2/2 + k*theta^2/2}}
+"""
+
+
+def test_a_kinematic_constraint() -> None:
+    """A skate at rest along the x axis: across the blade it stays, along it and about it there are springs."""
+    found = linear_equations(solved(NONHOLONOMIC))
+    [s] = [s for s in found.at if s is not None]
+    assert [found.configuration.slots.coordinates[k].name for k in s.free] == ["x", "theta"]
+    assert {str(f.square) for f in s.frequencies} == {"c/m", "k/J"}
+
+
+PULLED = NONHOLONOMIC.replace("k]", "k, f]").replace("c*x^2/2", "c*(x - y)^2/2 - f*y")
+
+
+def test_a_reaction_that_turns_with_the_body() -> None:
+    """At rest the blade bears λ = f; turned by ξ_3 it pushes the skate along: m ξ_1'' + c ξ_1 − f ξ_3 = 0."""
+    [s] = [s for s in linear_equations(solved(PULLED)).at if s is not None]
+    c, k, f = sp.symbols("c k f", positive=True)
+    stiffness = sp.Matrix(s.system.stiffness)
+    assert stiffness == sp.Matrix([[c, -f], [0, k]])
+    assert not s.system.symmetric
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (PENDULUM.replace("gravity: -g*j", "unknowns: [N]\nforces: {push: {on: P, vector: N*i}}"), "unknown forces"),
+        (HOOP.replace("gravity: -g*k", "forces: {wind: {on: P, vector: g*cos(Omega*t)*k}}"), "contain time"),
+        (HOOP.replace("Omega*t", "u").replace("coordinates", "functions: {u: [t]}\ncoordinates"), "prescribed motion"),
+        (SPHERE.replace("rod: x^2", "rod: (x - m*t)^2"), "moving constraint `rod`"),
+        (SPHERE.replace("rod: x^2 + y^2 + z^2 = l^2", "rate: x'^2 + y'^2 = l^2"), "not linear in the velocities"),
+        (IN_X_AND_Y.replace("{air:", "{rub: {friction: b, constraint: rod, on: P}, air:"), "dry friction"),
+    ],
+)
+def test_what_is_refused(text: str, said: str) -> None:
+    with pytest.raises(NotCoveredError, match=said) as caught:
+        solved(text)
+    assert caught.value.exit_status == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "stated", "verdict"),
+    [
+        (PENDULUM, "[sqrt(g/l)]", "equivalent"),
+        (PENDULUM, "[-sqrt(g/l)]", "equivalent"),
+        (PENDULUM, "[sqrt(l/g)]", "wrong"),
+        (PENDULUM, "[g*i]", "unreadable"),
+        (DOUBLE, "[sqrt(g/l1)]", "wrong"),
+        (COUPLED, '[sqrt(g/l), "sqrt(g/l + 2*c/m)"]', "equivalent"),
+        (COUPLED, '["sqrt(g/l + 2*c/m)"]', "incomplete"),
+        (COUPLED, '["sqrt(g/l + 2*c/m)", "-sqrt(g/l + 2*c/m)"]', "incomplete"),
+        (COUPLED, '[sqrt(g/l), "sqrt(g/l + c/m)"]', "wrong"),
+        (MOLECULE, '[0, sqrt(c/m), "sqrt(c/m*(1 + 2*m/M))"]', "equivalent"),
+        (MOLECULE, '[sqrt(c/m), "sqrt(c/m*(1 + 2*m/M))"]', "equivalent"),
+        (HOOP, '[["sqrt(g/R - Omega^2)"], ["sqrt(Omega^2 - g^2/(Omega^2*R^2))"]]', "equivalent"),
+        (HOOP, '[["sqrt(g/R - Omega^2)"], ["sqrt(g/R + Omega^2)"]]', "wrong"),
+        (DAMPED, "[sqrt(c/m)]", "undecided"),
+    ],
+)
+def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
+    solution = solved(text, f"find: linearization\nanswers: {{frequencies: {stated}}}")
+    [answer] = compared_answers(solution)
+    assert answer.name == "frequencies"
+    assert answer.verdict.value == verdict
+
+
+def test_equilibria_of_the_motion_in_answers() -> None:
+    stated = '[["theta = 0"], ["theta = pi"], ["cos(theta) = g/(Omega^2*R)"]]'
+    for wrong in (False, True):
+        text = stated.replace("Omega^2", "Omega") if wrong else stated
+        [answer] = compared_answers(solved(HOOP, f"find: linearization\nanswers: {{equilibrium: {text}}}"))
+        assert (answer.verdict.value == "equivalent") != wrong
