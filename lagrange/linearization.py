@@ -193,10 +193,11 @@ def _about(
     written, coefficients = None, None
     roots: tuple[Frequency, ...] = ()
     if polynomial is not None:
-        written = sp.Mul(*(_in_powers(f, letter) ** n for f, n in factored(polynomial, letter)))
+        pieces = factored(polynomial, letter)
+        written = sp.Mul(*(_in_powers(f, letter) ** n for f, n in pieces))
         written = written if damped else written.xreplace({letter: omega**2})
         coefficients = tuple(sp.Poly(polynomial, letter).all_coeffs())
-        roots = () if damped else frequencies(mass, stiffness, polynomial, letter, with_modes=kind is Kind.NONE)
+        roots = () if damped else frequencies(mass, stiffness, pieces, letter, with_modes=kind is Kind.NONE)
     system = LinearSystem(mass, damping, stiffness, kind, symmetric, coefficients, roots)
     equations = tuple(_equations(mass, damping, stiffness, tuple(names[k] for k in free)))
     unknown = exponent if damped else omega

@@ -7,15 +7,17 @@ orthogonality       aᵀ M b = 0 for modes of different frequencies, where K is 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import combinations
 
 import sympy as sp
 
+from lagrange.closed_form import Values
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.lagrangian import lagrange_equations
 from lagrange.linearization import Linearization, SmallOscillations
 from lagrange.pencils import Matrix
+from lagrange.solution_sets import Branch
 from lagrange.unit_circle import NotAlgebraicError
 from lagrange.verification import Check
 
@@ -68,13 +70,21 @@ def _same_equations(found: Linearization) -> Iterator[bool | None]:
         for point in b.points[:MOST_POINTS]:
             for table, matrix in zip(tables, (s.system.mass, s.system.damping, s.system.stiffness), strict=True):
                 difference = n.T * table * n - sp.Matrix(matrix)
-                yield from (_is_zero_at(lambda e, p=point: found.equilibrium.solution.at(p, e), e) for e in difference)  # type: ignore[misc]
+                yield from (_is_zero_at(found, b, point, e) for e in difference)
 
 
-def _is_zero_at(at: Callable[[sp.Expr], sp.Expr], e: sp.Expr) -> bool | None:
+def _is_zero_at(found: Linearization, b: Branch, point: Values, e: sp.Expr) -> bool | None:
+    """Whether an expression is zero at a point; beside other angles than those of the conditions, by plain values."""
     try:
-        return is_zero(at(e))
-    except (NotAlgebraicError, DivisionByZeroError):
+        try:
+            there = found.equilibrium.solution.at(point, e)
+        except NotAlgebraicError:
+            plain = {r.lhs: r.rhs for r in b.relations if r.lhs in found.configuration.slots.coordinates}
+            there = e.xreplace({m: point[m] for m in found.equilibrium.multipliers if m in point}).xreplace(plain)
+            if there.free_symbols & set(found.configuration.slots.coordinates):
+                return None
+        return is_zero(there)
+    except DivisionByZeroError:
         return None
 
 

@@ -30,6 +30,8 @@ MOST_ROWS = 6
 MOST_ENTRIES = 400
 """Operations of all entries of a matrix whose determinant is still worked out."""
 MOST_SYMBOLS = 12
+LONGEST_FACTOR = 80
+"""Operations of a factor whose roots are still looked for; those of a longer one would fill lines."""
 LONGEST_ROOT = 80
 """Operations of a root that is still written down."""
 
@@ -112,7 +114,7 @@ def _led(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
 
 def closed_roots(factor: sp.Expr, letter: sp.Symbol) -> list[sp.Expr] | None:
     """Its roots, the smaller one first where that is known; None where they are not in closed form, or long."""
-    found = _parts_of_roots(factor, letter)
+    found = _parts_of_roots(factor, letter) if factor.count_ops() <= LONGEST_FACTOR else None
     if found is None:
         return None
     centre, half = found
@@ -137,8 +139,9 @@ def without_minus(e: sp.Expr) -> sp.Expr:
     """−(a − b) c as (b − a) c."""
     if e.as_coeff_Mul()[0].is_negative:
         for f in sp.Mul.make_args(e):
-            if f.is_Add and len({term.could_extract_minus_sign() for term in f.args}) == 2:
-                return sp.Mul(-1, e / f, sp.Add(*(-term for term in f.args)))
+            base, exponent = f.as_base_exp()
+            if base.is_Add and exponent.is_odd and len({term.could_extract_minus_sign() for term in base.args}) == 2:
+                return sp.Mul(-1, e / f, sp.Add(*(-term for term in base.args)) ** exponent)
     return e
 
 
@@ -236,11 +239,11 @@ def _led_by_one(vector: Sequence[sp.Poly], numbers: Field) -> list[sp.Poly]:
 
 
 def frequencies(
-    mass: Matrix, stiffness: Matrix, polynomial: sp.Expr, letter: sp.Symbol, with_modes: bool
+    mass: Matrix, stiffness: Matrix, pieces: Sequence[tuple[sp.Expr, int]], letter: sp.Symbol, with_modes: bool
 ) -> tuple[Frequency, ...]:
-    """The roots of det(K − w M), with their modes; those known to be smaller first."""
+    """The roots of det(K − w M), from its factors with their multiplicities; those known to be smaller first."""
     found: list[Frequency] = []
-    for factor, multiplicity in factored(polynomial, letter):
+    for factor, multiplicity in pieces:
         roots = closed_roots(factor, letter)
         if roots is None:
             found.append(Frequency(None, factor, letter, multiplicity))

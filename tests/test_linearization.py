@@ -15,10 +15,9 @@ import pytest
 import sympy as sp
 from mpmath import cos, diff, matrix, mp, mpc, mpf, polyroots, sin, sqrt
 
-from lagrange.diagnostics import NotCoveredError, Source
-from lagrange.linear_stability import Kind
-from lagrange.linearization import Linearization, SmallOscillations
 from lagrange.checking import compared_answers
+from lagrange.diagnostics import NotCoveredError, Source
+from lagrange.linearization import Linearization, SmallOscillations
 from lagrange.loader import read_problem
 from lagrange.solution import Solution, solve
 from lagrange.stability import Verdict
@@ -276,7 +275,7 @@ SYSTEMS = {
     "pendulum-above": System(PENDULUM, pendulum, lambda _: [mp.pi], lambda _: {"theta": mp.pi}),
     "pendulum-in-x-and-y": System(
         IN_X_AND_Y, pendulum, lambda _: [mpf(0)], lambda p: {"x": mpf(0), "y": -p["l"]},
-        lambda q, v, p: [-p["b"] * p["l"] ** 2 * v[0]]),
+        lambda _, v, p: [-p["b"] * p["l"] ** 2 * v[0]]),
     "double-pendulum": System(DOUBLE, double, lambda _: [mpf(0)] * 2, origin("theta1", "theta2")),
     "double-pendulum-folded": System(
         DOUBLE, double, lambda _: [mpf(0), mp.pi], lambda _: {"theta1": mpf(0), "theta2": mp.pi}),
@@ -294,10 +293,10 @@ SYSTEMS = {
     "table": System(TABLE, table, lambda _: [mpf(0)] * 2, origin("x", "y")),
     "damped": System(
         DAMPED, lambda q, v, p: p["m"] * v[0] ** 2 / 2 - p["c"] * q[0] ** 2 / 2, lambda _: [mpf(0)], origin("x"),
-        lambda q, v, p: [-p["b"] * v[0]]),
+        lambda _, v, p: [-p["b"] * v[0]]),
     "one-damper": System(
         ONE_DAMPER, one_damper, lambda p: [p["l"], 2 * p["l"]], lambda p: {"x1": p["l"], "x2": 2 * p["l"]},
-        lambda q, v, p: [-p["b"] * (v[0] - v[1]), p["b"] * (v[0] - v[1])]),
+        lambda _, v, p: [-p["b"] * (v[0] - v[1]), p["b"] * (v[0] - v[1])]),
     "cart": System(CART, cart, lambda _: [mpf(0)] * 2, origin("x", "theta")),
     "spring-pendulum": System(
         SPRING_PENDULUM, spring_pendulum, lambda p: [p["l"] + p["m"] * p["g"] / p["c"], mpf(0)],
@@ -311,7 +310,7 @@ SYSTEMS = {
     "rod": System(ROD, rod, lambda _: [mpf(0)], origin("theta")),
     "magnet": System(
         MAGNET, magnet, lambda _: [mpf(0)] * 2, origin("x", "y"),
-        lambda q, v, p: [p["q"] * p["B"] * v[1], -p["q"] * p["B"] * v[0]]),
+        lambda _, v, p: [p["q"] * p["B"] * v[1], -p["q"] * p["B"] * v[0]]),
 }  # fmt: skip
 SEEDS = range(4)
 

@@ -83,6 +83,9 @@ def _rest(found: Linearization) -> Iterator[Block]:
     yield prose(f"{start} at" if found.complete else f"{start}, perhaps among other places, at")
     for n, b in enumerate(found.branches, start=1):
         lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
+        if not lines:
+            yield prose("every position.")
+            continue
         last = lines[-1]
         lines[-1] = Equation(last.sides, label=_label(found, "at-rest", n), condition=_when(b))
         yield display(*lines, detail=Detail.BRIEF)
@@ -115,7 +118,7 @@ def _names(found: Linearization) -> Block:
 
 def _about(n: int, b: Branch, s: SmallOscillations | None, found: Linearization) -> Iterator[Block]:
     """One equilibrium."""
-    place = Ref(_label(found, "at-rest", n))
+    place: Part = Ref(_label(found, "at-rest", n)) if b.equations else "any position"
     if s is None:
         if n > MOST_EQUILIBRIA or b.left or b.special:
             return
@@ -133,7 +136,8 @@ def _about(n: int, b: Branch, s: SmallOscillations | None, found: Linearization)
     yield from _bound(s, found)
     yield from _matrices(s)
     yield from _characteristic(n, s, found, Detail.FULL if hidden else Detail.STEPS)
-    yield from _verdict(place, s)
+    named = ("the equilibrium ", place) if b.equations else ("every position of rest",)
+    yield from _verdict(named, s)
 
 
 def _bound(s: SmallOscillations, found: Linearization) -> Iterator[Block]:
@@ -239,7 +243,7 @@ def _damped(n: int, s: SmallOscillations, found: Linearization) -> Iterator[Bloc
     )  # fmt: skip
 
 
-def _verdict(place: Ref, s: SmallOscillations) -> Iterator[Prose]:
+def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
     """What is said of stability."""
     stability, ground = s.judgement.stability, s.judgement.ground
     detail = Detail.BRIEF
@@ -248,25 +252,21 @@ def _verdict(place: Ref, s: SmallOscillations) -> Iterator[Prose]:
     stable = stable if firm or ground is None else "stable to first order"
     match stability.verdict:
         case Verdict.STABLE:
-            yield prose(*_why(s), "the equilibrium ", place, f" is {stable}.", detail=detail)
+            yield prose(*_why(s), *named, f" is {stable}.", detail=detail)
         case Verdict.UNSTABLE:
-            yield prose(*_why(s), "the equilibrium ", place, " is unstable.", detail=detail)
+            yield prose(*_why(s), *named, " is unstable.", detail=detail)
         case Verdict.CONDITIONAL:
             where = _listed(stability.conditions)
             one = len(stability.conditions) == 1
-            contrary = (
-                ", and unstable where the contrary holds." if one else ", and unstable where the contrary of one holds."
-            )
-            yield prose("The equilibrium ", place, f" is {stable} where ", *where, contrary, detail=detail)
+            reversed_ = "the opposite inequality holds" if one else "one of these is reversed"
+            first, *rest = named
+            start = (f"{first[0].upper()}{first[1:]}", *rest) if isinstance(first, str) else named
+            yield prose(*start, f" is {stable} where ", *where, f", and unstable where {reversed_}.", detail=detail)
+        case Verdict.UNDECIDED if any(f.square == 0 for f in s.frequencies):
+            words = "To the root zero belongs a uniform motion: the linear equations do not decide whether "
+            yield prose(words, *named, " is stable.", detail=detail)
         case Verdict.UNDECIDED:
-            zero = [f for f in s.frequencies if f.square == 0]
-            if zero:
-                yield paragraph(
-                    prose("To the root zero belongs a uniform motion: of the stability of ", place,
-                          " the linear equations say nothing.", detail=detail)
-                )  # fmt: skip
-            else:
-                yield prose("The linear equations do not decide whether ", place, " is stable.", detail=detail)
+            yield prose("The linear equations do not decide whether ", *named, " is stable.", detail=detail)
 
 
 def _why(s: SmallOscillations) -> tuple[Part, ...]:
