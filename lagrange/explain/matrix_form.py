@@ -14,7 +14,7 @@ LONGEST = 250
 
 
 def explain_matrix_form(motion: Motion, choice: str = "") -> Step | None:
-    """M q'' = f, with A q'' = b where constraints bind the coordinates, and q'' where it is solved for; None: nothing."""
+    """M q'' = f, with A q'' = b where constraints bind the coordinates, and q'' where it is solved for; or nothing."""
     form = motion.matrices
     slots = form.configuration.slots
     mass, force = VectorSymbol("M"), VectorSymbol("f")
