@@ -30,7 +30,7 @@ LAYERS = {
         restrictions combinations candidates first_integrals hidden_relations""",
     "closed forms": "positivity unit_circle presentation polynomial_roots pencils closed_form solution_sets branching",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
-        coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia matrix_form
+        coordinates linear placing rods newton workless principle reactions friction equations comparison constant_inertia matrix_form
         dynamics lagrangian spot verification equilibrium stability static_reactions statics rest linear_stability linearization
         linearization_checks""",
     "results": """solution references answers reaction_answers equilibrium_comparison equilibrium_answers
@@ -41,9 +41,9 @@ LAYERS = {
         explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
-    "reports": "report",
     "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
-        render.latex render.json_linear render.json""",
+        render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
+    "reports": "report render.json_linear render.json",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
         lagsolve.main lagsolve.__main__""",
 }

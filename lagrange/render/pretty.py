@@ -38,7 +38,7 @@ from lagrange.render.breaking import Breaker
 from lagrange.render.mathematics import UNICODE, Notation, Writer
 from lagrange.render.matrices import matrix_lines, side_by_side
 from lagrange.render.paragraphs import Words, fill, pad
-from lagrange.render.shown import Shown, entries, shown
+from lagrange.render.shown import Shown, shown, written_out
 from lagrange.render.tables import Grid, table_lines
 
 WIDEST = 100  # a longer line is hard to read
@@ -232,10 +232,8 @@ class _Page:
                 wide.append((name, rows))
         yield from (Text("  " + line if line else "") for line in side_by_side(drawn, width - 2))
         for name, rows in wide:
-            yield from self.display(Display(tuple(entries(name, rows))), width)
-            if any(e == 0 for row in rows for e in row):
-                others = Prose(("The other entries of ", Math((name,)), " are zero."))
-                yield from self.block(others, width)
+            for part in written_out(name, rows):
+                yield from self.block(part, width)
 
     def table(self, block: Table, width: int) -> Iterator[Text]:
         grid: Grid = [[self.words([part]) for part in row] for row in (block.header, *block.rows)]

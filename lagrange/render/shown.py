@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from lagrange.derivation import Derivation, Detail, Display, Equation, Step
+from lagrange.derivation import Block, Derivation, Detail, Display, Equation, Math, Prose, Step
 
 
 @dataclass(frozen=True)
@@ -43,12 +43,14 @@ def _equations(steps: tuple[Step, ...] | list[Step]) -> list[Equation]:
     ]
 
 
-def entries(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> list[Equation]:
-    """M_12 = ... for each entry that is not zero; f_1 = ... of a column."""
+def written_out(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> tuple[Block, ...]:
+    """A matrix that is too wide, entry by entry: M_12 = ... for each that is not zero, f_1 = ... of a column."""
     column = len(rows[0]) == 1 and len(rows) > 1
-    return [
+    found = tuple(
         Equation((type(name)(f"{name.name}_{j}{'' if column else k}", real=True), e))
         for j, row in enumerate(rows, start=1)
         for k, e in enumerate(row, start=1)
         if e != 0
-    ]
+    )
+    others = (Prose(("The other entries of ", Math((name,)), " are zero.")),)
+    return (Display(found), *(others if any(e == 0 for row in rows for e in row) else ()))
