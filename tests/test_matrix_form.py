@@ -16,7 +16,7 @@ from lagrange.lagrangian import lagrange_equations
 from lagrange.loader import load, read_problem
 from lagrange.notation import VectorSymbol
 from lagrange.render import json as as_json
-from lagrange.render import latex, pretty
+from lagrange.render import html, latex, markdown, pretty
 from lagrange.render.kinds import Notation
 from lagrange.report import report
 from lagrange.solution import solve
@@ -124,6 +124,20 @@ def test_a_matrix_that_is_too_wide_is_written_entry_by_entry() -> None:
     assert "pmatrix" not in code
     assert r"\mathbf{M}_{11}" in code
     assert "The other entries of" in code
+
+
+def test_matrices_in_markdown_and_on_web_pages() -> None:
+    a, b = sp.symbols("a b", real=True)
+    named = ((VectorSymbol("M"), ((a, b), (b, a))), (VectorSymbol("f"), ((a,), (sp.S.Zero,))))
+    found = Derivation("T", "", (Step(Rule.EQUATIONS_OF_MOTION, "S", (Matrices(named),)),))
+    assert r"\begin{pmatrix} a & b \\ b & a \end{pmatrix}" in markdown.render([(found, Notation())])
+    page = html.render([(found, Notation())])
+    assert page.count("<mtr>") == 4
+    assert page.count("<mtd>") == 6
+    long = sp.Add(*sp.symbols("a1:20", real=True))
+    wide = Derivation("T", "", (Step(Rule.EQUATIONS_OF_MOTION, "S", (Matrices(((named[0][0], ((long, b),) * 2),)),)),))
+    assert "<mtd>" not in html.render([(wide, Notation())])
+    assert "pmatrix" not in markdown.render([(wide, Notation())])
 
 
 def test_one_row_stands_in_round_brackets() -> None:
