@@ -15,8 +15,8 @@ from lagrange.diagnostics import Source
 from lagrange.lagrangian import lagrange_equations
 from lagrange.loader import load, read_problem
 from lagrange.notation import VectorSymbol
-from lagrange.render import json as as_json
 from lagrange.render import html, latex, markdown, pretty
+from lagrange.render import json as as_json
 from lagrange.render.kinds import Notation
 from lagrange.report import report
 from lagrange.solution import solve
