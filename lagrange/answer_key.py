@@ -6,7 +6,7 @@ file and reported with the others. They may be in LaTeX.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, TypeVar
@@ -26,7 +26,7 @@ from lagrange.sections import Section, entries_of, items_of, mapping_of, scalar_
 
 CLASSES = ("holonomic", "nonholonomic", "scleronomic", "rheonomic", "catastatic", "acatastatic")
 _OPPOSITES = (("holonomic", "nonholonomic"), ("scleronomic", "rheonomic"), ("catastatic", "acatastatic"))
-_KEYS = ("degrees_of_freedom", "classification", "integrable", "equations", "equilibrium", "reactions")
+_KEYS = ("degrees_of_freedom", "classification", "integrable", "equations", "equilibrium", "reactions", "frequencies")
 _MOST_SIGNS = 20
 
 T = TypeVar("T")
@@ -61,6 +61,7 @@ class AnswerReader:
             equations=self.equations(section.get("equations"), "`equations`"),
             equilibrium=self._equilibrium(section.get("equilibrium")),
             reactions=self._of_constraints(section.get("reactions"), "reactions", "rod: m*g", self._reaction),
+            frequencies=self._frequencies(section.get("frequencies")),
         )
 
     def equations(self, node: Node | None, what: str) -> tuple[Fragment, ...]:
@@ -104,6 +105,29 @@ class AnswerReader:
             return tuple(self.equations(item, what) for item in node.items)
         flat = self.equations(node, what)
         return (flat,) if flat else ()
+
+    def _frequencies(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
+        """Expressions for ω; nested lists are those of several equilibria."""
+        what, example = "`frequencies`", '["sqrt(g/l)"]'
+        if node is None:
+            return ()
+        whole = (node,) if isinstance(node, Scalar) else self.findings.attempt(lambda: items_of(node, what, example))
+        items = list(whole or ())
+        if any(isinstance(item, ListNode) for item in items):
+            lists = [item for item in items if isinstance(item, ListNode)]
+            if len(lists) < len(items):
+                help_ = "write `[a, b]` for one equilibrium, `[[a, b], [c]]` for several"
+                self.findings.report(wrong_kind(node, f"{what} mixes expressions with lists of them", help_))
+            return tuple(tuple(self._values(item.items, what)) for item in lists)
+        return (tuple(self._values(items, what)),)
+
+    def _values(self, nodes: Sequence[Node], what: str) -> Iterator[Fragment]:
+        """Expressions, without mistakes."""
+        for node in nodes:
+            scalar = self.findings.attempt(lambda n=node: scalar_of(n, f"an entry of {what}"))  # type: ignore[misc]
+            if scalar is not None:
+                self._try(read_value, scalar.fragment)
+                yield scalar.fragment
 
     def _classification(self, node: Node | None) -> tuple[str, ...]:
         """The classification, in the words of the textbook."""

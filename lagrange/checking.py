@@ -63,6 +63,14 @@ def _after_equations(solution: Solution) -> Iterator[ComparedAnswer]:
         return
     if answers.equilibrium:
         yield ComparedAnswer("equilibrium", _equilibrium(solution, answers.equilibrium).verdict)
+    if answers.frequencies:
+        from lagrange.frequency_answers import check_frequencies
+
+        found = [solution.linearization, *(c.linearization for c in solution.choices)]
+        there = [f for f in found if f is not None]
+        yield ComparedAnswer(
+            "frequencies", check_frequencies(answers.frequencies, there, reference_of_solution(solution))
+        )
     if answers.reactions:
         yield ComparedAnswer("reactions", _reactions(solution, answers.reactions))
 
@@ -71,9 +79,11 @@ def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]])
     """The verdict on equilibria."""
     from lagrange.equilibrium_answers import check_equilibria
 
-    if solution.equilibrium is None:
+    found = [e for e in (solution.equilibrium, *(c.equilibrium for c in solution.choices)) if e is not None]
+    linear = [solution.linearization, *(c.linearization for c in solution.choices)]
+    found = found or [f.equilibrium for f in linear if f is not None]
+    if not found:
         return AnswerVerdict(Verdict.UNDECIDED, ())
-    found = [solution.equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
     verdict = check_equilibria(alternatives, found, reference_of_solution(solution))
     if verdict.unreadable:
         raise ProblemError(verdict.unreadable)

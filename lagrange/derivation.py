@@ -35,6 +35,7 @@ class Rule(StrEnum):
     GENERALIZED_COORDINATES = "generalized-coordinates"  # x = l sin θ, y = l cos θ
     EQUATIONS_OF_MOTION = "equations-of-motion"  # l θ'' + g sin θ = 0
     QUASI_VELOCITIES = "quasi-velocities"  # u = x' cos θ + y' sin θ: u' = a ω²
+    LINEARIZATION = "linearization"  # l ξ'' + g ξ = 0, ω² = g/l
     SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
     CONSERVED = "conserved"  # m l² θ'²/2 − m g l cos θ = const
     EQUILIBRIUM = "equilibrium"  # tan θ = (2k - 1)/tan α
@@ -111,6 +112,14 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Matrices:
+    """Named matrices, M = (a b; c d), side by side where there is room; a column has rows of one entry."""
+
+    named: tuple[tuple[sp.Symbol, tuple[tuple[sp.Expr, ...], ...]], ...]
+    detail: Detail = Detail.STEPS
+
+
+@dataclass(frozen=True)
 class CheckMark:
     """A check, whether it held (None: could not be decided), and how it was done."""
 
@@ -120,7 +129,7 @@ class CheckMark:
     detail: Detail = Detail.BRIEF
 
 
-Block = Prose | Display | Table | CheckMark
+Block = Prose | Display | Table | Matrices | CheckMark
 
 
 @dataclass(frozen=True)

@@ -23,6 +23,7 @@ from lagrange.equations import EquationsOfMotion, WithMultipliers, equations_of_
 from lagrange.exact import Point
 from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
 from lagrange.kinematics import Configuration, Load
+from lagrange.matrix_form import MatrixForm, matrix_form
 from lagrange.multipliers import lagrange_motion
 from lagrange.newton import Newton, Reaction, newton_equations
 from lagrange.notation import Sign
@@ -97,6 +98,7 @@ class Motion:
     signs      the signs of multipliers that friction leaves open, each with its λ
     symbolic   the equations with |λ| in them, where λ is long
     multipliers  of the constraints, by name
+    solved     the accelerations of independent coordinates, where they are asked for and short
     """
 
     equations: EquationsOfMotion
@@ -106,6 +108,19 @@ class Motion:
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     symbolic: EquationsOfMotion | None = None
     multipliers: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    solved: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    @cached_property
+    def matrices(self) -> MatrixForm:
+        """The equations in matrix form."""
+        return matrix_form(self.equations)
+
+    @property
+    def accelerations(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """q'' as functions of position, velocity and time; empty where they were not found."""
+        if self.solved or self.reactions is None or self.reactions.configuration.expressed:
+            return self.solved
+        return {s: e for s, e in self.reactions.accelerations.items() if e is not None}
 
     @property
     def written(self) -> EquationsOfMotion:

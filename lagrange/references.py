@@ -25,7 +25,7 @@ from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import prime, variation
 from lagrange.problem import Problem
 from lagrange.quasi_velocities import quasi_variation
-from lagrange.solution import Solution
+from lagrange.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.vectors import Vector
 from lagrange.verification import multiplier_system
 
@@ -111,11 +111,14 @@ def reference_of_solution(solution: Solution) -> Reference:
     angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
     energies = _energies(solution)
     general = [letters(solution).coordinate] if energies else []
-    new = [*(q for c in problem.choices for q in c.coordinates), *angles, *general]
+    small = [x for x in small_displacements(solution) if x.name not in scope.names()]
+    of_oscillations = {s.name: s for s in letters_of_oscillations(solution)}
+    new = [*(q for c in problem.choices for q in c.coordinates), *angles, *general, *small]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
         scalars={
+            **of_oscillations,
             **_potential(solution),
             **_quasi_variations(solution),
             **energies,

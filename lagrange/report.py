@@ -25,6 +25,7 @@ from lagrange.explain.constraints import (
     explain_integrability,
 )
 from lagrange.explain.displacements import explain_displacements
+from lagrange.explain.matrix_form import explain_matrix_form
 from lagrange.explain.motion import (
     explain_choice,
     explain_equations,
@@ -38,10 +39,11 @@ from lagrange.letters import letters, states_potential
 from lagrange.multipliers import LagrangeMotion
 from lagrange.problem import Find, Problem
 from lagrange.render.kinds import Notation
-from lagrange.solution import Solution, solve
+from lagrange.solution import Solution, letters_of_oscillations, small_displacements, solve
 
 if TYPE_CHECKING:
     from lagrange.explain.energies import Told
+    from lagrange.linearization import Linearization
     from lagrange.quasi_verification import InSpeeds
     from lagrange.static_reactions import StaticReactions
 
@@ -84,7 +86,7 @@ def report(
     """Solves a problem and explains the solution. Raises what `solve` raises."""
     solution = solve(problem, choice, complete=complete, method=method)
     answers = tuple(compared_answers(solution))
-    steps = tuple(_steps(solution, answers))
+    steps = tuple(_steps(solution, answers, complete))
     derivation = Derivation(problem.title, problem.source, steps)
     remarks = _remarks(problem, method)
     return Report(solution, answers, derivation, notation_of(solution), remarks)
@@ -99,7 +101,7 @@ def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
     return (Diagnostic("method-without-motion", message, help=help_).as_note(),)
 
 
-def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Step]:
+def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...], complete: bool) -> Iterator[Step]:
     problem, classification = solution.problem, solution.classification
     yield explain_statement(problem, solution.configuration, not _tells_energies(solution))
     yield explain_constraints(classification)
@@ -110,9 +112,10 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     yield from _statics(solution)
-    yield from _motion(solution)
+    yield from _motion(solution, complete)
     if solution.dynamics is None:
         yield from _speeds(solution.in_speeds, solution)
+    yield from _small_oscillations(solution.linearization)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
@@ -126,10 +129,12 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
                 yield from _by_lagrange(solution, written)
             elif isinstance(written, DalembertMotion):
                 yield explain_motion_in_choice(c.coordinates, written, problem, c.dynamics.with_multipliers)
+            yield from _matrix_form(c.dynamics, c.name, complete)
         yield from _speeds(c.in_speeds, solution)
         if c.dynamics is not None:
             yield from _reactions(solution, c.dynamics, c.name)
         yield from _conserved(c.conserved, problem, c.name)
+        yield from _small_oscillations(c.linearization)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
 
 
@@ -159,6 +164,20 @@ def _statics(solution: Solution) -> Iterator[Step]:
     yield from _reactions_at_rest(solution, solution.reactions_at_rest)
 
 
+def _matrix_form(dynamics: Motion, choice: str, complete: bool) -> Iterator[Step]:
+    """The equations in matrix form: in full detail only."""
+    step = explain_matrix_form(dynamics, choice) if complete else None
+    if step is not None:
+        yield step
+
+
+def _small_oscillations(found: Linearization | None) -> Iterator[Step]:
+    if found is not None:
+        from lagrange.explain.linearization import explain_linearization
+
+        yield explain_linearization(found)
+
+
 def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Iterator[Step]:
     if found is not None and solution.law is not None:
         from lagrange.explain.static_reactions import explain_reactions_at_rest
@@ -168,7 +187,7 @@ def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Ite
             yield step
 
 
-def _motion(solution: Solution) -> Iterator[Step]:
+def _motion(solution: Solution, complete: bool) -> Iterator[Step]:
     """From Newton's law to the equations of motion; friction needs the reactions first."""
     law, dynamics = solution.law, solution.dynamics
     if law is None or dynamics is None:
@@ -188,9 +207,9 @@ def _motion(solution: Solution) -> Iterator[Step]:
         yield from _by_lagrange(solution, written)
     elif isinstance(written, DalembertMotion):
         yield explain_principle(written)
-        shown = law.newton.equations is not None and not solution.configuration.rotations  # they are Newton's, then
-        multiplied = None if shown else dynamics.with_multipliers
+        multiplied = None if law.newton.equations is not None else dynamics.with_multipliers  # they are Newton's, then
         yield explain_equations(written, solution.problem, multiplied)
+    yield from _matrix_form(dynamics, "", complete)
     yield from _speeds(solution.in_speeds, solution)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
@@ -268,9 +287,9 @@ def notation_of(solution: Solution) -> Notation:
     problem = solution.problem
     new = [q for c in solution.choices for q in c.coordinates.configuration.slots.coordinates]
     return Notation(
-        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new))),
+        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
-        speeds=tuple(s.symbol for s in problem.speeds),
+        speeds=(*(s.symbol for s in problem.speeds), *letters_of_oscillations(solution)),
         parameters=tuple(p.symbol for p in problem.parameters),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),

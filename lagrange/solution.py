@@ -23,6 +23,7 @@ from lagrange.displacements import Elimination, carrying_rates, eliminate
 from lagrange.dynamics import Law, Method, Motion, law_of_motion, motion
 from lagrange.equations import EquationsOfMotion, check_inertia
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.matrix_form import solved_accelerations
 from lagrange.newton import Normal, normals
 from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
@@ -43,6 +44,7 @@ from lagrange.workless import WorkOfReaction, works_of_reactions
 
 if TYPE_CHECKING:
     from lagrange.equilibrium import Equilibrium
+    from lagrange.linearization import Linearization
     from lagrange.quasi_verification import InSpeeds
     from lagrange.stability import SecondVariation
     from lagrange.static_reactions import StaticReactions
@@ -60,6 +62,7 @@ class ChoiceSolution:
     stability: SecondVariation | None = None
     in_speeds: InSpeeds | None = None
     conserved: Conserved | None = None
+    linearization: Linearization | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -87,6 +90,7 @@ class Solution:
     reactions_at_rest  the reactions there, where there are constraints
     in_speeds    the velocities, and the equations of motion, by the quasi-velocities of the file
     conserved      what the motion conserves; None where it is found in a choice only
+    linearization  small oscillations in the file's coordinates, where no choice serves
     """
 
     problem: Problem
@@ -106,6 +110,7 @@ class Solution:
     stability: SecondVariation | None = None
     in_speeds: InSpeeds | None = None
     conserved: Conserved | None = None
+    linearization: Linearization | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -133,6 +138,8 @@ def solve(
     solved.
     """
     _refuse_what_is_not_covered(problem)
+    if Find.LINEARIZATION in problem.find and Find.MOTION not in problem.find:
+        problem = replace(problem, find=(Find.MOTION, *problem.find))
     classification = classify(problem)
     configuration = file_configuration(problem, classification.rows)
     elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.states)
@@ -163,7 +170,31 @@ def solve(
         solution = _with_motion(solution, complete, method)
     if problem.speeds:
         solution = _with_speeds(solution)
+    if Find.LINEARIZATION in problem.find:
+        solution = _with_linearization(solution)
     return _with_equilibrium(solution) if Find.EQUILIBRIUM in problem.find else solution
+
+
+def _with_linearization(solution: Solution) -> Solution:
+    """The solution with small oscillations, in every choice without square roots, else in the file's coordinates."""
+    from lagrange.linearization import linearization
+    from lagrange.linearization_checks import check_linearization
+
+    problem = solution.problem
+    taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
+    checks = [*solution.checks]
+    choices = []
+    for c in solution.choices:
+        if c.dynamics is not None and not c.coordinates.signs:
+            found = linearization(c.dynamics.equations, taken)
+            checks += check_linearization(found)
+            c = replace(c, linearization=found)
+        choices.append(c)
+    here = None
+    if solution.dynamics is not None and not any(s for c in choices if c.linearization for s in c.linearization.at):
+        here = linearization(solution.dynamics.equations, taken)
+        checks += check_linearization(here)
+    return replace(solution, linearization=here, choices=tuple(choices), checks=tuple(checks))
 
 
 def _with_equilibrium(solution: Solution) -> Solution:
@@ -203,6 +234,20 @@ def _with_equilibrium(solution: Solution) -> Solution:
     )
 
 
+def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters ξ of all linear equations."""
+    found = [solution.linearization, *(c.linearization for c in solution.choices)]
+    return tuple(dict.fromkeys(x for f in found if f is not None for x in f.displacements))
+
+
+def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters for frequencies, exponents and damping ratios."""
+    found = [f for f in (solution.linearization, *(c.linearization for c in solution.choices)) if f is not None]
+    names = {f"{f.omega}{i}" for f in found for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
+    names |= {f.exponent.name for f in found} | ({"zeta"} if found else set())
+    return tuple(sp.Symbol(n, real=True) for n in sorted(names))
+
+
 def _law(solution: Solution, at_rest: bool = False, method: Method = Method.DALEMBERT) -> Law:
     """Newton's law in the file's coordinates."""
     rank = solution.classification.rank
@@ -231,6 +276,8 @@ def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution
     dynamics = motion(law, original, solution.elimination, with_reactions)
     found = dynamics.equations
     check_inertia(found)
+    if complete and not dynamics.accelerations:
+        dynamics = replace(dynamics, solved=solved_accelerations(dynamics.matrices))
     multipliers = tuple(reactions.values())
     checks = [*solution.checks, *check_workless(works), *check_motion(found, reactions, method)]
     checks += check_reactions(found.configuration, multipliers, dynamics.reactions, method)
@@ -242,6 +289,8 @@ def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution
         configuration = c.coordinates.configuration
         elimination = _elimination_in(c)
         there = motion(law, configuration, elimination)
+        if complete:
+            there = replace(there, solved=solved_accelerations(there.matrices))
         checks += check_displacements(configuration, elimination)
         checks += check_motion(there.equations, reactions, method)
         checks.append(check_choice(found, there.equations))
@@ -315,7 +364,9 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
     for force in problem.forces:
         if isinstance(force, Friction) and Find.EQUILIBRIUM in problem.find:
             raise NotCoveredError(f"friction `{force.name}`", force.span)
+        if isinstance(force, Friction) and Find.LINEARIZATION in problem.find:
+            raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
-    if Find.LINEARIZATION in problem.find:
-        raise NotCoveredError(f"`find: {Find.LINEARIZATION}`")
+    if Find.LINEARIZATION in problem.find and problem.unknowns:
+        raise NotCoveredError("small oscillations with unknown forces, which have no law,")

@@ -228,7 +228,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unstated-condition": ("These constraints can be met only where one more relation holds. Add it.",
         problem("constraints: {a: x = 0, b: \"x' = y\"}")),
     "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
-        PARTICLE + "find: linearization")),
+        PARTICLE + "unknowns: [F]\nforces: {push: {on: P, vector: F*i}}\nfind: linearization")),
     "several-branches": ("The constraint is satisfied in several ways; a problem is about one of them.", problem(
         "constraints: {wedge: \"x'^2 = l^2*y'^2\"}")),
     "undecided": ("The question could not be settled, and nothing is guessed. Exit status 3.", None),

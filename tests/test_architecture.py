@@ -29,22 +29,23 @@ LAYERS = {
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions combinations candidates first_integrals hidden_relations""",
-    "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
+    "closed forms": "positivity unit_circle presentation polynomial_roots pencils closed_form solution_sets branching",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
         coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
-        multipliers comparison constant_inertia dynamics quasi_velocities quasi_equations spot verification
+        multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
         quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
-        statics""",
-    "results": "solution letters references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
+        statics rest linear_stability linearization linearization_checks""",
+    "results": """solution letters references answers reaction_answers equilibrium_comparison equilibrium_answers
+        frequency_answers checking""",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
-        explain.energies explain.lagrange explain.quasi_velocities explain.reactions explain.conservation
-        explain.static_reactions explain.statics explain.checks""",
+        explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions
+        explain.conservation explain.static_reactions explain.statics explain.linearization explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
-    "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
+    "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
         render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
-    "reports": "report render.json",
+    "reports": "report render.json_linear render.json_motion render.json",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
         lagsolve.main lagsolve.__main__""",
 }
@@ -58,7 +59,12 @@ FOR_TYPES_ONLY = {
 
 ROOMS = {
     "click": {"lagsolve.main", "lagsolve.group", "lagsolve.output", "lagsolve.status"},
-    "rich": {"lagrange.render.pretty", "lagrange.render.paragraphs", "lagrange.render.tables"},
+    "rich": {
+        "lagrange.render.pretty",
+        "lagrange.render.paragraphs",
+        "lagrange.render.tables",
+        "lagrange.render.matrices",
+    },
     "yaml": {"lagrange.yaml_composer", "lagrange.yaml_mistakes", "lagrange.yaml_nodes", "lagsolve.library"},
     "sympy": None,
     "mpmath": None,

@@ -324,7 +324,7 @@ def test_status_2_files(here: Path) -> None:
         assert said in result.stderr
 
 
-@pytest.mark.parametrize("text", [OSCILLATOR + "find: linearization\n", REFERENCE])
+@pytest.mark.parametrize("text", [OSCILLATOR + "unknowns: [F]\nfind: linearization\n", REFERENCE])
 def test_status_3_what_is_not_covered(text: str, file: Callable[..., str]) -> None:
     result = run(file(text))
     assert (result.exit_code, result.stdout) == (3, "")

@@ -22,6 +22,7 @@ from lagrange.derivation import (
     Equation,
     Math,
     Mathematics,
+    Matrices,
     Part,
     Prose,
     Ref,
@@ -109,6 +110,8 @@ class _Article:
                 yield from self.display(block)
             case Table():
                 yield from self.table(block)
+            case Matrices():
+                yield from self.matrices(block)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)
@@ -184,7 +187,15 @@ class _Article:
         codes, below = self.typesetter.rows(equation, width, condition)
         return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *map(_Row, below)]
 
-    # Tables and checks
+    # Matrices, tables and checks
+
+    def matrices(self, block: Matrices) -> Iterator[str]:
+        for line in self.typesetter.matrices(block.named, LINE):
+            if isinstance(line, str):
+                yield from (r"\[", f"  {line}", r"\]")
+                continue
+            for part in line:
+                yield from [self.prose(part.parts)] if isinstance(part, Prose) else self.block(part)
 
     def table(self, block: Table) -> Iterator[str]:
         grid = [list(block.header), *(list(row) for row in block.rows)]

@@ -21,6 +21,7 @@ from lagrange.derivation import (
     Display,
     Equation,
     Math,
+    Matrices,
     Part,
     Prose,
     Ref,
@@ -106,6 +107,13 @@ class _Page:
                 yield self.display(block)
             case Table():
                 yield self.table(block)
+            case Matrices():
+                for line in self.typesetter.matrices(block.named, LINE):
+                    if isinstance(line, str):
+                        yield f"$$\n{dialect(line)}\n$$"
+                    else:
+                        for part in line:
+                            yield from self.block(part)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)

@@ -6,9 +6,12 @@ is replaced by the equation itself.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from lagrange.derivation import Derivation, Detail, Display, Equation, Step
+import sympy as sp
+
+from lagrange.derivation import Block, Derivation, Detail, Display, Equation, Math, Prose, Step
 
 
 @dataclass(frozen=True)
@@ -38,3 +41,16 @@ def _equations(steps: tuple[Step, ...] | list[Step]) -> list[Equation]:
     return [
         equation for step in steps for block in step.body if isinstance(block, Display) for equation in block.equations
     ]
+
+
+def written_out(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> tuple[Block, ...]:
+    """A matrix that is too wide, entry by entry: M_12 = ... for each that is not zero, f_1 = ... of a column."""
+    column = len(rows[0]) == 1 and len(rows) > 1
+    found = tuple(
+        Equation((type(name)(f"{name.name}_{j}{'' if column else k}", real=True), e))
+        for j, row in enumerate(rows, start=1)
+        for k, e in enumerate(row, start=1)
+        if e != 0
+    )
+    others = (Prose(("The other entries of ", Math((name,)), " are zero.")),)
+    return (Display(found), *(others if any(e == 0 for row in rows for e in row) else ()))
