@@ -69,8 +69,7 @@ def _verdict(claim: sp.Expr, candidate: Candidate, reference: Reference) -> Verd
     used = {base(s).name for s in claim.free_symbols}
     if not used & reference.moving <= candidate.known:
         return None
-    claim = candidate.read(claim).xreplace(dict(reference.values))
-    system = candidate.system_with(reference.values)
+    claim, system = candidate.read(claim), candidate.system
     try:
         result = compare(
             [claim], system, [u for u in reference.unknowns if u.name in used and u not in system.multipliers]

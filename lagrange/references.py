@@ -46,6 +46,7 @@ class Candidate:
     meanings     names of forces that stand for multiples of multipliers: T = −2 l λ
     named        what meanings know that is no multiple of a multiplier
     only_for     names one of which an answer must use, for this reading of it to be another one
+    values       the numbers that the file gives to parameters
     """
 
     choice: str
@@ -55,15 +56,12 @@ class Candidate:
     meanings: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     only_for: frozenset[str] = frozenset()
     named: frozenset[str] = frozenset()
+    values: Mapping[sp.Symbol, sp.Rational] = field(default_factory=dict)
 
     @cached_property
     def system(self) -> System:
-        """The system."""
-        return self.build()
-
-    def system_with(self, values: Mapping[sp.Symbol, sp.Rational]) -> System:
-        """The system with the numbers that the file gives to parameters."""
-        return _with_values(self.system, values) if values else self.system
+        """The system, with the numbers that the file gives."""
+        return _with_values(self.build(), self.values) if self.values else self.build()
 
     @property
     def known(self) -> set[str]:
@@ -75,8 +73,8 @@ class Candidate:
         return {s.name for s in (*own, *meant)} | self.named
 
     def read(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of an answer, in the coordinates and the unknowns of the system."""
-        return self.configuration.rewritten(expression.xreplace(dict(self.meanings)))
+        """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
+        return self.configuration.rewritten(expression.xreplace(dict(self.meanings))).xreplace(dict(self.values))
 
 
 @dataclass(frozen=True)
@@ -121,8 +119,9 @@ def reference_of_solution(solution: Solution) -> Reference:
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
-    candidates = tuple(_with_meanings(list(_candidates(solution)), solution))
-    return Reference(wider, candidates, _values(problem), problem.unknowns)
+    values = _values(problem)
+    plain = [replace(c, values=values) for c in _candidates(solution)]
+    return Reference(wider, tuple(_with_meanings(plain, solution)), values, problem.unknowns)
 
 
 def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
@@ -244,10 +243,10 @@ def reference_of_equations(problem: Problem) -> Reference:
     if errors:
         raise ProblemError(errors)
     unknowns = _occurring(problem.unknowns, tuple(expressions))
+    values = _values(problem)
     system = System(configuration, tuple(expressions), unknowns)
-    return Reference(
-        problem.scope, (Candidate("", configuration, unknowns, lambda: system),), _values(problem), problem.unknowns
-    )
+    candidate = Candidate("", configuration, unknowns, lambda: system, values=values)
+    return Reference(problem.scope, (candidate,), values, problem.unknowns)
 
 
 def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> System:
