@@ -20,6 +20,7 @@ from lagrange.notation import CONSTANT, Slots, base
 from lagrange.recognition import Kind, recognised
 from lagrange.references import Candidate, Reading, Reference, read_answer
 from lagrange.validity import Condition, conditions
+from lagrange.vectors import Vector
 
 MAX_EQUATIONS = 12
 
@@ -47,12 +48,21 @@ EXIT_STATUS = {
 
 @dataclass(frozen=True)
 class EquationVerdict:
-    """The verdict on one equation, with what is wrong (`diagnosis`) and what is to be said beside (`remarks`)."""
+    """The verdict on one equation, with what is wrong (`diagnosis`) and what is to be said beside (`remarks`).
+
+    sides  what is equal, as it was read, where the reading may surprise; empty otherwise
+    """
 
     text: str
     verdict: Verdict
     diagnosis: str = ""
     remarks: tuple[str, ...] = ()
+    sides: tuple[sp.Expr | Vector, ...] = ()
+
+    def as_json(self) -> dict[str, object]:
+        """FORMAT's JSON object."""
+        found = {"text": self.text, "verdict": self.verdict.value, "diagnosis": self.diagnosis}
+        return {**found, "remarks": list(self.remarks)}
 
 
 @dataclass(frozen=True)
@@ -89,7 +99,9 @@ def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerV
     if not attempts:
         return _mixed(readings, errors, notes)
     best = max(attempts, key=lambda a: a.quality)
-    return replace(_with_reasons(best), unreadable=errors, notes=notes)
+    found = _with_reasons(best)
+    equations = tuple(replace(e, sides=r.surprising) for e, r in zip(found.equations, readings, strict=True))
+    return replace(found, equations=equations, unreadable=errors, notes=notes)
 
 
 _QUALITY = (
@@ -193,7 +205,7 @@ WHAT_IT_IS = {
     Kind.SQUARE: "it is not linear in the accelerations: it is the square of an equation that is right",
     Kind.SUM_OF_SQUARES: "it is not linear in the accelerations: it is made of squares of equations that are right",
     Kind.POWER: "it is not linear in the accelerations: it is a power, or a product, of equations that are right",
-    Kind.HOLDS: "it is not linear in the accelerations: it holds for the motion, and for others as well",
+    Kind.HOLDS: "it is not linear in the accelerations, though it holds for the motion",
     Kind.NOT_LINEAR: "it is not linear in the accelerations, as an equation of motion is",
     Kind.ENERGY: "it is a first integral, that of energy; {derivative}",
     Kind.MOMENTUM: "it is a first integral, that of a momentum; {derivative}",

@@ -4,7 +4,7 @@ Not linear in the accelerations: at the accelerations u* that the motion has, an
 
     e(u* + s v) = s² e(u* + v)  for all s:  a square, if the quadratic form has rank 1, else a sum of squares;
 
-e(u*) = 0 alone: it holds for the motion, and for others. Without accelerations: a first integral F = const has a
+e(u*) = 0 alone: it holds for the motion, and perhaps for others. Without accelerations: a first integral F = const has a
 time derivative that follows from the equations, dF/dt = Σ c_k E_k. It is the energy where c_k is q_k' times what does
 not depend on velocities, and a momentum where F is linear in the velocities. A constant that the answer has a name for
 and the equations have not is solved for first: φ' = L/(m r²) is m r² φ' = L. All of this is seen at random states,
@@ -33,7 +33,7 @@ class Kind(Enum):
     SQUARE = auto()  # of a right equation
     SUM_OF_SQUARES = auto()
     POWER = auto()  # of a right equation, or a product of several
-    HOLDS = auto()  # for the motion, and for others
+    HOLDS = auto()  # for the motion, and perhaps for others
     NOT_LINEAR = auto()
     ENERGY = auto()
     MOMENTUM = auto()
@@ -109,11 +109,20 @@ def _solved_for_constants(equation: sp.Expr, system: System) -> list[sp.Expr]:
     slots = system.configuration.slots
     theirs = {*symbols_of(system.equations), *slots.coordinates, *slots.velocities, *slots.prescribed, t}
     found = []
+    equation = _squared(equation, equation.free_symbols - theirs)
     for c in sorted(equation.free_symbols - theirs, key=str):
         slope = equation.diff(c)
         if slope != 0 and c not in slope.free_symbols and not isinstance(c, Sign):
             found.append(sp.Mul(sp.Add(equation, sp.Mul(-1, slope, c)), sp.Pow(slope, -1)).xreplace({c: sp.S.Zero}))
     return found
+
+
+def _squared(equation: sp.Expr, constants: set[sp.Symbol]) -> sp.Expr:
+    """a² − b² for a + b, where b alone has a constant, under a square root: θ' = √(2 (E + g/l cos θ))."""
+    rooted = [e for e in sp.Add.make_args(equation) if e.free_symbols & constants]
+    if len(rooted) != 1 or not any(p.exp == sp.S.Half and p.free_symbols & constants for p in rooted[0].atoms(sp.Pow)):
+        return equation
+    return sp.Add(sp.Pow(sp.Add(equation, -rooted[0]), 2), -(rooted[0] ** 2))
 
 
 def _integral(function: sp.Expr, system: System) -> Kind | None:

@@ -29,12 +29,18 @@ from lagrange.verification import multiplier_system
 
 @dataclass(frozen=True)
 class Reading:
-    """One equation of an answer: its components, each zero; or why it cannot be read."""
+    """One equation of an answer: its two sides and its components, each zero; or why it cannot be read."""
 
     text: str
     components: tuple[sp.Expr, ...] = ()
     error: ProblemError | None = None
     notes: list[Diagnostic] = field(default_factory=list)
+    sides: tuple[sp.Expr | Vector, ...] = ()
+
+    @property
+    def surprising(self) -> tuple[sp.Expr | Vector, ...]:
+        """The two sides, where the reader may have understood something else than was meant, or meant LaTeX."""
+        return self.sides if self.notes or set(self.text) & {"\\", "$"} else ()
 
 
 @dataclass(frozen=True)
@@ -278,8 +284,8 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     lhs, rhs = equation.lhs, equation.rhs
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
-        return Reading(text, parts, notes=notes)
-    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes)
+        return Reading(text, parts, notes=notes, sides=(lhs, rhs))
+    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
 
 
 def _values(problem: Problem) -> dict[sp.Symbol, sp.Rational]:

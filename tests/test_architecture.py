@@ -24,7 +24,7 @@ LAYERS = {
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
          velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
         forces constraint_equations answer_key choices
-        particles loader""",
+        particles loader answer_yaml""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions combinations candidates first_integrals hidden_relations""",
@@ -40,7 +40,7 @@ LAYERS = {
         render.style_unicode render.style_latex render.mathematics""",
     "reports": "report",
     "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
-        render.latex render.json""",
+        render.latex render.json render.verdict""",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
         lagsolve.main lagsolve.__main__""",
 }

@@ -151,7 +151,7 @@ def test_the_verdict_on_the_answers_of_a_file(answers: str, status: int, verdict
 def test_the_first_verdict_that_applies_counts(equations: Verdict, other: Verdict, status: int) -> None:
     result = CheckedAnswer(AnswerVerdict(equations, ()), (ComparedAnswer("integrable", other),))
     assert result.exit_status == status
-    assert result.as_text().startswith(f"{result.verdict}: ")
+    assert result.headline.startswith(f"{result.verdict}: ")
 
 
 @pytest.mark.usefixtures("here")
