@@ -128,10 +128,11 @@ class _Attempt:
     standings: tuple[tuple[Standing, ...], ...] = ()
 
     @property
-    def quality(self) -> tuple[int, int]:
-        """The better verdict, and of two wrong ones that with more right equations."""
+    def quality(self) -> tuple[int, int, int]:
+        """The better verdict; of two wrong ones that with more right equations, then with more that are linear."""
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
-        return _QUALITY.index(self.verdict.verdict), right
+        bent = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
+        return _QUALITY.index(self.verdict.verdict), right, -bent
 
 
 def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Reference) -> _Attempt | None:
@@ -156,7 +157,20 @@ def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Refer
     left = iter(result.standings)
     standings = tuple(tuple(next(left) for _ in es) for es in components)
     verdict = _verdict(readings, standings, result.missing, candidate.choice)
+    if candidate.named:
+        verdict = _saying_more(verdict, readings, candidate)
     return _Attempt(verdict, candidate, () if free else components, standings)
+
+
+def _saying_more(verdict: AnswerVerdict, readings: Sequence[Reading], candidate: Candidate) -> AnswerVerdict:
+    """An equation with a reaction whose value is known here says that value too: it is not redundant."""
+    equations = tuple(
+        replace(e, remarks=tuple(x for x in e.remarks if x != REDUNDANT))
+        if any(s.name in candidate.named for c in r.components for s in c.free_symbols)
+        else e
+        for e, r in zip(verdict.equations, readings, strict=True)
+    )
+    return replace(verdict, equations=equations)
 
 
 def _without_constant(equation: sp.Expr, slots: Slots) -> sp.Expr:
@@ -197,10 +211,11 @@ def _of_one(reading: Reading, standings: Sequence[Standing]) -> EquationVerdict:
             return EquationVerdict(text, Verdict.UNDECIDED, "it could not be decided whether it is an identity")
         return EquationVerdict(text, Verdict.EQUIVALENT, remarks=("it restates a constraint",))
     if Standing.FOLLOWS not in standings:
-        return EquationVerdict(text, Verdict.EQUIVALENT, remarks=("redundant: it follows from those before it",))
+        return EquationVerdict(text, Verdict.EQUIVALENT, remarks=(REDUNDANT,))
     return EquationVerdict(text, Verdict.EQUIVALENT)
 
 
+REDUNDANT = "redundant: it follows from those before it"
 WHAT_IT_IS = {
     Kind.SQUARE: "it is not linear in the accelerations: it is the square of an equation that is right",
     Kind.SUM_OF_SQUARES: "it is not linear in the accelerations: it is made of squares of equations that are right",
@@ -233,12 +248,14 @@ def _with_reasons(attempt: _Attempt) -> AnswerVerdict:
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
         if bad:
             kind = recognised(bad[0][0], system, linear=bad[0][1] is not Standing.NOT_LINEAR)
-            said = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
-            equations[n] = replace(equations[n], diagnosis=said)
+            why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
+            equations[n] = replace(equations[n], diagnosis=why)
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS:
             following.append((n, es[0]))
-    for (n, _), found in zip(following, conditions([e for _, e in following], system), strict=True):
-        equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, found)))
+    alone = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
+    found = conditions([e for _, e in following], system, complete=alone)
+    for (n, _), said in zip(following, found, strict=True):
+        equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, said)))
     return replace(verdict, equations=tuple(equations))
 
 

@@ -4,8 +4,8 @@ Not linear in the accelerations: at the accelerations u* that the motion has, an
 
     e(u* + s v) = s² e(u* + v)  for all s:  a square, if the quadratic form has rank 1, else a sum of squares;
 
-e(u*) = 0 alone: it holds for the motion, and perhaps for others. Without accelerations: a first integral F = const has a
-time derivative that follows from the equations, dF/dt = Σ c_k E_k. It is the energy where c_k is q_k' times what does
+e(u*) = 0 alone: it holds for the motion, and perhaps for others. Without accelerations: a first integral F = const has
+a time derivative that follows from the equations, dF/dt = Σ c_k E_k. It is the energy where c_k is q_k' times what does
 not depend on velocities, and a momentum where F is linear in the velocities. A constant that the answer has a name for
 and the equations have not is solved for first: φ' = L/(m r²) is m r² φ' = L. All of this is seen at random states,
 exactly.
@@ -151,7 +151,7 @@ def _kind(moving: Point, function: sp.Expr, rate: sp.Expr, system: System) -> Ki
 
 
 def _over_velocities(moving: Point, rate: sp.Expr, system: System) -> list[Any] | None:
-    """c_k/q_k' of dF/dt = Σ c_k E_k, one for each coordinate."""
+    """c_k/q_k' of dF/dt = Σ c_k E_k, one for each coordinate that moves."""
     unknowns = (*system.multipliers, *system.configuration.slots.accelerations)
     velocities = system.configuration.slots.velocities
     known = affine_rows(moving, (*system.equations, *system.accelerated_constraints), unknowns)
@@ -161,4 +161,4 @@ def _over_velocities(moving: Point, rate: sp.Expr, system: System) -> list[Any] 
         return None
     arithmetic = moving.arithmetic
     pairs = zip(c, moving.values(velocities), strict=False)
-    return [arithmetic.reduce(x * arithmetic.inverse(v)) for x, v in pairs]
+    return [arithmetic.reduce(x * arithmetic.inverse(v)) for x, v in pairs if not arithmetic.vanishes(v)]

@@ -53,6 +53,7 @@ class Candidate:
     named        what meanings know that is no multiple of a multiplier
     only_for     names one of which an answer must use, for this reading of it to be another one
     values       the numbers that the file gives to parameters
+    certain      magnitudes and signs that the file settles: |N| is N
     """
 
     choice: str
@@ -63,6 +64,7 @@ class Candidate:
     only_for: frozenset[str] = frozenset()
     named: frozenset[str] = frozenset()
     values: Mapping[sp.Symbol, sp.Rational] = field(default_factory=dict)
+    certain: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict)
 
     @cached_property
     def system(self) -> System:
@@ -80,7 +82,8 @@ class Candidate:
 
     def read(self, expression: sp.Expr) -> sp.Expr:
         """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
-        return self.configuration.rewritten(expression.xreplace(dict(self.meanings))).xreplace(dict(self.values))
+        meant = expression.xreplace(dict(self.certain)).xreplace(dict(self.meanings))
+        return self.configuration.rewritten(meant).xreplace(dict(self.values))
 
 
 @dataclass(frozen=True)
@@ -126,7 +129,8 @@ def reference_of_solution(solution: Solution) -> Reference:
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
     values = _values(problem)
-    plain = [replace(c, values=values) for c in _candidates(solution)]
+    certain = _settled(solution)
+    plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
     return Reference(wider, tuple(_with_meanings(plain, solution)), values, problem.unknowns)
 
 
@@ -162,6 +166,25 @@ def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> I
         kept = tuple(m for m in c.multipliers if m not in meant)
         only = frozenset(s.name for s in meant)
         yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
+
+
+def _settled(solution: Solution) -> dict[sp.Expr, sp.Expr]:
+    """The magnitudes and signs that the file settles for friction: |N| = N where the contact is said to be positive.
+
+    |N| may also be written with the value of N: |m g cos α| is m g cos α then.
+    """
+    found: dict[sp.Expr, sp.Expr] = {}
+    for there in (solution.dynamics, *(c.dynamics for c in solution.choices)):
+        for r in there.rubbed if there is not None else ():
+            if r.friction.contact is not None:
+                multiplier = r.reaction.multiplier
+                found |= {sp.Abs(multiplier): r.contact * multiplier, sp.sign(multiplier): r.contact}
+                value = there.reactions.values.get(multiplier) if there and there.reactions else None
+                inside = sp.Abs(value).atoms(sp.Abs) if value is not None else set()
+                found |= {a: r.contact * value * a / sp.Abs(value) for a in inside if len(inside) == 1}
+            if r.friction.slip is not None and r.speed is not None:
+                found |= {sp.Abs(r.speed): r.sense * r.speed, sp.sign(r.speed): r.sense}
+    return found
 
 
 def _angles_on_surfaces(solution: Solution) -> Iterator[sp.Symbol]:

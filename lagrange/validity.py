@@ -55,8 +55,10 @@ class Condition:
     together: bool = False
 
 
-def conditions(equations: Sequence[sp.Expr], system: System) -> list[tuple[Condition, ...]]:
+def conditions(equations: Sequence[sp.Expr], system: System, *, complete: bool = True) -> list[tuple[Condition, ...]]:
     """What must not vanish for each of some equations, each zero, that follow from a system and are independent.
+
+    complete  they are all there is: no other equation determines the accelerations where these do not
 
     Nothing is said of an equation where that cannot be found within bounds.
     """
@@ -64,7 +66,8 @@ def conditions(equations: Sequence[sp.Expr], system: System) -> list[tuple[Condi
         combinations = system.configuration.states.sampled(lambda p: _combinations(p, equations, system), 1)[0]
     except (NoPointError, UnsupportedError, DivisionByZeroError):
         return [()] * len(equations)
-    return _Validity(equations, system, combinations).conditions()
+    found = _Validity(equations, system, combinations).conditions()
+    return [tuple(c for c in own if complete or not c.together) for own in found]
 
 
 @dataclass(frozen=True)

@@ -15,9 +15,22 @@ from functools import cache
 
 import sympy as sp
 from mpmath import mp, mpf
-from second_route import Rigid, Route, affine, lagrange, literature, moving, newton, newton_euler, number, rotation, solved
+from second_route import (
+    Rigid,
+    Route,
+    affine,
+    lagrange,
+    literature,
+    moving,
+    newton,
+    newton_euler,
+    number,
+    rotation,
+    solved,
+    states,
+    t,
+)
 from second_route import constants as letters
-from second_route import states, t
 
 HELD = mpf(10) ** -35
 COUNT = 2

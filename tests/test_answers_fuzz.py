@@ -92,7 +92,7 @@ def changed(e: sp.Expr, draw: random.Random) -> sp.Expr:
     e = sp.expand(e)
     terms = list(sp.Add.make_args(e))
     n = draw.randrange(len(terms))
-    kinds = [lambda x: 2 * x, lambda x: -x, lambda x: sp.S.Zero, lambda x: x * sp.Rational(1, 3)]
+    kinds = [lambda x: 2 * x, lambda x: -x, lambda x: 0 * x, lambda x: x * sp.Rational(1, 3)]
     kinds += [lambda x: x.replace(sp.sin, sp.cos) if x.has(sp.sin) else x.replace(sp.cos, sp.sin)]
     velocities = [s for s in terms[n].free_symbols if s.name.endswith("'") and not s.name.endswith("''")]
     kinds += [lambda x, v=v: x / v for v in velocities]
@@ -134,11 +134,12 @@ def test_one_thing_changed(name: str, seed: int) -> None:
 # -- texts -------------------------------------------------------------------------------------------------------------
 
 
-WORDS = (
+LISTED = (
     "theta theta' theta'' phi x y m l g sin cos tan sqrt exp abs sign diff cross dot norm d delta t pi const lambda_rod T_rod "
     "0 1 2 1/2 0.5 9.81 2e3 + - * / ^ ** ( ) [ ] { } = == , ; ' '' ² √ θ θ̈ · − π or and lambda eval __import__ i j k e_x r_P "
     "\\frac \\sin \\theta \\ddot \\dot \\left( \\right) $ \\\\ & \\begin{align} \\end{align} _1 ^2 \\sqrt{ } \\text \\input"
-).split()
+)
+WORDS = LISTED.split()
 ODD = "\x00\u200b\u202e\ufeff\n\t\\\"'`#%~|<>!?:@𝑥ｓ²₁é€\U0001f600"
 ALLOWED = {v.value for v in Verdict}
 RIGHT = [(name, answer) for name, answer, verdict in TABLE.values() if verdict == "equivalent"]
@@ -156,7 +157,16 @@ def truth_on(text: str, name: str) -> str | None:
     """The true verdict on one text; None where SymPy reads it otherwise or not at all, or it is not affine."""
     try:
         return truth(system(name)[0], [read(text)])
-    except (ArithmeticError, AssertionError, AttributeError, LookupError, NameError, SyntaxError, TypeError, ValueError):
+    except (
+        ArithmeticError,
+        AssertionError,
+        AttributeError,
+        LookupError,
+        NameError,
+        SyntaxError,
+        TypeError,
+        ValueError,
+    ):
         return None
 
 
