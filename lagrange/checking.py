@@ -15,7 +15,8 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.notation import base
 from lagrange.problem import Answers, Problem
 from lagrange.reaction_answers import AtRest, check_reaction, reading_error
-from lagrange.references import Reference, read_answer, reference_of_equations, reference_of_solution
+from lagrange.reference_systems import reference_of_equations
+from lagrange.references import Reference, read_answer, reference_of_solution
 from lagrange.solution import Solution, solve
 
 if TYPE_CHECKING:

@@ -15,11 +15,10 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.comparison import System
-from lagrange.constraints import constraint_row
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
-from lagrange.kinematics import Configuration, file_configuration
+from lagrange.kinematics import Configuration
 from lagrange.notation import variation
 from lagrange.problem import Problem
 from lagrange.solution import Solution
@@ -128,7 +127,7 @@ def reference_of_solution(solution: Solution) -> Reference:
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
-    values = _values(problem)
+    values = values_of(problem)
     certain = _settled(solution)
     plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
     return Reference(wider, tuple(_with_meanings(plain, solution)), values, problem.unknowns)
@@ -259,25 +258,6 @@ def _reaction_forces(solution: Solution) -> dict[str, Vector]:
     return {name: force for name, force in forces.items() if name not in taken}
 
 
-def reference_of_equations(problem: Problem) -> Reference:
-    """The reference system that a file gives outright under `equations`."""
-    rows = tuple(constraint_row(c, problem.slots) for c in problem.constraints)
-    configuration = file_configuration(problem, rows)
-    expressions: list[sp.Expr] = []
-    errors: list[Diagnostic] = []
-    for fragment in problem.equations:
-        reading = read_answer(fragment, problem.scope)
-        expressions += reading.components
-        errors += reading.error.diagnostics if reading.error else ()
-    if errors:
-        raise ProblemError(errors)
-    unknowns = _occurring(problem.unknowns, tuple(expressions))
-    values = _values(problem)
-    system = System(configuration, tuple(expressions), unknowns)
-    candidate = Candidate("", configuration, unknowns, lambda: system, values=values)
-    return Reference(problem.scope, (candidate,), values, problem.unknowns)
-
-
 def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> System:
     """The system with the numbers that the file gives to parameters."""
     configuration = system.configuration
@@ -311,7 +291,8 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
 
 
-def _values(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+    """The numbers that a file gives to parameters."""
     return {p.symbol: p.value for p in problem.parameters if p.value is not None}
 
 
@@ -332,7 +313,7 @@ def _candidates(solution: Solution) -> Iterator[Candidate]:
             """The file's own equations, with all multipliers, in the coordinates of the choice."""
             own = _with_multipliers(solution.motion, solution)  # type: ignore[arg-type]
             equations = tuple(configuration.rewritten(e) for e in own.equations)
-            return System(configuration, equations, (*reactions, *_occurring(unknowns, equations)))
+            return System(configuration, equations, (*reactions, *occurring(unknowns, equations)))
 
         yield Candidate(c.name, configuration, (*reactions, *unknowns), rewritten)
 
@@ -351,10 +332,10 @@ def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:
     reactions = {c.name: c.reaction for c in solution.problem.constraints}
     left = tuple(principle.textbook.form(d) for d in principle.coefficients)
     system = multiplier_system(configuration, left, tuple(reactions[r.name] for r in configuration.rows))
-    return replace(system, multipliers=(*system.multipliers, *_occurring(solution.problem.unknowns, left)))
+    return replace(system, multipliers=(*system.multipliers, *occurring(solution.problem.unknowns, left)))
 
 
-def _occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
+def occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
     """Those of the symbols that occur."""
     used = set().union(*(e.free_symbols for e in expressions))
     return tuple(s for s in symbols if s in used)

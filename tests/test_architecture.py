@@ -32,7 +32,7 @@ LAYERS = {
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
         coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia dynamics
         lagrangian spot verification equilibrium stability static_reactions statics""",
-    "results": "solution references validity recognition answers reaction_answers equilibrium_comparison equilibrium_answers checking",
+    "results": "solution references reference_systems validity recognition answers reaction_answers equilibrium_comparison equilibrium_answers checking",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
         explain.reactions explain.static_reactions explain.statics explain.checks""",
