@@ -266,11 +266,14 @@ def _has_one_equation(system: System) -> bool:
 
 
 def _remark(condition: Condition) -> str:
+    how = "divided" if condition.divided else "multiplied"
+    if condition.factor is None:
+        return f"valid only where what it is {how} by is not zero"
     factor = str(condition.factor).replace("**", "^")
     where = f"valid where {factor} != 0"
     if condition.together:
         return f"{where}: only there are the accelerations determined"
-    return f"{where} ({'divided' if condition.divided else 'multiplied'} by it)"
+    return f"{where} ({how} by it)"
 
 
 def _of_all(verdicts: Sequence[Verdict], missing: int) -> Verdict:

@@ -23,7 +23,7 @@ from lagrange.comparison import Standing, System, affine_rows, compare, state, s
 from lagrange.exact import DivisionByZeroError, InadmissibleError, NoPointError, Point, UnsupportedError
 from lagrange.notation import CONSTANT, Sign, t
 
-_HIGHEST = 8  # a higher power of an equation is not recognised
+_HIGHEST = 20  # a higher power of an equation is not recognised
 _STATES = 2
 
 

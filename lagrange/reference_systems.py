@@ -1,7 +1,7 @@
 """A reference system that a file gives outright under `equations`, to check answers against.
 
 It is believed, but for what would make every answer right or none: each equation must be linear in the accelerations
-and have one, and at a random state that satisfies the constraints the equations must have a solution,
+and unknown forces and have one of them, and at a random state that satisfies the constraints there must be a solution,
 
     rank [A | b] = rank A .
 
@@ -109,7 +109,7 @@ def _check(system: System, problem: Problem) -> None:
         help_ = "give as many as there are accelerations and unknown forces, each true of the motion"
         raise ProblemError(Diagnostic("reference-contradictory", message, places[0].whole, help=help_))
     place = places[min(found, len(places) - 1)].whole
-    message = "an equation of a reference system is linear in the accelerations, and has one"
+    message = "an equation of a reference system is linear in accelerations and unknown forces, and has one of them"
     help_ = "differentiate a first integral; put what holds between coordinates and velocities under `constraints`"
     raise ProblemError(Diagnostic("reference-not-linear", message, place, help=help_))
 

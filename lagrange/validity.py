@@ -15,7 +15,7 @@ vanish: on the surface of the constraints, at a real point.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import sympy as sp
@@ -36,9 +36,10 @@ from lagrange.notation import derivative
 from lagrange.terms import Factors, common_powers, divided, multiplied, number_apart
 from lagrange.textbook import textbook_form
 
-_LONGEST = 60  # parts of a factor that is brought to textbook form, multiplied out
+_LONGEST = 24  # terms of a factor that is brought to textbook form, multiplied out
+_LONGEST_NAMED = 60  # parts of a factor that is named
 _LARGEST = 4  # unknowns of a determinant
-_MOST_FACTORS = 12
+_MOST_FACTORS = 8
 
 _BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
 
@@ -48,9 +49,11 @@ class Condition:
     """`factor` must not vanish, for an equation is multiplied by it (or divided).
 
     together  it is the determinant of all equations that vanishes: they do not determine the accelerations there
+
+    Without a factor it is too long to be named, or to see whether it can vanish.
     """
 
-    factor: sp.Expr
+    factor: sp.Expr | None
     divided: bool = False
     together: bool = False
 
@@ -120,6 +123,7 @@ class _Validity:
         self.combinations = combinations
         self.unknowns = _unknowns(system)
         self.measures = Measures()
+        self._known: dict[sp.Expr, Factors] = {}
         self.never = {f for e in system.equations for f in self._below(e)}
 
     def conditions(self) -> list[tuple[Condition, ...]]:
@@ -133,7 +137,8 @@ class _Validity:
             said = {f: Condition(f, divided=True) for f in self._below(e)} | said
             if n in mixed[-1:]:
                 said = {f: Condition(f, divided=power < 0, together=power > 0) for f, power in rest.items()} | said
-            found.append(tuple(c for f, c in [*said.items()][:_MOST_FACTORS] if self._counts(f)))
+            named = (replace(c, factor=None) if self._is_long(f) else c for f, c in [*said.items()][:_MOST_FACTORS])
+            found.append(tuple(dict.fromkeys(c for c in named if c.factor is None or self._counts(c.factor))))
         return found
 
     def _is_multiple(self, c: _Combination) -> bool:
@@ -195,16 +200,18 @@ class _Validity:
 
     def _powers(self, e: sp.Expr) -> Factors:
         """The factors of an expression."""
-        powers: Factors = {}
-        for factor, exponent in as_term(e).factors.items():
-            inside = self._pieces(factor)
-            powers = multiplied(powers, {f: exponent * p for f, p in inside.items()})
-        return powers
+        if e not in self._known:
+            powers: Factors = {}
+            for factor, exponent in as_term(e).factors.items():
+                inside = self._pieces(factor)
+                powers = multiplied(powers, {f: exponent * p for f, p in inside.items()})
+            self._known[e] = powers
+        return self._known[e]
 
     def _pieces(self, e: sp.Expr) -> Factors:
         """The factors of what is no product itself, in textbook form where that is not long."""
         measure = self.measures.of(e)
-        if e.is_Symbol or measure.widest > _LONGEST or measure.size > 4 * _LONGEST:
+        if e.is_Symbol or measure.widest > _LONGEST or measure.size > 4 * _LONGEST_NAMED:
             return {e: sp.S.One}
         form = textbook_form(e)
         if form == 0 or not form.is_Add:
@@ -225,6 +232,9 @@ class _Validity:
                 yield from self._powers(_BELOW[type(part)](part.args[0]))
             stack += [a for a in part.args if a not in seen]
             seen.update(part.args)
+
+    def _is_long(self, factor: sp.Expr) -> bool:
+        return self._size(factor) > _LONGEST_NAMED and factor not in self.never
 
     def _counts(self, factor: sp.Expr) -> bool:
         """Whether a factor can vanish where the derived equations are defined."""
