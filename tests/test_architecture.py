@@ -38,9 +38,9 @@ LAYERS = {
         explain.reactions explain.static_reactions explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
-    "reports": "report",
     "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
-        render.latex render.json render.verdict""",
+        render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
+    "reports": "report render.json render.verdict",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
         lagsolve.main lagsolve.__main__""",
 }
