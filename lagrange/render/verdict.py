@@ -6,6 +6,7 @@ equation whose reading could surprise is shown as it was read. Nothing of the de
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterator
 
@@ -26,6 +27,7 @@ MARKS = {
 WIDEST = 100  # a longer line is hard to read
 _INDENT = "  "
 _UNDER = "      "
+_NO_BREAK = "\u00a0"
 
 
 def text(answer: CheckedAnswer, problem: Problem, width: int) -> str:
@@ -59,17 +61,27 @@ def _lines(answer: CheckedAnswer, notation: Notation, width: int) -> Iterator[st
 
 def _equation(e: EquationVerdict, notation: Notation, width: int, indent: str) -> Iterator[str]:
     under = indent + _UNDER[len(_INDENT) :]
-    yield from _wrapped(f"{MARKS[e.verdict]} {' '.join(e.text.split())}", width, indent, under)
+    room = width - len(under)
+    yield from _wrapped(f"{MARKS[e.verdict]} {_held(' '.join(e.text.split()), room)}", width, indent, under)
     if e.sides:
         read = " = ".join(unicode(side, notation) for side in e.sides)
-        yield from _wrapped(f"read as {read}", width, under, under + _INDENT)
+        yield from _wrapped(f"read as {_held(read, room)}", width, under, under + _INDENT)
     for said in (e.diagnosis, *e.remarks):
         if said:
             yield from _wrapped(said, width, under, under)
 
 
+def _held(equation: str, room: int) -> str:
+    """An equation that is broken before its signs and not inside brackets, where its terms are not too long."""
+    depth, held = 0, []
+    for c in equation:
+        depth += (c in "([{") - (c in ")]}")
+        held.append(_NO_BREAK if c == " " and depth > 0 else c)
+    words = re.sub("([-+=−]) ", rf"\1{_NO_BREAK}", "".join(held)).split(" ")
+    return " ".join(w if len(w) < room else w.replace(_NO_BREAK, " ") for w in words)
+
+
 def _wrapped(line: str, width: int, first: str, others: str) -> list[str]:
     """A line, broken at blanks where it is too wide, and inside a word only where that is wider than a line."""
-    return textwrap.wrap(
-        line, max(width, 20), initial_indent=first, subsequent_indent=others, break_on_hyphens=False
-    ) or [first.rstrip()]
+    lines = textwrap.wrap(line, max(width, 20), initial_indent=first, subsequent_indent=others, break_on_hyphens=False)
+    return [x.replace(_NO_BREAK, " ") for x in lines] or [first.rstrip()]
