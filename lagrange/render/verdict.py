@@ -27,6 +27,7 @@ MARKS = {
 WIDEST = 100  # a longer line is hard to read
 _INDENT = "  "
 _UNDER = "      "
+_LONGEST = 1000  # characters of an equation; more is no answer
 _NO_BREAK = "\u00a0"
 
 
@@ -62,7 +63,9 @@ def _lines(answer: CheckedAnswer, notation: Notation, width: int) -> Iterator[st
 def _equation(e: EquationVerdict, notation: Notation, width: int, indent: str) -> Iterator[str]:
     under = indent + _UNDER[len(_INDENT) :]
     room = width - len(under)
-    yield from _wrapped(f"{MARKS[e.verdict]} {_held(' '.join(e.text.split()), room)}", width, indent, under)
+    written = " ".join(e.text.split())
+    written = written if len(written) <= _LONGEST else f"{written[:_LONGEST]} ..."
+    yield from _wrapped(f"{MARKS[e.verdict]} {_held(written, room)}", width, indent, under)
     if e.sides:
         read = " = ".join(unicode(side, notation) for side in e.sides)
         yield from _wrapped(f"read as {_held(read, room)}", width, under, under + _INDENT)
