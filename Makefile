@@ -44,6 +44,10 @@ bench: $(VENV)/installed
 golden: $(VENV)/installed
 	$(BIN)/python -m pytest tests/test_golden.py --renew
 
+# How long things take, and against what; no test depends on it.
+bench: $(VENV)/installed
+	for script in tests/bench/*.py; do $(BIN)/python $$script || exit 1; done
+
 clean:
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis tests/actual
 	find . -name __pycache__ -prune -exec rm -rf {} +

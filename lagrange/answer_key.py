@@ -33,16 +33,26 @@ T = TypeVar("T")
 
 
 class AnswerReader:
-    """Reads what is compared with the solution. `constraints` are those that could be read."""
+    """Reads what is compared with the solution. `constraints` are those that could be read.
+
+    tries  whether an equation that cannot be read is a mistake of the file; otherwise the verdict on it says so
+    """
 
     def __init__(
-        self, reading: Reading, constraints: tuple[Constraint, ...], choices: tuple[Choice, ...], scope: Scope
+        self,
+        reading: Reading,
+        constraints: tuple[Constraint, ...],
+        choices: tuple[Choice, ...],
+        scope: Scope,
+        *,
+        tries: bool = True,
     ) -> None:
         self.reading = reading
         self.findings = reading.findings
         self.components: dict[str, list[str]] = {name: [] for name in reading.constraints.known()}
         for c in constraints:
-            self.components[_whole(c.name)].append(c.name)
+            self.components.setdefault(_whole(c.name), []).append(c.name)
+        self.tries = tries
         self.scope = _scope_of_answers(scope, choices)
 
     def answers(self, node: Node | None) -> Answers | None:
@@ -89,6 +99,8 @@ class AnswerReader:
 
     def _try(self, reader: Reader[Any], fragment: Fragment) -> None:
         """Reads an answer for its mistakes only: notes on its reading belong to the verdict on it."""
+        if not self.tries:
+            return
         limited: Reader[Any] = partial(read_value, latex=True)
         if reader is read_equation:
             limited = partial(read_equation, limit=MAX_ANSWER_CHARACTERS, latex=True)
@@ -174,7 +186,7 @@ class AnswerReader:
             return [name]
         if self.reading.names.has_failed(scalar.text):
             return []
-        help_ = suggestion(name, [*self.components, *known], "constraints")
+        help_ = suggestion(name, list(dict.fromkeys((*self.components, *known))), "constraints")
         raise ProblemError(
             Diagnostic("unknown-name", f"`{scalar.text}` is not a constraint of this file", scalar.span, help=help_)
         )

@@ -15,11 +15,10 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.comparison import System
-from lagrange.constraints import constraint_row
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
-from lagrange.kinematics import Configuration, file_configuration
+from lagrange.kinematics import Configuration
 from lagrange.letters import letters
 from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import prime, variation
@@ -32,12 +31,18 @@ from lagrange.verification import multiplier_system
 
 @dataclass(frozen=True)
 class Reading:
-    """One equation of an answer: its components, each zero; or why it cannot be read."""
+    """One equation of an answer: its two sides and its components, each zero; or why it cannot be read."""
 
     text: str
     components: tuple[sp.Expr, ...] = ()
     error: ProblemError | None = None
     notes: list[Diagnostic] = field(default_factory=list)
+    sides: tuple[sp.Expr | Vector, ...] = ()
+
+    @property
+    def surprising(self) -> tuple[sp.Expr | Vector, ...]:
+        """The two sides, where the reader may have understood something else than was meant, or meant LaTeX."""
+        return self.sides if self.notes or set(self.text) & {"\\", "$"} else ()
 
 
 @dataclass(frozen=True)
@@ -49,6 +54,8 @@ class Candidate:
     meanings     names of forces that stand for multiples of multipliers: T = −2 l λ
     named        what meanings know that is no multiple of a multiplier
     only_for     names one of which an answer must use, for this reading of it to be another one
+    values       the numbers that the file gives to parameters
+    certain      magnitudes and signs that the file settles: |N| is N
     """
 
     choice: str
@@ -58,15 +65,13 @@ class Candidate:
     meanings: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     only_for: frozenset[str] = frozenset()
     named: frozenset[str] = frozenset()
+    values: Mapping[sp.Symbol, sp.Rational] = field(default_factory=dict)
+    certain: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict)
 
     @cached_property
     def system(self) -> System:
-        """The system."""
-        return self.build()
-
-    def system_with(self, values: Mapping[sp.Symbol, sp.Rational]) -> System:
-        """The system with the numbers that the file gives to parameters."""
-        return _with_values(self.system, values) if values else self.system
+        """The system, with the numbers that the file gives."""
+        return _with_values(self.build(), self.values) if self.values else self.build()
 
     @property
     def known(self) -> set[str]:
@@ -78,8 +83,9 @@ class Candidate:
         return {s.name for s in (*own, *meant)} | self.named
 
     def read(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of an answer, in the coordinates and the unknowns of the system."""
-        return self.configuration.rewritten(expression.xreplace(dict(self.meanings)))
+        """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
+        meant = expression.xreplace(dict(self.certain)).xreplace(dict(self.meanings))
+        return self.configuration.rewritten(meant).xreplace(dict(self.values))
 
 
 @dataclass(frozen=True)
@@ -131,8 +137,10 @@ def reference_of_solution(solution: Solution) -> Reference:
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
-    candidates = tuple(_with_meanings(list(_candidates(solution)), solution))
-    return Reference(wider, candidates, _values(problem), problem.unknowns)
+    values = values_of(problem)
+    certain = _settled(solution)
+    plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
+    return Reference(wider, tuple(_with_meanings(plain, solution)), values, problem.unknowns)
 
 
 def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
@@ -167,6 +175,25 @@ def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> I
         kept = tuple(m for m in c.multipliers if m not in meant)
         only = frozenset(s.name for s in meant)
         yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
+
+
+def _settled(solution: Solution) -> dict[sp.Expr, sp.Expr]:
+    """The magnitudes and signs that the file settles for friction: |N| = N where the contact is said to be positive.
+
+    |N| may also be written with the value of N: |m g cos α| is m g cos α then.
+    """
+    found: dict[sp.Expr, sp.Expr] = {}
+    for there in (solution.dynamics, *(c.dynamics for c in solution.choices)):
+        for r in there.rubbed if there is not None else ():
+            if r.friction.contact is not None:
+                multiplier = r.reaction.multiplier
+                found |= {sp.Abs(multiplier): r.contact * multiplier, sp.sign(multiplier): r.contact}
+                value = there.reactions.values.get(multiplier) if there and there.reactions else None
+                inside = sp.Abs(value).atoms(sp.Abs) if value is not None else set()
+                found |= {a: r.contact * value * a / sp.Abs(value) for a in inside if len(inside) == 1}
+            if r.friction.slip is not None and r.speed is not None:
+                found |= {sp.Abs(r.speed): r.sense * r.speed, sp.sign(r.speed): r.sense}
+    return found
 
 
 def _angles_on_surfaces(solution: Solution) -> Iterator[sp.Symbol]:
@@ -263,25 +290,6 @@ def _reaction_forces(solution: Solution) -> dict[str, Vector]:
     return {name: force for name, force in forces.items() if name not in taken}
 
 
-def reference_of_equations(problem: Problem) -> Reference:
-    """The reference system that a file gives outright under `equations`."""
-    rows = tuple(constraint_row(c, problem.slots) for c in problem.constraints)
-    configuration = file_configuration(problem, rows)
-    expressions: list[sp.Expr] = []
-    errors: list[Diagnostic] = []
-    for fragment in problem.equations:
-        reading = read_answer(fragment, problem.scope)
-        expressions += reading.components
-        errors += reading.error.diagnostics if reading.error else ()
-    if errors:
-        raise ProblemError(errors)
-    unknowns = _occurring(problem.unknowns, tuple(expressions))
-    system = System(configuration, tuple(expressions), unknowns)
-    return Reference(
-        problem.scope, (Candidate("", configuration, unknowns, lambda: system),), _values(problem), problem.unknowns
-    )
-
-
 def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> System:
     """The system with the numbers that the file gives to parameters."""
     configuration = system.configuration
@@ -311,11 +319,12 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     lhs, rhs = equation.lhs, equation.rhs
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
-        return Reading(text, parts, notes=notes)
-    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes)
+        return Reading(text, parts, notes=notes, sides=(lhs, rhs))
+    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
 
 
-def _values(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+    """The numbers that a file gives to parameters."""
     return {p.symbol: p.value for p in problem.parameters if p.value is not None}
 
 
@@ -336,7 +345,7 @@ def _candidates(solution: Solution) -> Iterator[Candidate]:
             """The file's own equations, with all multipliers, in the coordinates of the choice."""
             own = _with_multipliers(solution.motion, solution)  # type: ignore[arg-type]
             equations = tuple(configuration.rewritten(e) for e in own.equations)
-            return System(configuration, equations, (*reactions, *_occurring(unknowns, equations)))
+            return System(configuration, equations, (*reactions, *occurring(unknowns, equations)))
 
         yield Candidate(c.name, configuration, (*reactions, *unknowns), rewritten)
 
@@ -355,10 +364,10 @@ def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:
     reactions = {c.name: c.reaction for c in solution.problem.constraints}
     left = tuple(principle.textbook.form(d) for d in principle.coefficients)
     system = multiplier_system(configuration, left, tuple(reactions[r.name] for r in configuration.rows))
-    return replace(system, multipliers=(*system.multipliers, *_occurring(solution.problem.unknowns, left)))
+    return replace(system, multipliers=(*system.multipliers, *occurring(solution.problem.unknowns, left)))
 
 
-def _occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
+def occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
     """Those of the symbols that occur."""
     used = set().union(*(e.free_symbols for e in expressions))
     return tuple(s for s in symbols if s in used)

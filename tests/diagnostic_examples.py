@@ -19,6 +19,11 @@ class File:
 
 
 @dataclass(frozen=True)
+class Checked(File):
+    """A problem file whose own answers are checked."""
+
+
+@dataclass(frozen=True)
 class Command:
     """Arguments of `lagsolve`."""
 
@@ -241,6 +246,14 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "method-without-motion": ("A note: `--method` chooses how equations of motion are derived, and none are asked for.",
         Command(("ladder", "--method", "lagrange"))),
     "no-equations": ("The problem asks for no motion.", Command(("check", "ex05", "-e", "x' = 0"))),
+    "reference-contradictory": ("No motion satisfies all of the equations that are given to check answers against.", Checked(
+        "title: Example\ncoordinates: [x]\nequations: [x'' = 1, x'' = 2]\nanswers: {equations: [x'' = 1]}\n")),
+    "reference-coordinates": ("The equations that are given to check answers against are in the coordinates of the file.",
+        Checked("title: Example\nparameters: [l, g]\ncoordinates: [x, y]\nconstraints: {rod: x^2 + y^2 = l^2}\n"
+             "generalized_coordinates: {a: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}\n"
+             "equations: [\"theta'' + g/l*sin(theta) = 0\"]\nanswers: {equations: [x'' = 1]}\n")),
+    "reference-not-linear": ("What answers are checked against are equations of motion.", Checked(
+        "title: Example\ncoordinates: [x]\nequations: [x'^2 = 1]\nanswers: {equations: [x'' = 1]}\n")),
     "too-many-equations": ("An answer has twelve equations at most.",
         Command(("check", "ex11", *("-e", "x = 0") * 13))),
     "internal": ("A mistake of the program. Please report it with the problem file.", None),

@@ -25,7 +25,7 @@ LAYERS = {
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
          velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
         forces constraint_equations answer_key choices
-        particles loader""",
+        particles loader answer_yaml""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions combinations candidates first_integrals hidden_relations""",
@@ -35,8 +35,8 @@ LAYERS = {
         multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
         quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
         statics rest linear_stability linearization linearization_checks""",
-    "results": """solution letters references answers reaction_answers equilibrium_comparison equilibrium_answers
-        frequency_answers checking""",
+    "results": """solution letters references reference_systems validity recognition answers reaction_answers
+        equilibrium_comparison equilibrium_answers frequency_answers checking""",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
         explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions
@@ -45,7 +45,7 @@ LAYERS = {
         render.style_unicode render.style_latex render.mathematics""",
     "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
         render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
-    "reports": "report render.json_linear render.json_motion render.json",
+    "reports": "report render.json_linear render.json_motion render.json render.verdict",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
         lagsolve.main lagsolve.__main__""",
 }

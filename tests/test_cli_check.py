@@ -151,7 +151,7 @@ def test_the_verdict_on_the_answers_of_a_file(answers: str, status: int, verdict
 def test_the_first_verdict_that_applies_counts(equations: Verdict, other: Verdict, status: int) -> None:
     result = CheckedAnswer(AnswerVerdict(equations, ()), (ComparedAnswer("integrable", other),))
     assert result.exit_status == status
-    assert result.as_text().startswith(f"{result.verdict}: ")
+    assert result.headline.startswith(f"{result.verdict}: ")
 
 
 @pytest.mark.usefixtures("here")
@@ -242,3 +242,34 @@ def test_the_answers_of_a_file_may_be_in_latex(here: Path) -> None:
     assert run("check", "wrong.yaml").exit_code == 1
     (here / "bad.yaml").write_text(text.replace("ddot", "foo"), encoding="utf-8")
     assert "unknown-command" in run("check", "bad.yaml").stderr
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 120])
+def test_an_equation_is_broken_before_its_signs(width: int) -> None:
+    """Not inside brackets, as long as its terms fit; what is said stands under it."""
+    equation = (
+        "(m1 + m2)*l1*phi1'' + m2*l2*phi2''*cos(phi1 - phi2) + m2*l2*phi2'^2*sin(phi1 - phi2) = -(m1 + m2)*g*sin(phi1)"
+    )
+    result = run(
+        "check",
+        "ex18-double-pendulum",
+        "-e",
+        f"phi1'*l1*phi1'' = 0*{'(m1 + m2)*' * 8}g",
+        "-e",
+        equation,
+        env={"COLUMNS": str(width)},
+    )
+    lines = result.stdout.splitlines()
+    assert max(map(len, lines)) <= width
+    begun = next(n for n, line in enumerate(lines) if line.startswith("  ✓ (m1 + m2)"))
+    shown = lines[begun:]
+    assert " ".join(" ".join(shown).split()) == f"✓ {equation}"
+    assert all(line.count("(") == line.count(")") for line in shown)
+    assert all(line.lstrip()[0] in "+-=" for line in shown[1:])
+
+
+@pytest.mark.usefixtures("here")
+def test_how_an_equation_was_read_is_shown_where_it_may_surprise() -> None:
+    shown = run("check", "oscillator.yaml", "-e", "x'' = -k/m x").stdout
+    assert "read as ẍ = −(k/m) x" in shown
+    assert "read as" not in run("check", "oscillator.yaml", "-e", "x'' = -k*x/m").stdout

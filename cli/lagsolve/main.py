@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import gc
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -18,6 +19,8 @@ from lagsolve.group import CommandLine
 from lagsolve.status import OK, UNDECIDED, complain, say
 
 if TYPE_CHECKING:
+    from lagrange.checking import CheckedAnswer
+    from lagrange.problem import Problem
     from lagrange.report import Report
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
@@ -117,26 +120,41 @@ def check(problem: str, answer_file: str | None, equations: tuple[str, ...], for
     """Compare somebody's equations of motion with the derived ones.
 
     Give the equations with -e, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input); a .tex or
-    .md file has them in its mathematics. They may be in LaTeX.
+    .md file has them in its mathematics. They may be in LaTeX. A file that ends in .yaml answers the other questions
+    too, with the keys of `answers` in a problem file.
     Without either, the answers in the problem file are compared. Exit status: 0 equivalent; 1 wrong, incomplete or
     trivial; 2 unreadable; 3 undecided.
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
     gc.disable()
-    from lagrange.checking import check_answer, check_own_answers
     from lagrange.loader import read_problem
     from lagsolve.output import write_verdict
-    from lagsolve.reading import answer_fragments, problem_source
+    from lagsolve.reading import problem_source
 
     _look_for_garbage_seldom()
     asked = read_problem(problem_source(problem))
-    given = answer_file is not None or equations
-    result = check_answer(asked, answer_fragments(answer_file, equations)) if given else check_own_answers(asked)
+    result = _checked(asked, answer_file, equations)
     for message in (*asked.notes, *result.messages):
         say(str(message))
-    write_verdict(result, format_)
+    write_verdict(result, asked, format_)
     sys.exit(result.exit_status)
+
+
+def _checked(asked: Problem, answer_file: str | None, equations: tuple[str, ...]) -> CheckedAnswer:
+    """The verdict on what is given: equations, a file with all answers, or nothing but the problem file's own."""
+    from lagrange.checking import check_answer, check_answers, check_own_answers
+    from lagsolve.reading import answer_fragments
+
+    if answer_file is not None and answer_file.lower().endswith((".yaml", ".yml")):
+        from lagrange.answer_yaml import read_answers
+        from lagrange.loader import read_source
+
+        answers = read_answers(read_source(Path(answer_file)), asked)
+        return check_answers(asked, answers, answer_fragments(None, equations))
+    if answer_file is None and not equations:
+        return check_own_answers(asked)
+    return check_answer(asked, answer_fragments(answer_file, equations))
 
 
 @main.command("list")

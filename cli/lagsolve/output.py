@@ -16,6 +16,7 @@ import click
 if TYPE_CHECKING:
     from lagrange.checking import CheckedAnswer
     from lagrange.diagnostics import ProblemError
+    from lagrange.problem import Problem
     from lagrange.report import Report
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
@@ -98,16 +99,16 @@ class Destination:
         return "\n".join(pretty.text(d, n, PIPED, detail) for d, n in solved)
 
 
-def write_verdict(answer: CheckedAnswer, format_: str) -> None:
-    """Prints what is to be said of an answer."""
+def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str) -> None:
+    """Prints what is to be said of an answer to a problem."""
     if format_ == "json":
         import json
 
         put(json.dumps(answer.as_json(), ensure_ascii=False, indent=1) + "\n")
         return
-    width = terminal_width()
-    lines = (wrapped(line, width, "      ") for line in answer.as_text().split("\n"))
-    put("".join(f"{line}\n" for line in lines))
+    from lagrange.render import verdict
+
+    put(verdict.text(answer, problem, terminal_width()))
 
 
 def table(rows: Sequence[tuple[str, str, str]]) -> str:

@@ -1,4 +1,4 @@
-"""The equations of motion for JSON: by d'Alembert and Lagrange, with multipliers, in quasi-velocities; what they conserve."""
+"""The equations of motion for JSON: with multipliers, by Lagrange, in quasi-velocities; what they conserve."""
 
 from __future__ import annotations
 
