@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict, check_equations
@@ -176,13 +177,18 @@ class CheckedAnswer:
         answers = [{"name": a.name, "verdict": a.verdict.value} for a in self.others]
         return found | ({"answers": answers} if answers else {})
 
-    def as_text(self) -> str:
-        """The verdict for a person."""
+    @property
+    def headline(self) -> str:
+        """The verdict in one line."""
         headlines = _HEADLINES | (_HEADLINES_OF_STATICS if self.statics else {})
         headlines |= _HEADLINES_OF_REACTIONS[self.statics] if self.reactions else {}
         headlines |= _HEADLINES_OF_FILE if self.others else {}
         missing = _missing_equilibria if self.statics else _missing
-        lines = [headlines[self.verdict].format(missing=missing(self.equations.missing))]
+        return headlines[self.verdict].format(missing=missing(self.equations.missing))
+
+    def as_text(self) -> str:
+        """The verdict for a person."""
+        lines = [self.headline]
         lines += [f"  {_MARKS[a.verdict]} {a.name.replace('_', ' ')}" for a in self.others]
         for e in self.equations.equations:
             said = "; ".join((*((e.diagnosis,) if e.diagnosis else ()), *e.remarks))
@@ -241,14 +247,38 @@ def _missing_equilibria(number: int) -> str:
     return "an equation or a solution is missing" if number <= 1 else f"{number} solutions are missing"
 
 
+@dataclass(frozen=True)
+class Examiner:
+    """Checks any number of answers to a problem that is solved once.
+
+    solution  None where the file gives the equations outright
+    """
+
+    problem: Problem
+    solution: Solution | None
+
+    @classmethod
+    def of(cls, problem: Problem) -> Examiner:
+        """Solves the problem, so that answers can be checked. Raises ProblemError where it cannot be solved."""
+        return cls(problem, None if problem.equations else solve(problem))
+
+    @cached_property
+    def reference(self) -> Reference:
+        """What equations of motion are compared with. Raises ProblemError where there is nothing of the kind."""
+        return reference_of_equations(self.problem) if self.solution is None else _reference_of(self.solution)
+
+    def check(self, answer: tuple[Fragment, ...]) -> CheckedAnswer:
+        """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare with."""
+        solution = self.solution
+        at_rest = solution is not None and (solution.motion is None or not _moves(answer, solution))
+        if solution is not None and solution.equilibrium is not None and at_rest:
+            return _check_statics(answer, solution, solution.equilibrium)
+        return CheckedAnswer(check_equations(answer, self.reference))
+
+
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
     """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
-    if problem.equations:
-        return CheckedAnswer(check_equations(answer, reference_of_equations(problem)))
-    solution = solve(problem)
-    if solution.equilibrium is not None and (solution.motion is None or not _moves(answer, solution)):
-        return _check_statics(answer, solution, solution.equilibrium)
-    return CheckedAnswer(check_equations(answer, _reference_of(solution)))
+    return Examiner.of(problem).check(answer)
 
 
 def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: Equilibrium) -> CheckedAnswer:
@@ -306,7 +336,7 @@ def check_own_answers(problem: Problem) -> CheckedAnswer:
 
 def reference(problem: Problem) -> Reference:
     """What answers to a problem are compared with: its solution, or the equations that it gives outright."""
-    return reference_of_equations(problem) if problem.equations else _reference_of(solve(problem))
+    return Examiner.of(problem).reference
 
 
 def _reference_of(solution: Solution) -> Reference:

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from lagrange.checking import CheckedAnswer
     from lagrange.diagnostics import ProblemError
     from lagrange.report import Report
+    from lagsolve.grading.rows import Row
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
 AVAILABLE = ("pretty", "latex", "json")
@@ -103,6 +104,14 @@ def write_verdict(answer: CheckedAnswer, format_: str) -> None:
     width = terminal_width()
     lines = (wrapped(line, width, "      ") for line in answer.as_text().split("\n"))
     put("".join(f"{line}\n" for line in lines))
+
+
+def write_rows(rows: Sequence[Row], as_csv: bool) -> None:
+    """Prints the rows of a batch: the table, or CSV."""
+    from lagsolve.grading.rows import csv_text, table_text
+
+    on_terminal = sys.stdout is not None and sys.stdout.isatty()
+    put(csv_text(rows) if as_csv else table_text(rows, terminal_width(), on_terminal))
 
 
 def table(rows: Sequence[tuple[str, str, str]]) -> str:
