@@ -14,6 +14,7 @@ from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from lagsolve.grading.child import nothing
 from lagsolve.grading.worker import FailedError, Limits, Worker
 
 T = TypeVar("T")
@@ -39,7 +40,7 @@ class Pool(Executor):
     """
 
     def __init__(
-        self, jobs: int, limits: Limits, setup: Callable[[], object] | None = None, setup_seconds: float = 600
+        self, jobs: int, limits: Limits, setup: Callable[[], object] = nothing, setup_seconds: float = 600
     ) -> None:
         self._limits, self._setup, self._setup_seconds = limits, setup, setup_seconds
         self._tasks: queue.SimpleQueue[_Task | None] = queue.SimpleQueue()
@@ -102,8 +103,7 @@ class Pool(Executor):
             self._workers[number] = worker
             if self._cancelled:
                 worker.stop()
-        if self._setup is not None:
-            worker.prepare(self._setup, self._setup_seconds)
+        worker.prepare(self._setup, self._setup_seconds)
         return worker
 
     def _discard(self, number: int) -> None:
