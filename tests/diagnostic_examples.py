@@ -225,5 +225,10 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-equations": ("The problem asks for no motion.", Command(("check", "ex05", "-e", "x' = 0"))),
     "too-many-equations": ("An answer has twelve equations at most.",
         Command(("check", "ex11", *("-e", "x = 0") * 13))),
+    "no-submissions": ("Name files, or a folder that has some.", None),
+    "feedback-among-answers": ("The pages need a folder of their own.",
+        Command(("grade", "ex11", ".", "--feedback", "."))),
+    "limits-too-low": ("The problem cannot be solved with the memory that a submission may use.", None),
+    "no-cluster": ("The Dask cluster cannot be reached, or its workers cannot grade.", None),
     "internal": ("A mistake of the program. Please report it with the problem file.", None),
 }  # fmt: skip

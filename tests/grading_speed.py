@@ -78,7 +78,9 @@ def main() -> None:
         summary = (folder / "table").read_text(encoding="utf-8").splitlines()[-1]
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
         print(summary)
-        print(f"{time.monotonic() - start:.1f} s, processor {used.ru_utime + used.ru_stime:.1f} s, {most / 1024:.0f} MB")
+        print(
+            f"{time.monotonic() - start:.1f} s, processor {used.ru_utime + used.ru_stime:.1f} s, {most / 1024:.0f} MB"
+        )
 
 
 if __name__ == "__main__":

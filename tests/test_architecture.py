@@ -32,7 +32,8 @@ LAYERS = {
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
         coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia dynamics
         lagrangian spot verification equilibrium stability static_reactions statics""",
-    "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
+    "results": """solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking
+        grading""",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
         explain.reactions explain.static_reactions explain.statics explain.checks""",
@@ -41,8 +42,11 @@ LAYERS = {
     "reports": "report",
     "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
         render.latex render.json""",
-    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
-        lagsolve.main lagsolve.__main__""",
+    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading
+        lagsolve.grading lagsolve.grading.child lagsolve.grading.worker lagsolve.grading.pool lagsolve.grading.examining
+        lagsolve.grading.submissions lagsolve.grading.batch lagsolve.grading.rows lagsolve.grading.feedback
+        lagsolve.grading.journal lagsolve.grading.progress lagsolve.grading.cluster lagsolve.grading.order
+        lagsolve.output lagsolve.main lagsolve.__main__""",
 }
 """A module imports only what stands before it."""
 
@@ -54,7 +58,8 @@ FOR_TYPES_ONLY = {
 
 ROOMS = {
     "click": {"lagsolve.main", "lagsolve.group", "lagsolve.output", "lagsolve.status"},
-    "rich": {"lagrange.render.pretty", "lagrange.render.paragraphs", "lagrange.render.tables"},
+    "rich": {"lagrange.render.pretty", "lagrange.render.paragraphs", "lagrange.render.tables", "lagsolve.grading.rows"},
+    "distributed": {"lagsolve.grading.cluster"},
     "yaml": {"lagrange.yaml_composer", "lagrange.yaml_mistakes", "lagrange.yaml_nodes", "lagsolve.library"},
     "sympy": None,
     "mpmath": None,
@@ -193,5 +198,5 @@ def test_the_page_has_each_module_in_its_layer() -> None:
     sections = re.split(r"^\*\*.+?\.\*\*", PAGE, flags=re.MULTILINE)[1:]
     for names, section in zip(LAYERS.values(), sections, strict=True):
         written = [f.removesuffix(".py").replace("/", ".") for f in re.findall(r"`((?:\w+/)*\w+\.py)`", section)]
-        packages = {"lagrange", "explain", "render", "lagsolve"}
+        packages = {"lagrange", "explain", "render", "lagsolve", "lagsolve.grading"}
         assert set(written) == set(names.split()) - packages

@@ -173,7 +173,20 @@ def row(name: str = "a.txt", remark: str = "", **more: object) -> Row:
 
 @pytest.mark.parametrize(
     "text",
-    ["=1+1", "+1", "-1", "@SUM(A1)", "=HYPERLINK(\"http://x\",\"a\")", "\t=1", "  =1", "＝1", "x;=1", 'x;"=1', "x\t@a", "\r=1"],
+    [
+        "=1+1",
+        "+1",
+        "-1",
+        "@SUM(A1)",
+        '=HYPERLINK("http://x","a")',
+        "\t=1",
+        "  =1",
+        "＝1",
+        "x;=1",
+        'x;"=1',
+        "x\t@a",
+        "\r=1",
+    ],
 )
 def test_no_cell_is_a_formula(text: str) -> None:
     for cell in re.split(r"[;\t]", harmless(text)):
@@ -243,7 +256,9 @@ def test_the_page_of_a_wrong_answer() -> None:
 
 def test_nothing_that_was_handed_in_is_marked_up() -> None:
     equation = EquationVerdict(HOSTILE, Verdict.UNREADABLE, HOSTILE, (HOSTILE,))
-    text = page(HOSTILE, HOSTILE, Graded(Verdict.UNREADABLE, f"unreadable: {HOSTILE}", (equation,), (f"```\n{HOSTILE}",)))
+    text = page(
+        HOSTILE, HOSTILE, Graded(Verdict.UNREADABLE, f"unreadable: {HOSTILE}", (equation,), (f"```\n{HOSTILE}",))
+    )
     text = re.sub(r"^(`{3,})text\n.*?\n\1$", "", text, flags=re.DOTALL | re.MULTILINE)
     outside = re.sub(r"(?<![`\\])(`+)(?!`).*?(?<!`)\1(?!`)", "", text)
     assert "script" in outside
@@ -264,7 +279,23 @@ def test_names_in_backticks_stay_code() -> None:
 
 
 @pytest.mark.parametrize(
-    "name", ["../../etc/passwd", "..", "/abs", "a/b", "C:\\x", "~root", "-rf", "=1", "a\nb", ".hidden", "CON ", "x" * 5000, "é" * 300, "日本"]
+    "name",
+    [
+        "../../etc/passwd",
+        "..",
+        "/abs",
+        "a/b",
+        "C:\\x",
+        "~root",
+        "-rf",
+        "=1",
+        "a\nb",
+        ".hidden",
+        "CON ",
+        "x" * 5000,
+        "é" * 300,
+        "日本",
+    ],
 )
 def test_a_page_stays_in_its_folder(name: str, tmp_path: Path) -> None:
     file = page_names([name])[name]
@@ -274,7 +305,7 @@ def test_a_page_stays_in_its_folder(name: str, tmp_path: Path) -> None:
     path.touch()
 
 
-def test_no_two_submissions_have_the_same_page(folder: Path) -> None:
+def test_no_two_submissions_have_the_same_page() -> None:
     names = ["a.txt", "A.TXT", "a/txt", "a?txt", "a_txt", "é", "e\u0301", "x" * 200 + "1", "x" * 200 + "2"]
     pages = page_names(names)
     assert len({p.casefold() for p in pages.values()}) == len(names)
@@ -321,7 +352,9 @@ def test_a_journal_is_read_again_apart_from_half_a_line(tmp_path: Path) -> None:
     assert not path.exists()
 
 
-@pytest.mark.parametrize("line", ["", "{}", "[]", "1", "null", '{"key": "k", "row": {}}', '{"key": "k", "row": 1}', "\udcff"])
+@pytest.mark.parametrize(
+    "line", ["", "{}", "[]", "1", "null", '{"key": "k", "row": {}}', '{"key": "k", "row": 1}', "\udcff"]
+)
 def test_what_is_no_journal_is_left_out(line: str, tmp_path: Path) -> None:
     path = tmp_path / "journal"
     path.write_bytes(line.encode("utf-8", "surrogateescape") + b"\n")

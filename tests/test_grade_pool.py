@@ -140,7 +140,7 @@ def is_zombie_free(pid: int) -> bool:
 
 def test_exceptions_come_back_as_text(pool: Pool) -> None:
     before = {f.result() for f in [pool.submit(calls.hold_still, 0.3) for _ in range(2)]}
-    with pytest.raises(FailedError, match="^ValueError: no good$"):
+    with pytest.raises(FailedError, match=r"^ValueError: no good$"):
         pool.submit(calls.fail, "no good").result()
     with pytest.raises(FailedError, match="but its text can"):
         pool.submit(calls.raise_what_cannot_be_sent).result()

@@ -167,6 +167,8 @@ def grade(
     Exit status: 0 every submission has its verdict; 2 the batch cannot begin; 3 somebody must look at some submissions,
     which are undecided or exceed the limits.
     """
+    if not timeout > 0:  # a NaN
+        raise click.UsageError(f"--timeout {timeout} is no number of seconds")
     if dask is not None and jobs is not None:
         raise click.UsageError("--jobs is for this machine; the cluster of --dask has its own number of processes")
     from pathlib import Path

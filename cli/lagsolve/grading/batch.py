@@ -1,12 +1,13 @@
 """A batch: submissions go to an executor, a few at a time, and outcomes come back as they are ready.
 
-The executor is any of `concurrent.futures`. Whatever happens to one submission is its outcome: a limit that it exceeded,
-a process that was killed under it (it is tried once more, because it may not be its fault), a mistake of this program.
+The executor is any of `concurrent.futures`. Whatever happens to one submission is its outcome: a limit that it
+exceeded, a process that was killed under it (it is tried once more, because it may not be its fault), a mistake of this
+program.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from dataclasses import dataclass
 from typing import Any
@@ -28,7 +29,7 @@ class _Trial:
 
 def outcomes(
     submissions: Iterator[Submission], executor: Executor, examine: Callable[..., Graded], *common: Any, ahead: int
-) -> Iterator[tuple[Submission, Graded] | None]:
+) -> Generator[tuple[Submission, Graded] | None]:
     """The outcome of each submission, `examine(submission, *common)`, in the order in which they are ready.
 
     ahead  how many are taken and handed to the executor before the first is ready: what memory is needed for

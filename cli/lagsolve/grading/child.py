@@ -1,7 +1,7 @@
 """The other end of a `Worker`: calls arrive on standard input, results leave by standard output.
 
 A frame is its length, eight bytes, and a pickle. The process limits itself: memory by RLIMIT_AS, and processor time so
-that it ends even where nobody is left to stop it. Where a system has no such limits, only the clock of the parent holds.
+that it ends even where nobody is left to stop it. Where a system has no such limits, the clock of the parent is all.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import pickle
 import struct
 import sys
 import threading
-from typing import Any, BinaryIO
+from typing import IO, Any
 
 try:
     import resource
@@ -25,14 +25,14 @@ SPARE_SECONDS = 5
 """By how much processor time may exceed the limit before the system stops the process, should the parent not have."""
 
 
-def write_frame(stream: BinaryIO, content: object) -> None:
+def write_frame(stream: IO[bytes], content: object) -> None:
     """Sends an object."""
     data = pickle.dumps(content)
     stream.write(HEAD.pack(len(data)) + data)
     stream.flush()
 
 
-def read_frame(stream: BinaryIO) -> Any:
+def read_frame(stream: IO[bytes]) -> Any:
     """The next object. Raises EOFError where there is none, or not the whole of it."""
     head = stream.read(HEAD.size)
     size = HEAD.unpack(head)[0] if len(head) == HEAD.size else LARGEST + 1

@@ -26,10 +26,12 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
     """
     try:
         from distributed import Client
+        from distributed.comm import get_address_host_port
     except ImportError:
         help_ = "pip install 'lagsolve[cluster]', here and on the cluster"
         raise ProblemError(Diagnostic("no-cluster", "--dask needs the package `distributed`", help=help_)) from None
     try:
+        get_address_host_port(address)  # a client that begins with nonsense does not end well
         client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError, TypeError) as error:
         message = f"there is no Dask scheduler at {address}: {_said(error)}"

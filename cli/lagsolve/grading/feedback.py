@@ -29,9 +29,9 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
     yield f"# {prose(problem)}"
     yield f"\nSubmission: {code(name)}"
     yield f"\n**{verdict.capitalize()}**{': ' if sentence else ''}{prose(sentence)}."
-    if graded.right is not None and graded.required:
-        asked = "the equation" if graded.required == 1 else f"the {graded.required} independent equations"
-        yield f"\n{graded.right} of {asked} asked for {'is' if graded.right == 1 else 'are'} right."
+    if graded.right is not None and graded.required is not None and graded.required > max(1, graded.right):
+        verb = "is" if graded.right == 1 else "are"
+        yield f"\n{graded.right} of the {graded.required} independent equations asked for {verb} right."
     if graded.equations:
         yield "\n## Equation by equation\n"
         for equation in graded.equations:

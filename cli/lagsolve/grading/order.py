@@ -72,8 +72,9 @@ def graded(order: Order) -> list[Row]:
     start = perf_counter()
     title = grader(order.problem).examiner.problem.title
     setup_seconds = 60 + 20 * (perf_counter() - start)
+    _refuse_pages_among_answers(order)
     found = entries(order.answers, order.own_files)
-    _make_room(order)
+    _make_room(order.feedback)
     batch = Batch(order, title, found)
     complete = False
     try:
@@ -177,16 +178,20 @@ class Batch:
             self.journal.add(under, row)
 
 
-def _make_room(order: Order) -> None:
-    """The folder of pages. Raises ProblemError where it cannot be, or where its pages would pass for submissions."""
-    if order.feedback is None:
-        return
+def _make_room(folder: Path | None) -> None:
+    """The folder of pages. Raises ProblemError where it cannot be."""
     try:
-        order.feedback.mkdir(parents=True, exist_ok=True)
+        if folder is not None:
+            folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise _unwritable(order.feedback, error) from None
-    if any(os.path.realpath(a) == os.path.realpath(order.feedback) for a in order.answers):
-        message = f"{order.feedback} is the folder of the submissions: its pages would be graded next time"
+        raise _unwritable(folder, error) from None
+
+
+def _refuse_pages_among_answers(order: Order) -> None:
+    """Raises ProblemError where the pages would pass for submissions the next time."""
+    feedback = order.feedback
+    if feedback is not None and os.path.realpath(feedback) in map(os.path.realpath, order.answers):
+        message = f"{feedback} is the folder of the submissions: its pages would be graded next time"
         raise ProblemError(Diagnostic("feedback-among-answers", message, help="name another folder with --feedback"))
 
 
@@ -207,4 +212,3 @@ def _write(path: Path, text: str) -> None:
 
 def _unwritable(path: Path | None, error: OSError) -> ProblemError:
     return ProblemError(Diagnostic("cannot-write", f"{path} cannot be written: {error.strerror}"))
-
