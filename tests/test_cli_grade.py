@@ -142,6 +142,7 @@ def test_the_pages_do_not_tell_the_answer(answers: Path) -> None:
         ([PENDULUM, "answers", "--memory", "1"], "--memory"),
         ([PENDULUM, "answers", "--csv", "no/folder/marks.csv"], "cannot be written"),
         ([PENDULUM, "answers", "--csv", "empty"], "cannot be written"),
+        ([PENDULUM, "answers", "--csv", "answers/a"], "is no table of grades"),
         ([PENDULUM, "answers", "--feedback", "/dev/null"], "cannot be written"),
         ([PENDULUM, "answers", "--feedback", "answers"], "would be graded next time"),
         ([PENDULUM, "answers", "--feedback", "./answers/../answers"], "would be graded next time"),
@@ -154,7 +155,7 @@ def test_what_cannot_begin(arguments: list[str], said: str, answers: Path) -> No
     result = run("grade", *arguments)
     assert (result.exit_code, result.stdout) == (2, "")
     assert said in result.stderr
-    assert sorted(p.name for p in answers.iterdir()) == ["a"]
+    assert [p.read_text() for p in answers.iterdir()] == [RIGHT]
     assert sorted(p.name for p in Path().iterdir()) == ["answers", "empty"]
 
 
@@ -187,6 +188,27 @@ def test_a_link_where_a_page_is_to_be_is_replaced_and_not_followed(answers: Path
     assert run("grade", PENDULUM, "answers", "--feedback", "pages", "--jobs", "1").exit_code == 0
     assert Path("precious").read_text() == "precious"
     assert "**Equivalent**" in Path("pages/a.md").read_text()
+
+
+def test_no_module_is_loaded_from_the_folder_of_the_answers(answers: Path) -> None:
+    """The workers of a command that does not itself look there: the installed `lagsolve`, or `python -P`."""
+    modules = ("sympy", "pickle", "struct", "signal", "sitecustomize", "lagsolve", "threading")
+    for name in modules:
+        (answers / f"{name}.py").write_text("open('/dev/stdout', 'w').write('loaded'); open('loaded', 'w')")
+    (answers / "a.txt").write_text(RIGHT)
+    program = f"import sys; sys.path[:] = {[p for p in sys.path if p]!r}; from lagsolve.main import main; main()"
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+    called = [sys.executable, "-P", "-c", program, "grade", PENDULUM, "a.txt", "--csv", "-", "--jobs", "1"]
+    done = subprocess.run(called, cwd=answers, env=environment, capture_output=True, check=True)
+    assert b"a.txt,equivalent" in done.stdout
+    assert not (answers / "loaded").exists()
+
+
+def test_a_device_has_no_journal(answers: Path) -> None:
+    (answers / "a.txt").write_text(RIGHT)
+    assert run("grade", PENDULUM, "answers", "--csv", "/dev/null", "--jobs", "1").exit_code == 0
+    assert not Path("/dev/null.journal").exists()
+    assert Path("/dev/null").is_char_device()
 
 
 # Any executor

@@ -18,7 +18,7 @@ from lagrange.diagnostics import ProblemError
 from lagrange.grading import Graded, Submission
 from lagsolve.grading.feedback import code, page, page_names, prose
 from lagsolve.grading.journal import Journal, key
-from lagsolve.grading.rows import Row, csv_text, harmless, table_text
+from lagsolve.grading.rows import HEADER, Row, csv_text, harmless, table_text
 from lagsolve.grading.submissions import Entry, RefusedError, entries, shown
 
 
@@ -208,6 +208,10 @@ def test_the_csv_file() -> None:
         "b,wrong,,,,,0.5,a.md",
         "",
     ]
+
+
+def test_a_csv_file_is_known_by_its_header() -> None:
+    assert csv_text([]).encode().startswith(HEADER)
 
 
 def test_a_remark_is_one_line_and_not_long() -> None:

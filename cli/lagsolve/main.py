@@ -141,7 +141,7 @@ def check(problem: str, answer_file: str | None, equations: tuple[str, ...], for
     sys.exit(result.exit_status)
 
 
-@main.command()
+@main.command(short_help="Grade a folder of submissions to one PROBLEM.")
 @click.argument("problem", metavar="PROBLEM")
 @click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...")
 @click.option("--csv", metavar="FILE", help="Write the table as CSV; `-` is standard output.")

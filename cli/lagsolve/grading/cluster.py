@@ -56,7 +56,8 @@ def _threads(client: Any, address: str) -> int:
     if versions != {version("lagsolve")}:
         message = f"the workers at {address} have lagsolve {', '.join(sorted(versions))}, not {version('lagsolve')}"
         raise ProblemError(Diagnostic("no-cluster", message, help="install the same version everywhere"))
-    return sum(client.nthreads().values())
+    threads: int = sum(client.nthreads().values())
+    return max(1, threads)
 
 
 def _version() -> str:

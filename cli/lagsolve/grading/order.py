@@ -26,7 +26,7 @@ from lagsolve.grading.feedback import page, page_names
 from lagsolve.grading.journal import Journal, key
 from lagsolve.grading.pool import Pool
 from lagsolve.grading.progress import Progress
-from lagsolve.grading.rows import Row, csv_text
+from lagsolve.grading.rows import HEADER, Row, csv_text
 from lagsolve.grading.submissions import Entry, RefusedError, entries
 from lagsolve.grading.worker import Limits, SetupError
 
@@ -50,7 +50,7 @@ class Order:
     @property
     def journal(self) -> Path | None:
         """Where it is noted what is done: beside the CSV file, or in the folder of pages."""
-        if self.csv is not None:
+        if self.csv is not None and (self.csv.is_file() or not self.csv.exists()):
             return self.csv.with_name(f"{self.csv.name}.journal")
         return self.feedback / ".journal" if self.feedback is not None else None
 
@@ -73,6 +73,7 @@ def graded(order: Order) -> list[Row]:
     title = grader(order.problem).examiner.problem.title
     setup_seconds = 60 + 20 * (perf_counter() - start)
     _refuse_pages_among_answers(order)
+    _spare(order.csv)
     found = entries(order.answers, order.own_files)
     _make_room(order.feedback)
     batch = Batch(order, title, found)
@@ -193,6 +194,17 @@ def _refuse_pages_among_answers(order: Order) -> None:
     if feedback is not None and os.path.realpath(feedback) in map(os.path.realpath, order.answers):
         message = f"{feedback} is the folder of the submissions: its pages would be graded next time"
         raise ProblemError(Diagnostic("feedback-among-answers", message, help="name another folder with --feedback"))
+
+
+def _spare(path: Path | None) -> None:
+    """Refuses to write over what is no table of an earlier run: an answer, or the problem."""
+    if path is None or not path.is_file():
+        return
+    with path.open("rb") as file:
+        begin = file.read(len(HEADER))
+    if begin and begin != HEADER:
+        message = f"{path} is no table of grades, and would be written over"
+        raise ProblemError(Diagnostic("would-be-lost", message, help="name another file with --csv"))
 
 
 def _write(path: Path, text: str) -> None:

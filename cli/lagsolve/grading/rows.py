@@ -55,6 +55,10 @@ class Row:
         return "" if self.right is None or self.required is None else f"{self.right}/{self.required}"
 
 
+HEADER = b"submission,verdict,right,required,"
+"""How a CSV file of grades begins."""
+
+
 def csv_text(rows: Sequence[Row]) -> str:
     """RFC 4180, with the names of the columns."""
     names = [f.name for f in fields(Row)]
