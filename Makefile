@@ -32,7 +32,7 @@ lint: $(VENV)/installed
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-# Every shipped problem in every format; LaTeX is compiled where pdflatex is installed.
+# Every shipped problem in every format; LaTeX, Markdown and HTML are tried with pdflatex, pandoc and chromium where these are installed.
 sweep: $(VENV)/installed
 	$(BIN)/python tests/sweep.py
 

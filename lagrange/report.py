@@ -63,6 +63,12 @@ class Report:
         """Whether there are none."""
         return not self.shortcomings
 
+    def _repr_markdown_(self) -> str:
+        """What a notebook shows of a report."""
+        from lagrange.render import markdown
+
+        return markdown.body(self.derivation, self.notation)
+
 
 def report(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Report:
     """Solves a problem and explains the solution. Raises what `solve` raises."""

@@ -2,8 +2,9 @@
 
 The command is run for the JSON: exit status 0, nothing said, every equation in it read back, those of motion found
 equivalent. Then the terminal at three widths, where no line may be wider, and LaTeX, which is compiled where there is a
-pdflatex: errors, overfull boxes and undefined references are failures. Seconds are those of the run of the command,
-with SymPy and the program imported before.
+pdflatex: errors, overfull boxes and undefined references are failures. Markdown is read by pandoc, where a warning is a
+failure, and all problems on one web page are opened in a browser, at a phone's and a desk's width. Seconds are those of
+the run of the command, with SymPy and the program imported before.
 """
 
 from __future__ import annotations
@@ -15,24 +16,26 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+from browser import CHROMIUM, measured
 from click.testing import CliRunner
 from rich.cells import cell_len
 
 from lagrange.answers import Verdict, check_equations
-from lagrange.derivation import Detail
+from lagrange.derivation import Derivation, Detail
 from lagrange.diagnostics import Fragment, ProblemError
 from lagrange.expressions import read_equation
 from lagrange.loader import load
 from lagrange.references import Reference, reference_of_solution
+from lagrange.render import html, latex, markdown, pretty
 from lagrange.render import json as json_format
-from lagrange.render import latex, pretty
+from lagrange.render.kinds import Notation
 from lagrange.report import Report, report
 from lagsolve import library
 from lagsolve.main import main as command
@@ -69,15 +72,18 @@ def main() -> int:
     """Runs the sweep; the exit status."""
     tally = Tally()
     documents: dict[str, str] = {}
+    derivations: list[tuple[Derivation, Notation]] = []
     print(f"{'problem':44}{'seconds':>8}")
     for name, path in library.entries().items():
         started = time.perf_counter()
         result = CliRunner().invoke(command, [str(path), "--format", "json"])
         print(f"{name:44}{time.perf_counter() - started:8.2f}", flush=True)
         tally.add(f"{name}: exit status", faults_of_run(result.exit_code, result.stderr))
-        tally.attempt(f"{name}: solve", lambda p=path, n=name: rendered(n, p, documents, tally))
+        tally.attempt(f"{name}: solve", lambda p=path, n=name: rendered(n, p, documents, derivations, tally))
         tally.attempt(f"{name}: json", lambda r=result, p=path: faults_of_json(json.loads(r.stdout), report(load(p))))
     compile_all(documents, tally)
+    read_all(derivations, tally)
+    open_all(derivations, tally)
     for failure in tally.failures:
         print(f"FAILED {failure}")
     print(f"{tally.passed} passed, {len(tally.failures)} failed")
@@ -89,9 +95,16 @@ def faults_of_run(status: int, said: str) -> list[str]:
     return [f"exit status {status}"] * bool(status) + [said.strip()] * bool(said.strip())
 
 
-def rendered(name: str, path: Path, documents: dict[str, str], tally: Tally) -> list[str]:
-    """Renders a problem in every format."""
+def rendered(
+    name: str,
+    path: Path,
+    documents: dict[str, str],
+    derivations: list[tuple[Derivation, Notation]],
+    tally: Tally,
+) -> list[str]:
+    """Renders a problem in every format that is not for many at once."""
     found = report(load(path))
+    derivations.append((found.derivation, found.notation))
     for detail in Detail:
         for width in WIDTHS:
             text = pretty.text(found.derivation, found.notation, width, detail)
@@ -177,6 +190,35 @@ def faults_of_tex(document: str) -> list[str]:
         log = Path(folder, "a.log").read_text(encoding="latin-1")
         faults = BAD_TEX.findall(log)
         return faults or [f"exit status {done.returncode}"] * bool(done.returncode)
+
+
+# Markdown and HTML
+
+
+def read_all(derivations: Sequence[tuple[Derivation, Notation]], tally: Tally) -> None:
+    """All problems in Markdown, read by pandoc as its own and as GitHub's."""
+    if shutil.which("pandoc") is None:
+        print("SKIPPED: there is no pandoc, so no Markdown is read")
+        return
+    for detail in Detail:
+        text = markdown.render(derivations, detail)
+        for reader in ("markdown", "gfm+tex_math_dollars"):
+            call = ["pandoc", "-f", reader, "-t", "html", "--mathml"]
+            done = subprocess.run(call, input=text, capture_output=True, text=True, check=False)
+            tally.add(f"pandoc, {reader}, {detail.name.lower()}", done.stderr.splitlines())
+
+
+def open_all(derivations: Sequence[tuple[Derivation, Notation]], tally: Tally) -> None:
+    """All problems on one page, in a browser."""
+    if CHROMIUM is None:
+        print("SKIPPED: there is no browser, so no web page is opened")
+        return
+    for detail in Detail:
+        page = html.render(derivations, detail)
+        for width in (360, 1280):
+            found = measured(page, width)
+            faults = found["faults"] if found["drawn"] else ["nothing is drawn"]
+            tally.add(f"browser, {width} pixels, {detail.name.lower()}", faults)
 
 
 if __name__ == "__main__":

@@ -39,9 +39,9 @@ LAYERS = {
         explain.reactions explain.static_reactions explain.statics explain.checks""",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
-    "reports": "report",
     "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
-        render.latex render.json""",
+        render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
+    "reports": "report render.json",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading
         lagsolve.grading lagsolve.grading.child lagsolve.grading.worker lagsolve.grading.pool lagsolve.grading.examining
         lagsolve.grading.submissions lagsolve.grading.batch lagsolve.grading.rows lagsolve.grading.feedback

@@ -139,10 +139,18 @@ def test_formats() -> None:
     assert fragment == run("--fragment", SKATE).stdout
     assert "\\begin{document}" not in fragment
     assert "\\section*{Ice skate" in fragment
+    assert run(SKATE, "--format", "markdown").stdout.startswith("# Ice skate\n")
+    assert run(SKATE, "--format", "html").stdout.startswith("<!DOCTYPE html>\n")
 
 
 def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None:
-    for name, form in [("a.tex", "latex"), ("A.TEX", "latex"), ("a.json", "json"), ("a.txt", "pretty")]:
+    for name, form in [
+        ("a.tex", "latex"),
+        ("A.TEX", "latex"),
+        ("a.json", "json"),
+        ("a.txt", "pretty"),
+        ("a.md", "markdown"),
+    ]:
         result = run(SKATE, "-o", name)
         assert (result.exit_code, result.stdout, result.stderr) == (0, "", "")
         assert (here / name).read_text(encoding="utf-8") == run(SKATE, "--format", form).stdout
@@ -162,10 +170,8 @@ def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None
         (["-o", "no/such/folder/a.tex"], "cannot be written: No such file or directory"),
         (["-o", "problem.yaml", "--format", "latex"], "would write over the problem file"),
         (["--fragment", "--format", "json"], "--fragment goes with --format latex"),
-        (["--format", "markdown"], "markdown is not there yet"),
-        (["--format", "html"], "html is not there yet"),
-        (["-o", "a.md"], "markdown is not there yet"),
-        (["-o", "a.html"], "html is not there yet"),
+        (["--fragment", "--format", "markdown"], "--fragment goes with --format latex"),
+        (["--fragment", "-o", "a.html"], "--fragment goes with --format latex"),
         (["--format", "docx"], "'docx' is not one of"),
         (["--method", "lagrange"], "--method lagrange is not there yet"),
         (["--method", "magic"], "'magic' is not one of"),

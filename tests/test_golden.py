@@ -12,7 +12,7 @@ import pytest
 from conftest import PROBLEMS, ROOT
 
 from lagrange.loader import load
-from lagrange.render import json, latex, pretty
+from lagrange.render import html, json, latex, markdown, pretty
 from lagrange.report import Report, report
 
 GOLDEN = ROOT / "tests" / "golden"
@@ -33,13 +33,32 @@ FORMATS = {
     "tex": lambda r: latex.render([(r.derivation, r.notation)]),
     "json": lambda r: json.render([r]),
 }
+PAGES = {
+    "md": lambda r: markdown.render([(r.derivation, r.notation)]),
+    "html": lambda r: html.render([(r.derivation, r.notation)]),
+}
+KEPT = [p for p in SHIPPED if p.name.startswith(("ex04", "ex06", "ex11", "ex16", "ex17", "ex18"))]
+"""The problems whose pages are kept as well."""
 
 
 @pytest.mark.parametrize("ending", FORMATS)
 def test_output_is_as_it_was(solved: tuple[str, Report, Report], ending: str, request: pytest.FixtureRequest) -> None:
     name, printed, complete = solved
-    actual = FORMATS[ending](complete if ending == "json" else printed)
-    golden = GOLDEN / f"{name}.{ending}"
+    compare(f"{name}.{ending}", FORMATS[ending](complete if ending == "json" else printed), request)
+
+
+@pytest.mark.parametrize("ending", PAGES)
+@pytest.mark.parametrize("solved", KEPT, ids=lambda p: p.stem, indirect=True)
+def test_pages_are_as_they_were(
+    solved: tuple[str, Report, Report], ending: str, request: pytest.FixtureRequest
+) -> None:
+    name, printed, _ = solved
+    compare(f"{name}.{ending}", PAGES[ending](printed), request)
+
+
+def compare(name: str, actual: str, request: pytest.FixtureRequest) -> None:
+    """Compares with the golden file of this name, or writes it."""
+    golden = GOLDEN / name
     if request.config.getoption("--renew"):
         golden.write_text(actual, encoding="utf-8")
         return
@@ -52,4 +71,5 @@ def test_output_is_as_it_was(solved: tuple[str, Report, Report], ending: str, re
 
 def test_no_golden_file_is_left_over() -> None:
     expected = {f"{p.stem}.{ending}" for p in SHIPPED for ending in FORMATS}
+    expected |= {f"{p.stem}.{ending}" for p in KEPT for ending in PAGES}
     assert {p.name for p in GOLDEN.iterdir() if p.name != "README.md"} == expected

@@ -33,8 +33,9 @@ def test_commands_run(command: str, folder: Path) -> None:
     result = CliRunner().invoke(main, shlex.split(command)[1:])
     assert result.exit_code == 0, result.output + result.stderr
     assert result.output or "-o" in command
-    if "-o" in command:
-        assert (folder / "bead.tex").read_text(encoding="utf-8").startswith(r"\documentclass")
+    for ending, beginning in {".tex": r"\documentclass", ".md": "# ", ".html": "<!DOCTYPE html>"}.items():
+        if f"-o bead{ending}" in command:
+            assert (folder / f"bead{ending}").read_text(encoding="utf-8").startswith(beginning)
 
 
 def test_the_error_is_shown_as_printed(folder: Path) -> None:

@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from lagsolve.grading.rows import Row
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
-AVAILABLE = ("pretty", "latex", "json")
 NARROWEST = 20
 PIPED = 80
 
@@ -45,8 +44,6 @@ class Destination:
             endings = " ".join(ENDINGS)
             raise click.UsageError(f"{path} does not tell the format; use --format, or one of the endings {endings}")
         chosen = format_ or by_ending or ("latex" if fragment else "pretty")
-        if chosen not in AVAILABLE:
-            raise click.UsageError(f"the format {chosen} is not there yet; there are {', '.join(AVAILABLE)}")
         if fragment and chosen != "latex":
             raise click.UsageError("--fragment goes with --format latex")
         return cls(chosen, path, fragment, detail)
@@ -87,6 +84,14 @@ class Destination:
             from lagrange.render import latex
 
             return latex.render(solved, self.fragment, detail)
+        if self.format == "markdown":
+            from lagrange.render import markdown
+
+            return markdown.render(solved, detail)
+        if self.format == "html":
+            from lagrange.render import html
+
+            return html.render(solved, detail)
         from lagrange.render import pretty
 
         if self.path is None:

@@ -68,6 +68,12 @@ def escape(text: str) -> str:
     return "".join(_dotted(p) if _DOTTED.fullmatch(p) else "".join(map(_character, p)) for p in pieces)
 
 
+def slug(title: str) -> str:
+    """The title in the form of a label: `ideal-pendulum`."""
+    plain = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode().lower()
+    return re.sub(r"[^a-z0-9]+", "-", plain).strip("-") or "derivation"
+
+
 def _dotted(pair: str) -> str:
     letter = _character(pair[0]).strip("$")
     return f"${_DOTS[pair[1]]}{{{letter}}}$"

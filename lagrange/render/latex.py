@@ -9,7 +9,6 @@ rows, its terms below each other.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import groupby
@@ -29,9 +28,9 @@ from lagrange.derivation import (
     Table,
     Term,
 )
-from lagrange.render.breaking import Breaker, Line
+from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.ems import ems
-from lagrange.render.escape import escape
+from lagrange.render.escape import escape, slug
 from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import Shown, shown
 
@@ -50,9 +49,7 @@ PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}, a text width of about 160 mm at 11 pt,
 % and for long formulas in the text \setlength{\emergencystretch}{3em}
 """
-SHORT = 8.0  # ems of a left side behind which relations are aligned
 TALL = 15  # rows of a box that takes half a page; it cannot be broken
-ALIGN = "\ue003"
 MARKS = {True: r"$\checkmark$", False: r"$\times$", None: "?"}
 
 
@@ -73,12 +70,6 @@ def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STE
     return "\n".join(_Article(derivation, notation, detail).all()) + "\n"
 
 
-def slug(title: str) -> str:
-    """The title in the form of a label: `ideal-pendulum`."""
-    plain = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode().lower()
-    return re.sub(r"[^a-z0-9]+", "-", plain).strip("-") or "derivation"
-
-
 @dataclass(frozen=True)
 class _Row:
     """A row of `align`."""
@@ -92,8 +83,7 @@ class _Article:
 
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail) -> None:
         self.derivation = derivation
-        self.writer = Writer(LATEX, notation)
-        self.wide = Writer(WIDE_LATEX, notation)
+        self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
         self.content: Shown = shown(derivation, detail)
         self.prefix = slug(derivation.title)
 
@@ -139,8 +129,7 @@ class _Article:
         return escape(part)
 
     def inline(self, sides: Sequence[Mathematics], relation: str) -> str:
-        code = self.writer.relation(sides, relation)
-        return f"${code if ems(code) <= LINE else self.wide.relation(sides, relation)}$"
+        return f"${self.typesetter.inline(sides, relation, LINE)}$"
 
     def label(self, label: str) -> str:
         return f"{self.prefix}:{slug(label) if not re.fullmatch(r'[A-Za-z0-9.:-]+', label) else label}"
@@ -176,10 +165,10 @@ class _Article:
         """The rows of several equations, at their relations where all of them have short left sides."""
         rows = [row for system in systems for row in system]
         star = "" if any(row.anchor for row in rows) else "*"
-        at_relation = all(system[0].code.find(ALIGN) > 0 for system in systems)
+        at_relation = at_relations([[row.code for row in system] for system in systems])
         lines = []
         for row in rows:
-            code = row.code.replace(ALIGN, "&") if at_relation else "&" + row.code.replace(ALIGN, "")
+            code = with_ampersand(row.code, at_relation)
             note = row.anchor or (r"\notag" if not star else "")
             lines.append(f"  {code} {note}".rstrip())
         spread = any(len(system) > 1 for system in systems)
@@ -191,21 +180,9 @@ class _Article:
 
     def rows(self, equation: Equation, width: float) -> list[_Row]:
         """The rows of an equation: the last one has the number, a condition may stand below it."""
-        relation = self.writer.style.relation(equation.relation)
-        for writer in (self.writer, self.wide):
-            breaker = Breaker(ems, width, 1)
-            lines = breaker.equation([writer.marked(side) for side in equation.sides], relation)
-            if all(line.indent + ems(line.code) <= width for line in lines):
-                break
-        codes = _aligned(lines, relation)
-        below = []
-        if equation.condition:
-            condition = rf"\text{{{self.prose(equation.condition)}}}"
-            if lines[-1].indent + ems(lines[-1].code) + 2 + ems(condition) <= width:
-                codes[-1] += rf" \qquad {condition}"
-            else:
-                below = [_Row(rf"{ALIGN}\qquad {condition}")]
-        return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *below]
+        condition = rf"\text{{{self.prose(equation.condition)}}}" if equation.condition else ""
+        codes, below = self.typesetter.rows(equation, width, condition)
+        return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *map(_Row, below)]
 
     # Tables and checks
 
@@ -229,34 +206,6 @@ class _Article:
             how = f" --- {escape(check.how)}" if check.how else ""
             yield rf"\item[{MARKS[check.passed]}] {self.prose(check.name)}{how}"
         yield r"\end{itemize}"
-
-
-def _aligned(lines: Sequence[Line], relation: str) -> list[str]:
-    """The lines as rows of `align`, with the place to align before the relation behind a short left side."""
-    head, sign, tail = lines[0].code.partition(f" {relation} ")
-    if not sign or ems(head) > SHORT:
-        return [ALIGN + _growing(_space(line.indent) + line.code, len(lines)) for line in lines]
-    rows = [_growing(f"{head} {ALIGN}{relation} {tail}", len(lines))]
-    for line in lines[1:]:
-        continues = not line.code.startswith(f"{relation} ")
-        indent = _space(max(line.indent - ems(head), 1)) if continues else ""
-        rows.append(ALIGN + _growing(indent + line.code, len(lines)))
-    return rows
-
-
-def _space(indent: float) -> str:
-    if indent < 0.5:
-        return ""
-    if indent < 1.5:
-        return r"\quad "
-    return r"\qquad " if indent < 2.5 else rf"\hspace{{{indent:.0f}em}} "
-
-
-def _growing(code: str, rows: int) -> str:
-    r"""Brackets of a fixed size in an equation of several rows: `\left` and `\right` have to be in one."""
-    if rows == 1:
-        return code
-    return re.sub(r"\\left(\\.|.)", r"\\biggl\1", re.sub(r"\\right(\\.|.)", r"\\biggr\1", code))
 
 
 def _tabular(cells: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""Mathematics in text, Unicode and LaTeX: one walker, and a table for each style.
+"""Mathematics in text, Unicode, LaTeX and MathML: one walker, and a table for each style.
 
     text      l*theta'' + g*sin(theta)                  read back by `expressions`
     unicode   l θ̈ + g sin θ                             for the terminal
