@@ -36,7 +36,7 @@ class Submission:
 
 @dataclass(frozen=True)
 class Graded:
-    """The outcome for one submission.
+    """The outcome for one submission: texts and numbers, since it goes from one process to another.
 
     headline   the verdict in one sentence
     equations  the verdict on each equation
@@ -96,7 +96,7 @@ class Grader:
         return Graded(
             found.verdict,
             found.headline,
-            found.equations.equations,
+            tuple(EquationVerdict(e.text, e.verdict, e.diagnosis, e.remarks) for e in found.equations.equations),
             (*(str(d) for d in found.messages), *submission.notes),
             self._right(found),
             None if found.statics else self.required,

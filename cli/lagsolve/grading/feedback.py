@@ -13,10 +13,10 @@ from collections.abc import Iterable, Iterator
 
 from lagrange.answers import EquationVerdict, Verdict
 from lagrange.grading import Graded
+from lagrange.render.markdown import escape
 
 LONGEST_NAME = 80  # of a page, without its ending
 MARKS = {Verdict.EQUIVALENT: "✓", Verdict.WRONG: "✗", Verdict.UNREADABLE: "!", Verdict.UNDECIDED: "?"}
-SPECIAL = re.compile(r"[\\*_\[\]<>#|~&!`]")
 
 
 def page(problem: str, name: str, graded: Graded) -> str:
@@ -54,7 +54,7 @@ def _of_equation(equation: EquationVerdict) -> Iterator[str]:
 def prose(text: str) -> str:
     """Text in which nothing but `names in backticks` is marked up."""
     parts = re.split(r"(`[^`]+`)", " ".join(text.split()))
-    return "".join(code(p[1:-1]) if n % 2 else SPECIAL.sub(r"\\\g<0>", p) for n, p in enumerate(parts))
+    return "".join(code(p[1:-1]) if n % 2 else escape(p) for n, p in enumerate(parts))
 
 
 def code(text: str) -> str:
