@@ -120,6 +120,7 @@ class Batch:
     def __init__(self, order: Order, title: str, found: Sequence[Entry]) -> None:
         self._order, self._title, self._entries = order, title, found
         self._pages = page_names(e.name for e in found)
+        self._version = version("lagsolve")
         self._keys: dict[str, str] = {}  # of submissions that are being graded
         self.rows: dict[str, Row] = {}
         try:
@@ -144,7 +145,7 @@ class Batch:
                     if outcome is not None:
                         submission, graded = outcome
                         self._note(submission.name, graded, self._keys.pop(submission.name))
-                    progress.step(len(self.rows))
+                    progress.step(len(self.rows), graded=outcome is not None)
             finally:
                 progress.end()
 
@@ -157,7 +158,7 @@ class Batch:
             except RefusedError as error:
                 self._note(entry.name, Graded(Verdict.UNREADABLE, f"unreadable: it {error}"), None)
                 continue
-            under = key(submission, version("lagsolve"), order.problem.text, order.limits)
+            under = key(submission, self._version, order.problem.text, order.limits)
             row = self.journal.row(under)
             if row is not None and self._has_page(row):
                 self.rows[entry.name] = row

@@ -9,8 +9,9 @@ from __future__ import annotations
 import csv
 import io
 import re
+import textwrap
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 from rich import box
@@ -93,13 +94,13 @@ def table_text(rows: Sequence[Row], width: int, on_terminal: bool) -> str:
     file = io.StringIO()
     Console(file=file, width=width, force_terminal=on_terminal or None).print(table)
     lines = [line.rstrip() for line in file.getvalue().splitlines()]
-    return "\n".join([*lines, "", *_summary(rows), ""])
+    return "\n".join([*lines, "", textwrap.fill(_summary(rows), width, subsequent_indent="  "), ""])
 
 
-def _summary(rows: Sequence[Row]) -> Iterator[str]:
+def _summary(rows: Sequence[Row]) -> str:
     count = Counter(row.verdict for row in rows)
     listed = ", ".join(f"{count[v]:,} {v.value}" for v in ORDER if count[v])
-    yield f"{len(rows):,} submission{'s' if len(rows) != 1 else ''}: {listed}"
+    return f"{len(rows):,} submission{'s' if len(rows) != 1 else ''}: {listed}"
 
 
 ORDER = (
