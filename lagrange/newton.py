@@ -1,19 +1,15 @@
 """Newton's law with reactions, before any principle is called in: free bodies, equations, unknowns.
 
-    m r'' = F + R ,     R = Σ_j λ_j ∂f_j/∂r     (for a constraint on velocities λ_j ∂φ_j/∂r') .
+    m r'' = F + R ,     R = Σ_j λ_j ∂f_j/∂r     (for a constraint on velocities λ_j ∂φ_j/∂r') ,
 
-A constraint is given by its form Σ a_k dq_k + a_t dt. Its direction at a particle P is the vector g_P with
+and for a rigid body dH/dt = M + Γ beside it, Γ the moment of the reactions about the mass centre. The direction of a
+reaction is what its form stands for (`placing`). Where coordinates keep a particle on a surface or curve by themselves,
+the reaction of that is perpendicular to the directions in which it can move, and Newton's law is written along these
+only. Where coordinates place one particle with another by themselves, there is no list of free bodies. A coordinate
+that moves nothing has λ_j a_k as its generalized force.
 
-    Σ_P g_P·∂r_P/∂q_k = a_k       for every coordinate q_k that moves a particle,
-
-a combination of the vectors ∂r_P/∂q_k: it is ∂f/∂r_P where the coordinates place every particle freely in its space or
-plane. Where they keep it on a surface or curve by themselves, the reaction of that is perpendicular to those vectors,
-and Newton's law is written along them only. Where coordinates place one particle with another by themselves, there is
-no such list: directions are None, as they are where there are rigid bodies. A coordinate that moves no particle has
-λ_j a_k as its generalized force.
-
-Before directions are used, each particle on which reactions act has an unknown for each component; after, each
-constraint has one: its multiplier.
+Before directions are used, each particle on which reactions act has an unknown for each component, each body one for
+each component of R and Γ; after, each constraint has one: its multiplier.
 """
 
 from __future__ import annotations
@@ -23,10 +19,10 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from lagrange.exact import Surface
 from lagrange.kinematics import Configuration, MassPoint, Row
-from lagrange.linear import solved_linear, tidy_quotient
+from lagrange.linear import tidy_quotient
 from lagrange.notation import multiplier
+from lagrange.placing import Forces, Freedom, Placed, form_as_forces, left_out, placed_freely
 from lagrange.problem import Constraint
 from lagrange.rods import Rod, recognised_rod
 from lagrange.textbook import textbook_form
@@ -39,6 +35,7 @@ class Reaction:
 
     multiplier  λ
     directions  of the force on each particle that it acts on: R_P = λ · direction; None where they are not determined
+    moments     the same of its moment on each body, about the mass centre: Γ = λ · moment
     others      a_k of the coordinates that move no particle: the generalized force on them is λ a_k
     rod         the distance that is kept, where it is one
     tension     what the tension of the rod is called; `named` if the file calls it so
@@ -52,6 +49,7 @@ class Reaction:
     rod: Rod | None = None
     tension: sp.Symbol | None = None
     named: bool = False
+    moments: Mapping[str, Vector] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -70,15 +68,26 @@ class Reaction:
 
     def per_unit(self, particle: str) -> Vector | None:
         """The force on a particle for `force` = 1; None where it does not act on it."""
-        direction = self.on(particle)
+        return self._for_unit(self.on(particle))
+
+    def moment_per_unit(self, body: str) -> Vector | None:
+        """The moment on a body for `force` = 1; None where it has none."""
+        return self._for_unit(self.moments.get(body))
+
+    def _for_unit(self, direction: Vector | None) -> Vector | None:
         if direction is None or self.per_force == 1:
             return direction
         return direction.map(lambda c: tidy_quotient(c * self.per_force))
 
     @property
+    def acts_on(self) -> tuple[str, ...]:
+        """The particles and bodies that it acts on."""
+        return tuple(dict.fromkeys((*(self.directions or ()), *self.moments)))
+
+    @property
     def is_normal(self) -> bool:
         """Whether it is the force of a surface on one particle."""
-        alone = self.directions is not None and len(self.directions) == 1 and not self.others
+        alone = self.directions is not None and len(self.directions) == 1 and not self.others and not self.moments
         return alone and self.row.finite is not None and self.rod is None
 
     def on(self, particle: str) -> Vector | None:
@@ -103,12 +112,14 @@ class Component:
 
 @dataclass(frozen=True)
 class FreeBody:
-    """A particle with all that acts on it.
+    """A particle or rigid body with all that acts on it.
 
     loads       names of the applied forces
     applied     their sum
     reactions   those that act on it, each with its force for `force` = 1
-    components  of Newton's law, in the directions in which the particle can be placed
+    components  of Newton's law, in the directions in which the particle or mass centre can be placed
+    moments     the reactions that have a moment about the mass centre, each with that for `force` = 1
+    turning     components of the law of angular momentum, about the axes about which the body can be turned
     """
 
     particle: MassPoint
@@ -116,6 +127,24 @@ class FreeBody:
     applied: Vector
     reactions: tuple[tuple[Reaction, Vector], ...]
     components: tuple[Component, ...]
+    moments: tuple[tuple[Reaction, Vector], ...] = ()
+    turning: tuple[Component, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """The particle's or body's name."""
+        return self.particle.name
+
+    @property
+    def laws(self) -> tuple[Component, ...]:
+        """The components of both laws."""
+        return (*self.components, *self.turning)
+
+    @property
+    def bound(self) -> tuple[Reaction, ...]:
+        """The reactions that act on it."""
+        pushing = [r for r, _ in self.reactions]
+        return (*pushing, *(r for r, _ in self.moments if r not in pushing))
 
 
 @dataclass(frozen=True)
@@ -162,7 +191,7 @@ class Newton:
         """Left and right sides; None where there are no free bodies."""
         if self.bodies is None:
             return None
-        forms = ((c.inertia, c.right) for b in self.bodies for c in b.components)
+        forms = ((c.inertia, c.right) for b in self.bodies for c in b.laws)
         return (*forms, *((sp.S.Zero, right) for right in self.idle.values()))
 
 
@@ -180,13 +209,10 @@ def newton_equations(
     taken        names that have a meaning, and cannot be that of a tension
     at_rest      nothing is accelerated; then massless points count as particles on which reactions may act
     """
-    if configuration.rotations:
-        pairs = zip(configuration.rows, constraints, strict=True)
-        return Newton(tuple(Reaction(c, row, c.reaction, None, {}) for row, c in pairs), None)
-    placed = _placed(configuration)
+    placed = placed_freely(configuration)
     if at_rest and placed is not None:
         moving = {p.name for p in configuration.points if any(not e.is_zero for e in p.partials)}
-        placed = placed if moving <= {p.name for p, _ in placed} else None
+        placed = placed if moving <= {f.name for f in placed if not f.turning} else None
     reactions = tuple(
         _reaction(row, c, placed, configuration, taken) for row, c in zip(configuration.rows, constraints, strict=True)
     )
@@ -195,11 +221,13 @@ def newton_equations(
         for q in configuration.slots.coordinates
         if any(q in r.others for r in reactions)
     }
-    field_forces = None if placed is None else _field(placed, configuration)
-    if placed is None or field_forces is None or any(r.directions is None for r in reactions):
+    of_field = None if placed is None else _field(placed, configuration)
+    if placed is None or of_field is None or any(r.directions is None for r in reactions):
         return Newton(reactions, None, idle)
-    acting = _Acting(configuration, reactions, at_rest)
-    bodies = tuple(_free_body(p, basis, field_forces.get(p.name), acting) for p, basis in placed)
+    acting = _Acting(configuration, reactions, of_field, at_rest)
+    points = {p.name: p for p in configuration.points}
+    names = dict.fromkeys(f.name for f in placed)
+    bodies = tuple(_free_body(points[name], {f.turning: f for f in placed if f.name == name}, acting) for name in names)
     return Newton(reactions, bodies, idle, *_counts(configuration, bodies, idle, rank))
 
 
@@ -214,23 +242,24 @@ class Normal:
 
 def normals(configuration: Configuration) -> tuple[Normal, ...]:
     """The gradients of the geometric constraints that bind one particle and nothing else."""
-    placed = _placed(configuration)
+    placed = placed_freely(configuration)
     found = []
     for row in configuration.rows if placed else ():
-        directions = None if row.finite is None or placed is None else _directions(row, placed, configuration)
-        alone = all(a == 0 or any(_moves(p, k) for p in configuration.points) for k, a in enumerate(row.coefficients))
-        if directions is not None and len(directions) == 1 and alone:
-            [(particle, gradient)] = directions.items()
-            found.append(Normal(row, particle, gradient))
+        acts = None if row.finite is None or placed is None else form_as_forces(row, placed, configuration.states)
+        if acts is None or len(acts.forces) != 1 or acts.moments or left_out(row, configuration):
+            continue
+        [(particle, gradient)] = acts.forces.items()
+        found.append(Normal(row, particle, gradient))
     return tuple(found)
 
 
 @dataclass(frozen=True)
 class _Acting:
-    """What acts on particles."""
+    """What acts on particles and bodies: reactions, and `field`, the forces of potentials and dampers."""
 
     configuration: Configuration
     reactions: tuple[Reaction, ...]
+    field: Forces
     at_rest: bool
 
 
@@ -239,8 +268,8 @@ def _counts(
 ) -> tuple[Count, Count]:
     """Unknowns and equations before the directions of reactions are used, and after."""
     coordinates = len(configuration.slots.coordinates)
-    components = sum(len(b.components) for b in bodies)
-    of_reactions = sum(len(b.components) for b in bodies if b.reactions) + len(idle)
+    components = sum(len(b.laws) for b in bodies)
+    of_reactions = sum(len(b.laws) for b in bodies if b.bound) + len(idle)
     equations = components + len(idle) + rank
     return (
         Count(coordinates + of_reactions, equations),
@@ -248,69 +277,19 @@ def _counts(
     )
 
 
-Placed = tuple[tuple[MassPoint, tuple[int, ...]], ...]
-
-
-def _placed(configuration: Configuration) -> Placed | None:
-    """The particles that the coordinates place freely, each with the columns of its ∂r/∂q that are independent.
-
-    None where the coordinates keep constraints by themselves.
-    """
-    anywhere = Surface((), configuration.slots.coordinates)
-    moved = [
-        k for k, _ in enumerate(configuration.slots.coordinates) if any(_moves(p, k) for p in configuration.points)
-    ]
-    chosen: list[tuple[MassPoint, tuple[int, ...]]] = []
-    reached: set[int] = set()
-    loaded = {load.on for load in configuration.loads}
-    heavy_first = sorted(configuration.points, key=lambda p: (p.mass == 0, p.name not in loaded))
-    for p in heavy_first:
-        columns = [k for k in moved if _moves(p, k)]
-        needed = p.mass != 0 or p.name in loaded or not reached.issuperset(columns)
-        if not needed or not columns:
-            continue
-        reached.update(columns)
-        basis: list[int] = []
-        for k in columns:
-            if anywhere.rank([p.partials[n].components for n in (*basis, k)]) == len(basis) + 1:
-                basis.append(k)
-        chosen.append((p, tuple(basis)))
-    total = sum(len(basis) for _, basis in chosen)
-    if total != len(moved) or not chosen or not _act_at_particles(configuration):
-        return None
-    stacked = [[c for p, _ in chosen for c in p.partials[k].fixed().components] for k in moved]
-    if configuration.states.rank(stacked) != total:
-        return None
-    order = [p.name for p in configuration.points]
-    return tuple(sorted(chosen, key=lambda pair: order.index(pair[0].name)))
-
-
-def _act_at_particles(configuration: Configuration) -> bool:
-    """Whether every applied force acts at the particle that it is said to act on, and not beside it."""
-    positions = {p.name: p.position for p in configuration.points}
-    return all(f.on in positions and (f.point - positions[f.on]).is_zero for f in configuration.loads)
-
-
-def _moves(point: MassPoint, column: int) -> bool:
-    return not point.partials[column].is_zero
-
-
 def _reaction(
     row: Row, constraint: Constraint, placed: Placed | None, configuration: Configuration, taken: frozenset[str]
 ) -> Reaction:
-    slots = configuration.slots
-    others = {
-        q: a
-        for k, (q, a) in enumerate(zip(slots.coordinates, row.coefficients, strict=True))
-        if a != 0 and not any(_moves(p, k) for p in configuration.points)
-    }
-    directions = None if placed is None else _directions(row, placed, configuration)
-    rod = None
-    if directions and not others:
-        rod = recognised_rod(row, configuration.points, directions, slots, configuration.states)
+    others = left_out(row, configuration)
+    acts = None if placed is None else form_as_forces(row, placed, configuration.states)
     given = constraint.reaction
-    if rod is None or directions is None:
-        return Reaction(constraint, row, given, directions, others)
+    if acts is None:
+        return Reaction(constraint, row, given, None, others)
+    directions, rod = acts.forces, None
+    if directions and not others and not acts.moments:
+        rod = recognised_rod(row, configuration.points, dict(directions), configuration.slots, configuration.states)
+    if rod is None:
+        return Reaction(constraint, row, given, directions, others, moments=acts.moments)
     directions = _along(rod, directions)
     own = multiplier(row.name.replace(".", "_"))
     if given != own and own.name not in taken:
@@ -331,70 +310,56 @@ def _along(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:
     return found
 
 
-def _directions(row: Row, placed: Placed, configuration: Configuration) -> dict[str, Vector] | None:
-    """g_P for each particle: Σ_P g_P·∂r_P/∂q_k = a_k, each g_P a combination of the ∂r_P/∂q; None: not found."""
-    moved = [k for k, _ in enumerate(row.coefficients) if any(_moves(p, k) for p, _ in placed)]
-    if all(row.coefficients[k] == 0 for k in moved):
-        return {}
-    slots = [(p, b) for p, basis in placed for b in basis]
-    matrix = [
-        [textbook_form(p.partials[b].dot(p.partials[k])) if _moves(p, k) else sp.S.Zero for p, b in slots]
-        for k in moved
-    ]
-    found = solved_linear(matrix, [row.coefficients[k] for k in moved], configuration.states)
-    if found is None or None in found:
-        return None
-    directions: dict[str, Vector] = {}
-    for (p, b), c in zip(slots, found, strict=True):
-        if c != 0 and c is not None:
-            directions[p.name] = directions.get(p.name, Vector.zero(p.position.triad)) + p.partials[b] * c
-    tidied = {name: g.map(lambda c: textbook_form(c) if c.count_ops() > 1 else c) for name, g in directions.items()}
-    return {name: g for name, g in tidied.items() if not g.is_zero}
-
-
-def _field(placed: Placed, configuration: Configuration) -> dict[str, Vector] | None:
-    """−∂V/∂r_P for each particle, with the pull of the dampers; None: not found."""
+def _field(placed: Placed, configuration: Configuration) -> Forces | None:
+    """−∂V/∂r_P for each particle, with the pull of the dampers, and the moments of both; None: not found."""
     potential, slots = configuration.potential, configuration.slots
     if potential == 0 and not configuration.dampers:
-        return {}
+        return Forces({}, {})
     resistance = [sp.Add(*(d.pull * d.distance.diff(q) for d in configuration.dampers)) for q in slots.coordinates]
     slopes = tuple(-potential.diff(q) - r for q, r in zip(slots.coordinates, resistance, strict=True))
-    return _directions(Row("", slopes, sp.S.Zero), placed, configuration)
+    return form_as_forces(Row("", slopes, sp.S.Zero), placed, configuration.states)
 
 
-def _free_body(point: MassPoint, basis: Sequence[int], field_force: Vector | None, newton: _Acting) -> FreeBody:
-    loads = [f for f in newton.configuration.loads if f.on == point.name]
-    applied = sum((f.vector for f in loads), Vector.zero(point.position.triad))
+def _free_body(point: MassPoint, freedoms: Mapping[bool, Freedom], newton: _Acting) -> FreeBody:
+    """Newton's law along the directions in which a particle can be placed, and that of angular momentum."""
+    configuration, name = newton.configuration, point.name
+    loads = [f for f in configuration.loads if f.on == name]
     names = [f.name for f in loads]
-    if field_force is not None:
-        applied = applied + field_force
+    applied = sum((f.vector for f in loads), Vector.zero(point.position.triad))
+    applied = applied + newton.field.forces.get(name, Vector.zero(point.position.triad))
+    if name in newton.field.forces or name in newton.field.moments:
         names.append("")
-    acting = tuple((r, g) for r in newton.reactions if (g := r.per_unit(point.name)) is not None)
-    components = []
-    for unit in _units(point, basis):
-        inertia = sp.S.Zero if newton.at_rest else point.mass * textbook_form(point.acceleration.dot(unit))
-        force = textbook_form(applied.dot(unit))
-        components.append(
-            Component(unit, inertia, force, sp.Add(*(r.force * textbook_form(g.dot(unit)) for r, g in acting)))
+    acting = tuple((r, g) for r in newton.reactions if (g := r.per_unit(name)) is not None)
+    moments = tuple((r, g) for r in newton.reactions if (g := r.moment_per_unit(name)) is not None)
+    placing = freedoms.get(False)
+    mass = sp.S.Zero if newton.at_rest else point.mass
+    components = _components(placing, mass, point.acceleration, applied, acting)
+    turning = freedoms.get(True)
+    if turning is None:
+        return FreeBody(point, tuple(names), applied, acting, components)
+    [rotation] = (r for r in configuration.rotations if r.name == name)
+    moment = configuration.moment_on(name) + newton.field.moments.get(name, Vector.zero(turning.triad))
+    names += [f.name for f in configuration.torques if f.on == name]
+    laws = _components(turning, sp.Integer(not newton.at_rest), rotation.momentum_rate, moment, moments)
+    return FreeBody(point, tuple(names), applied, acting, components, moments, laws)
+
+
+def _components(
+    freedom: Freedom | None,
+    factor: sp.Expr,
+    rate: Vector,
+    applied: Vector,
+    acting: Sequence[tuple[Reaction, Vector]],
+) -> tuple[Component, ...]:
+    """factor · rate = applied + reactions, along the unit vectors of a freedom."""
+    if freedom is None:
+        return ()
+    return tuple(
+        Component(
+            unit,
+            factor * textbook_form(rate.dot(unit)) if factor != 0 else factor,
+            textbook_form(applied.dot(unit)),
+            sp.Add(*(r.force * textbook_form(g.dot(unit)) for r, g in acting)),
         )
-    return FreeBody(point, tuple(names), applied, acting, tuple(components))
-
-
-def _units(point: MassPoint, basis: Sequence[int]) -> list[Vector]:
-    """The unit vectors along which Newton's law is written: those of the coordinates, or the particle's triad.
-
-    They span the directions in which the particle can be placed.
-    """
-    partials = [p for p in point.partials if not p.is_zero]
-    chosen = [point.partials[b] for b in basis]
-    sizes = [textbook_form(p.dot(p)) for p in chosen]
-    triad = point.position.triad
-    used = [n for n in range(3) if any(p.along(triad).components[n] != 0 for p in partials)]
-    aligned = len(used) == len(basis)
-    orthonormal = all(size == 1 for size in sizes) and all(
-        textbook_form(a.dot(b)) == 0 for n, a in enumerate(chosen) for b in chosen[:n]
+        for unit in freedom.units
     )
-    if aligned and not (orthonormal and len(partials) == len(basis)):
-        units = [tuple(sp.S.One if n == m else sp.S.Zero for m in range(3)) for n in used]
-        return [Vector(u, triad) for u in units]
-    return [(p / textbook_form(sp.sqrt(size))).map(textbook_form) for p, size in zip(chosen, sizes, strict=True)]

@@ -47,6 +47,7 @@ class Reactions:
     multipliers    by name of the constraint; without those that are not determined
     tensions       of the rods, by name of the constraint
     directions     of the reaction of each constraint on each particle, for a multiplier of 1
+    couples        the same of its moment on each body, about the mass centre
     accelerations  q'' of the file's coordinates
     values         what was found: multipliers and accelerations, by symbol
     combinations   of the multipliers that are not determined one by one
@@ -56,6 +57,7 @@ class Reactions:
     multipliers: Mapping[str, sp.Expr | None]
     tensions: Mapping[str, sp.Expr] = field(default_factory=dict)
     directions: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
+    couples: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
     accelerations: Mapping[sp.Symbol, sp.Expr | None] = field(default_factory=dict)
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     combinations: tuple[Determined, ...] = ()
@@ -64,9 +66,17 @@ class Reactions:
     @cached_property
     def forces(self) -> Mapping[str, Mapping[str, Vector]]:
         """The reaction of each constraint on each particle."""
+        return self._valued(self.directions)
+
+    @cached_property
+    def moments(self) -> Mapping[str, Mapping[str, Vector]]:
+        """The moment of each constraint's reaction on each body."""
+        return self._valued(self.couples)
+
+    def _valued(self, per_unit: Mapping[str, Mapping[str, Vector]]) -> Mapping[str, Mapping[str, Vector]]:
         return {
             name: {p: _force(g, value, self.tidy) for p, g in directions.items()}
-            for name, directions in self.directions.items()
+            for name, directions in per_unit.items()
             if (value := self.multipliers.get(name)) is not None
         }
 
@@ -200,6 +210,7 @@ def reactions_at(
             if r.rod is not None and (v := values[r.multiplier]) is not None
         },
         directions={r.name: {p: g.map(place.write) for p, g in r.directions.items()} for r in sole if r.directions},
+        couples={r.name: {b: g.map(place.write) for b, g in r.moments.items()} for r in sole if r.moments},
         accelerations={s: values[s] for s in system.unknowns if s.name.endswith("''")},
         values={s: v for s, v in values.items() if v is not None and s not in loose},
         combinations=tuple(c for c in combinations if len(c.terms) > 1),

@@ -220,13 +220,14 @@ def _reactions(solution: Solution) -> dict[str, sp.Expr]:
 
 
 def _reaction_forces(solution: Solution) -> dict[str, Vector]:
-    """R_P of each particle P on which reactions act, as a derivation writes it."""
+    """R_P and Gamma_B of each particle P and body B on which reactions act, as a derivation writes them."""
     forces: dict[str, Vector] = {}
     for r in solution.law.newton.reactions if solution.law else ():
-        for particle in r.directions or {}:
-            force = r.per_unit(particle)
-            if force is not None:
-                forces[f"R_{particle}"] = forces.get(f"R_{particle}", Vector.zero()) + force * r.force
+        for name in r.acts_on:
+            for kind, vector in (("R", r.per_unit(name)), ("Gamma", r.moment_per_unit(name))):
+                if vector is not None:
+                    known = forces.get(f"{kind}_{name}", Vector.zero())
+                    forces[f"{kind}_{name}"] = known + vector * r.force
     taken = solution.problem.scope.names()
     return {name: force for name, force in forces.items() if name not in taken}
 

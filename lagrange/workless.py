@@ -1,6 +1,8 @@
 """The work of the reactions, in a virtual displacement and in a possible one.
 
-    δW = Σ_P R_P·δr_P ,      R_P = Σ_j λ_j g_jP ,      δr_P = Σ_k (∂r_P/∂q_k) δq_k .
+    δW = Σ_P R_P·δr_P ,      R_P = Σ_j λ_j g_jP ,      δr_P = Σ_k (∂r_P/∂q_k) δq_k ,
+
+and Γ_B·δπ_B of each body besides, Γ being the moment of the reactions about its mass centre.
 
 The dependent δq are put in as the constraints give them, and what is left is tested for zero on the constraint surface:
 that the constraints are workless is a result. The share of one particle need not be zero. In a possible displacement
@@ -58,6 +60,13 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
                 *(textbook_form(direction.dot(along)) * variation(q) for q, along in partials if not along.is_zero)
             )
             drift = drift + direction.dot(p.position.frozen_derivative(slots))
+    for r in configuration.rotations:
+        moment = reaction.moment_per_unit(r.name)
+        if moment is not None:
+            turned = zip(slots.coordinates, r.partials, strict=True)
+            work = (textbook_form(moment.dot(about)) * variation(q) for q, about in turned if not about.is_zero)
+            shares[r.name] = sp.Add(shares.get(r.name, sp.S.Zero), *work)
+            drift = drift + moment.dot(r.angular_velocity - r.virtual(slots.velocities))
     loose = sp.Add(*(a * variation(q) for q, a in reaction.others.items()))
     known = reaction.directions is not None and (shares or loose != 0)
     virtual = sp.Add(*shares.values(), loose) if known else virtual_displacement(reaction.row, slots)

@@ -30,7 +30,7 @@ LAYERS = {
         restrictions combinations candidates first_integrals hidden_relations""",
     "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
-        coordinates linear rods newton workless principle reactions friction equations comparison constant_inertia dynamics
+        coordinates linear placing rods newton workless principle reactions friction equations comparison constant_inertia dynamics
         lagrangian spot verification equilibrium stability static_reactions statics""",
     "results": """solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking
         grading""",

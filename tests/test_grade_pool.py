@@ -196,6 +196,12 @@ def test_a_process_killed_during_its_setup_is_a_lost_call() -> None:
         pool.submit(calls.double, 1).result()
 
 
+def test_a_process_killed_during_its_setup_is_replaced(tmp_path: Path) -> None:
+    with Pool(1, GENEROUS, partial(calls.kill_once, str(tmp_path / "mark"))) as pool:
+        assert pool.submit(calls.double, 1).result() == 2
+    assert (tmp_path / "mark").exists()
+
+
 def test_a_process_without_work_ends_by_itself() -> None:
     worker = Worker(GENEROUS, idle=0.3)
     assert worker.call(calls.double, 1) == 2

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 import sympy as sp
+from conftest import PROBLEMS
 
+from lagrange.comparison import compare
 from lagrange.displacements import eliminate
 from lagrange.exact import is_zero
-from lagrange.problem import Problem
+from lagrange.lagrangian import lagrange_equations
+from lagrange.loader import load
+from lagrange.problem import Find, Problem
 from lagrange.solution import Solution, solve
 from lagrange.vectors import Vector
+from lagrange.verification import multiplier_system
 from lagrange.workless import works_of_reactions
 
 Read = Callable[[str], Problem]
@@ -274,3 +280,101 @@ def test_work_where_the_position_is_driven_too(problem: Read) -> None:
     assert work.reaction.row.drift == 0
     w, dt = sp.Symbol("w'", real=True), sp.Symbol("d(t)", real=True)
     assert is_zero(work.possible - work.reaction.multiplier * w * dt) is True
+
+
+# -- rigid bodies ------------------------------------------------------------------------------------------------------
+
+LADDER = """
+parameters: [m, l, I, g]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, inertia: I, position: x*i + y*j, angle: theta}}
+constraints:
+  floor: {equation: y - l*sin(theta) = 0, reaction: N}
+  wall: {equation: x - l*cos(theta) = 0, reaction: W}
+gravity: -g*j
+forces: {push: {on: rod, vector: F*i, at: r_rod + l*e1_rod}, turn: {on: rod, moment: M*k}}
+"""
+
+
+def test_a_body_has_forces_and_moments(problem: Read) -> None:
+    """Euler's laws by hand: the floor pushes N up at the left end, at −l (cos θ, sin θ) from the middle."""
+    text = LADDER.replace("[m, l, I, g]", "[m, l, I, g, F, M]")
+    newton = solution(problem, text).law.newton
+    theta = sp.Symbol("theta", real=True)
+    positive = {s: sp.Symbol(s, positive=True) for s in "IFM"}
+    normal, wall = (r.multiplier for r in newton.reactions)
+    [body] = newton.bodies
+    floor = {r.name: h for r, h in body.moments}["floor"]
+    assert same(floor, sp.S.Zero, sp.S.Zero, -l * sp.cos(theta))
+    right = [c.right for c in body.laws]
+    expected = [
+        positive["F"] + wall,
+        normal - m * g,
+        positive["M"] - positive["F"] * l * sp.sin(theta) - normal * l * sp.cos(theta) + wall * l * sp.sin(theta),
+    ]
+    assert all(is_zero(a - b) is True for a, b in zip(right, expected, strict=True))
+    assert [c.inertia for c in body.laws][2] == positive["I"] * sp.Symbol("theta''", real=True)
+
+
+def test_components_of_a_body_are_counted(problem: Read) -> None:
+    newton = solution(problem, LADDER.split("forces:")[0]).law.newton
+    assert (newton.before.unknowns, newton.before.equations) == (6, 5)
+    assert (newton.after.unknowns, newton.after.equations) == (5, 5)
+
+
+def test_a_body_in_space(problem: Read) -> None:
+    """A sphere on a table, without slip: the force at the contact −R k has the moment −R k × (X i + Y j + Z k)."""
+    found = solution(
+        problem,
+        "parameters: [m, R, I, g]\ncoordinates: [x, y, z, phi, theta, psi]\n"
+        "bodies: {ball: {mass: m, inertia: [I, I, I], position: '[x, y, z]', "
+        "orientation: {axes: 313, angles: [phi, theta, psi]}}}\n"
+        'constraints: {table: z = R, slip: "r_ball\' + cross(omega_ball, -R*k) = 0"}\ngravity: -g*k\n',
+    )
+    newton = found.law.newton
+    [body] = newton.bodies
+    assert len(body.components) == len(body.turning) == 3
+    radius = sp.Symbol("R", positive=True)
+    for reaction in newton.reactions:
+        if reaction.name.startswith("slip"):
+            arm = Vector((sp.S.Zero, sp.S.Zero, -radius))
+            assert same(
+                reaction.moments.get("ball", Vector.zero()) - arm.cross(reaction.directions["ball"].fixed()),
+                *[sp.S.Zero] * 3,
+            )
+    assert all(w.vanishes for w in found.works)
+    assert all(c.passed for c in found.checks)
+
+
+def test_the_moment_of_a_reaction_works(problem: Read) -> None:
+    """A disc on a driven axle φ = ω t: the work in a possible displacement is λ ω dt, by its moment alone."""
+    found = solution(
+        problem,
+        "parameters: [m, I, omega]\ncoordinates: [x, phi]\n"
+        "bodies: {disc: {mass: m, inertia: I, position: x*i, angle: phi}}\nconstraints: {axle: phi = omega*t}\n",
+    )
+    [work] = found.works
+    assert work.vanishes is True
+    [body] = found.law.newton.bodies
+    assert body.reactions == ()
+    omega, dt = sp.Symbol("omega", positive=True), sp.Symbol("d(t)", real=True)
+    assert is_zero(work.possible.diff(dt) - work.reaction.multiplier * omega) is True
+
+
+SHIPPED = [p for p in sorted(PROBLEMS.glob("*/*.yaml")) if Find.MOTION in load(p).find]
+
+
+@pytest.mark.parametrize("path", SHIPPED, ids=lambda p: p.stem)
+def test_newtons_laws_are_lagranges_equations_with_multipliers(path: Path) -> None:
+    """For every shipped problem: the free bodies' equations and Lagrange's have the same solutions."""
+    found = solve(load(path), complete=False)
+    newton, configuration = found.law.newton, found.law.configuration
+    if newton.equations is None or found.law.frictions:
+        pytest.skip("its coordinates give no free bodies, or there is friction")
+    tensions = newton.tensions
+    named = {r.tension: r.rod.factor * r.multiplier for r in newton.reactions if r.named and r.rod}
+    rule = {s: e.xreplace(tensions) if s not in named else named[s] for s, e in {**tensions, **named}.items()}
+    laws = [(a - b).xreplace(rule) for a, b in newton.equations]
+    multipliers = tuple(r.multiplier for r in newton.reactions)
+    system = multiplier_system(configuration, lagrange_equations(configuration).left, multipliers)
+    assert compare(laws, replace(system, multipliers=multipliers)).agree

@@ -83,9 +83,9 @@ def _nature(reaction: Reaction) -> list[Prose]:
         [particle] = reaction.directions
         words = f"{_capital(name)} keeps {particle} on a surface: its reaction is normal to that, a multiple "
         return [prose(words, multiplier, " of the gradient.")]
-    if not reaction.directions:
+    if not reaction.acts_on:
         return [prose(f"{_capital(name)} acts on no particle.")]
-    on = "".join(str(p) for p in listed(reaction.directions))
+    on = "".join(str(p) for p in listed(reaction.acts_on))
     words = f"The reaction of {name} on {on} is a multiple "
     return [prose(words, multiplier, " of the coefficients of its form.")]
 
@@ -107,24 +107,29 @@ def _free_body(body: FreeBody, of_field: str) -> list[Block]:
     """Everything that acts on one particle."""
     name = body.particle.name
     acting = ["its weight" if n == "weight" else f"the force {spoken(n)}" if n else of_field for n in body.loads]
-    acting += [f"the reaction of {spoken(r.name)}" for r, _ in body.reactions]
+    acting += [f"the reaction of {spoken(r.name)}" for r in body.bound]
     if not acting:
         return [prose(f"Nothing acts on {name}.")]
     verb = plural(len(acting), "acts", "act")
-    found: list[Block] = []
-    if not body.reactions:
+    if not body.bound:
         return [prose(f"On {name} {verb} ", *listed(acting), ".")]
-    total = Vector.zero(body.particle.position.triad)
-    for r, g in body.reactions:
-        total = total + g * r.force
-    found.append(prose(f"On {name} {verb} ", *listed(acting), f"; {_with(body.reactions)}"))
-    found.append(display(Equation((VectorSymbol(f"R_{name}"), total), label=f"reaction-{name}")))
-    return found
+    lines = []
+    for kind, label, terms in (("R", "reaction", body.reactions), ("Gamma", "couple", body.moments)):
+        if terms:
+            total = sum((g * r.force for r, g in terms), Vector.zero(terms[0][1].triad))
+            lines.append(Equation((VectorSymbol(f"{kind}_{name}"), total), label=f"{label}-{name}"))
+    words = f"; {_with(body.bound)}"
+    if body.moments:
+        one = len(body.bound) == 1
+        its, force = ("its", "it and ") if one else ("their", "their sum and ")
+        moment = f"{its} moment about the mass centre"
+        words += f", {force}{moment} are" if body.reactions else f", {moment} is"
+    return [prose(f"On {name} {verb} ", *listed(acting), words), display(*lines)]
 
 
-def _with(reactions: Sequence[tuple[Reaction, Vector]]) -> str:
+def _with(reactions: Sequence[Reaction]) -> str:
     """What the force is written with."""
-    kinds = {"tension" if r.named else "multiplier" for r, _ in reactions}
+    kinds = {"tension" if r.named else "multiplier" for r in reactions}
     words = plural(len(reactions), " and ", "s and ").join(sorted(kinds))
     return f"with the {words}{'s' if len(reactions) > 1 else ''}"
 
@@ -151,16 +156,21 @@ def _friction(rubbed: Sequence[Rubbing]) -> list[Block]:
 
 def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Block]:
     lines = []
+    turned = False
     for b in bodies:
-        for n, c in enumerate(b.components, start=1):
-            lines.append(Equation((c.inertia, c.right), label=f"newton-{b.particle.name}-{n}"))
-    found: list[Block] = [
-        prose(
-            "At rest nothing is accelerated: by Newton's law applied force and reaction cancel, in components"
-            if at_rest
-            else "Newton's law, inertia equal to applied force and reaction, has the components"
-        )
-    ]
+        for kind, components in (("newton", b.components), ("turning", b.turning)):
+            for n, c in enumerate(components, start=1):
+                lines.append(Equation((c.inertia, c.right), label=f"{kind}-{b.name}-{n}"))
+        turned = turned or bool(b.turning)
+    if at_rest:
+        words = "At rest nothing is accelerated: by Newton's law applied force and reaction cancel, "
+        words += "and their moments too, in components" if turned else "in components"
+    elif turned:
+        words = "Newton's law, inertia equal to applied force and reaction, and the law of angular momentum, its rate "
+        words += "about the mass centre equal to the moment of both, have the components"
+    else:
+        words = "Newton's law, inertia equal to applied force and reaction, has the components"
+    found: list[Block] = [prose(words)]
     found.append(display(*lines))
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
@@ -174,13 +184,15 @@ def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Bloc
 def _counted(newton: Newton, before: Count, after: Count, configuration: Configuration, freedom: int) -> list[Block]:
     coordinates = len(configuration.slots.coordinates)
     components = before.unknowns - coordinates
-    constraints = before.equations - sum(len(b.components) for b in newton.bodies or ()) - len(newton.idle)
+    constraints = before.equations - sum(len(b.laws) for b in newton.bodies or ()) - len(newton.idle)
     laws = before.equations - constraints
     many = before.missing
+    turned = any(b.turning for b in newton.bodies or ())
+    whose = "the laws of Newton and of angular momentum" if turned else "Newton's law"
     words = (
         f"If nothing were known of the reactions but that they act, {counted(coordinates, 'coordinate')} and "
         f"{counted(components, 'component')} of reactions would be unknown, {before.unknowns} in all, in "
-        f"{before.equations} equations: {counted(laws, 'component')} of Newton's law and "
+        f"{before.equations} equations: {counted(laws, 'component')} of {whose} and "
         f"{counted(constraints, 'independent constraint')}. {many or 'None'} {plural(many or 1, 'is', 'are')} missing"
     )
     words += ", as many as there are degrees of freedom. " if many == freedom and many else ". "
@@ -200,13 +212,17 @@ def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration)
     body: list[Block] = []
     total = sp.Add(*(w.reaction.force * w.virtual for w in works))
     on = [p.name for p in configuration.points if any(w.reaction.on(p.name) is not None for w in works)]
-    left = sp.Add(*(Dot(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in on))
+    about = [r.name for r in configuration.rotations if any(r.name in w.reaction.moments for w in works)]
+    left = sp.Add(
+        *(Dot(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in on),
+        *(Dot(VectorSymbol(f"Gamma_{n}"), VectorSymbol(f"delta(pi_{n})")) for n in about),
+    )
     known = all(w.reaction.directions is not None and not w.reaction.others for w in works)
     zero = listed(Ref(f"virtual-{w.reaction.name}") for w in works)
     body.append(
         prose("In a virtual displacement ", plural(len(works), "the reaction does", "the reactions do"), " the work")
     )
-    body.append(display(Equation((left, total) if known and on else (total,), label="virtual-work")))
+    body.append(display(Equation((left, total) if known and (on or about) else (total,), label="virtual-work")))
     good = all(w.vanishes for w in works)
     if good:
         vanish = plural(len(works), "which is zero by ", "which is zero, term by term, by ")

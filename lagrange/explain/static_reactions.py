@@ -71,11 +71,12 @@ def _beginning(found: StaticReactions, newton: Newton) -> Iterator[Block]:
 
 def _balances(newton: Newton) -> list[Part]:
     """The equations between applied forces and reactions that the free bodies have given."""
-    if newton.bodies is None or any(c.inertia != 0 for b in newton.bodies for c in b.components):
+    if newton.bodies is None or any(c.inertia != 0 for b in newton.bodies for c in b.laws):
         return []
-    found: list[Part] = [
-        Ref(f"newton-{b.particle.name}-{n}") for b in newton.bodies for n, _ in enumerate(b.components, start=1)
-    ]
+    found: list[Part] = []
+    for b in newton.bodies:
+        found += [Ref(f"newton-{b.name}-{n}") for n, _ in enumerate(b.components, start=1)]
+        found += [Ref(f"turning-{b.name}-{n}") for n, _ in enumerate(b.turning, start=1)]
     return [*found, *(Ref(f"idle-{q.name}") for q in newton.idle)]
 
 

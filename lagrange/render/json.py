@@ -186,6 +186,8 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
         found["tension"] = write(reactions.tensions[name])
     if name in reactions.forces:
         found["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
+    if name in reactions.moments:
+        found["moment_on"] = {b: write(_shown(moment)) for b, moment in reactions.moments[name].items()}
     if choice:
         found["choice"] = choice
     work_done = "0" if work.vanishes else None

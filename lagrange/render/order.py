@@ -15,7 +15,7 @@ from enum import IntEnum
 
 import sympy as sp
 
-from lagrange.notation import Inert, Partial, UnitVector, Unspecified, Wedge
+from lagrange.notation import Dot, Inert, Partial, UnitVector, Unspecified, Wedge
 from lagrange.render.kinds import MOVING, Kind, Notation, Place, alphabetic
 from lagrange.render.names import Name
 from lagrange.render.products import Factor, factors, is_negative
@@ -199,6 +199,7 @@ class Order:
             self._places(term),
             sum(_degree(e) for _, e in constants) if others else 0,  # sin α + μ cos α
             (*sorted((self._symbol_key(base, False), -_degree(e)) for base, e in constants), _END),
+            sum(_is_rotation(base) for base, _ in others),  # R·δr + Γ·δπ
             repr(sorted((self._factor_key(factor, False) for factor in others), key=repr)),
         )
 
@@ -249,6 +250,11 @@ class Order:
             name = str(expression) if not parts else type(expression).__name__
             found = self._signatures[expression] = f"{name}({','.join(parts)})" if parts else name
         return found
+
+
+def _is_rotation(factor: sp.Expr) -> bool:
+    """Whether it is the work of a moment, in a virtual rotation."""
+    return isinstance(factor, Dot) and any(s.name.startswith("delta(pi_") for s in factor.free_symbols)
 
 
 def _leading(degrees: Degrees) -> Key:

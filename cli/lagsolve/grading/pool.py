@@ -15,9 +15,11 @@ from dataclasses import dataclass
 from typing import Any, TypeVar
 
 from lagsolve.grading.child import nothing
-from lagsolve.grading.worker import FailedError, Limits, Worker
+from lagsolve.grading.worker import FailedError, Limits, LostError, Worker
 
 T = TypeVar("T")
+
+STARTS = 3
 
 
 def available_cores() -> int:
@@ -93,10 +95,22 @@ class Pool(Executor):
         self._discard(number)
 
     def _worker(self, number: int) -> Worker:
-        """The process of a thread; a new one where the last was lost."""
+        """The process of a thread; a new one where the last was lost.
+
+        That one is lost before it is ready is not the fault of a call, and there is another.
+        """
         worker = self._workers.get(number)
         if worker is not None and worker.is_fresh:
             return worker
+        for _ in range(STARTS - 1):
+            try:
+                return self._started(number)
+            except LostError:
+                if self._cancelled:
+                    raise
+        return self._started(number)
+
+    def _started(self, number: int) -> Worker:
         self._discard(number)
         worker = Worker(self._limits)
         with self._lock:
