@@ -210,12 +210,20 @@ def test_a_process_without_work_ends_by_itself() -> None:
     worker.stop()
 
 
+def test_the_system_stops_a_call_where_the_clock_does_not(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Worker, "_expire", lambda *_: None)
+    worker = Worker(Limits(0.1, 512))
+    worker.prepare(calls.process, 120)
+    with pytest.raises(TimeLimitError):
+        worker.call(calls.loop)
+
+
 PARENT = """
 import sys
 sys.path[:0] = {path!r}
 import grading_calls, os
 from lagsolve.grading.worker import Limits, Worker
-worker = Worker(Limits(1, 512))
+worker = Worker(Limits(3600, 512))
 print(worker.pid, flush=True)
 {then}
 """
@@ -223,7 +231,7 @@ print(worker.pid, flush=True)
 
 @pytest.mark.parametrize("then", ["sys.stdin.read()", "worker.call(grading_calls.loop)"])
 def test_no_process_outlives_the_command_that_is_killed(then: str) -> None:
-    """Idle ones see that nobody is there; busy ones run out of processor time."""
+    """Idle ones see that nobody asks any more; busy ones, that their parent is another."""
     program = PARENT.format(path=sys.path, then=then)
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
     with subprocess.Popen([sys.executable, "-c", program], **pipes) as parent:  # type: ignore[call-overload]

@@ -1,7 +1,8 @@
 """The other end of a `Worker`: calls arrive on standard input, results leave by standard output.
 
-A frame is its length, eight bytes, and a pickle. The process limits itself: memory by RLIMIT_AS, and processor time so
-that it ends even where nobody is left to stop it. Where a system has no such limits, the clock of the parent is all.
+A frame is its length, eight bytes, and a pickle. The process limits itself: memory by RLIMIT_AS, and processor time, in
+case the parent's clock should fail. Where a system has no such limits, that clock is all. When the parent is gone, the
+process ends, whatever it is about.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import pickle
 import struct
 import sys
 import threading
+import time
 from typing import IO, Any
 
 try:
@@ -21,6 +23,8 @@ except ImportError:  # Windows
 
 HEAD = struct.Struct(">Q")
 LARGEST = 1 << 26
+PULSE = 1.0
+"""Seconds between two looks at whether the parent is there."""
 SPARE_SECONDS = 5
 """By how much processor time may exceed the limit before the system stops the process, should the parent not have."""
 
@@ -52,6 +56,7 @@ def main() -> None:
     os.dup2(2, 1)  # what a call prints is no result
     memory, idle = read_frame(calls)
     _limit_memory(memory)
+    threading.Thread(target=_end_with, args=(os.getppid(),), daemon=True).start()
     while True:
         patience = _patience(idle)
         try:
@@ -75,6 +80,13 @@ def _outcome(function: Any, arguments: tuple[Any, ...]) -> tuple[str, Any]:
     except BaseException as error:
         return "raised", (type(error).__name__, str(error)[:1000])
     return result
+
+
+def _end_with(parent: int) -> None:
+    """Ends the process when its parent has gone; systems that keep the number of a parent that is gone do not tell."""
+    while os.getppid() == parent:
+        time.sleep(PULSE)
+    os._exit(0)
 
 
 def _patience(idle: float) -> threading.Timer:
