@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict, check_equations
@@ -273,27 +274,56 @@ def _missing_equilibria(number: int) -> str:
     return "an equation or a solution is missing" if number <= 1 else f"{number} solutions are missing"
 
 
+@dataclass(frozen=True)
+class Examiner:
+    """Checks any number of answers to a problem that is solved once.
+
+    solution  None where the file gives the equations outright
+    """
+
+    problem: Problem
+    solution: Solution | None
+
+    @classmethod
+    def of(cls, problem: Problem) -> Examiner:
+        """Solves the problem, so that answers can be checked. Raises ProblemError where it cannot be solved."""
+        return cls(problem, None if problem.equations else solve(problem))
+
+    @cached_property
+    def reference(self) -> Reference:
+        """What equations of motion are compared with. Raises ProblemError where there is nothing of the kind."""
+        return reference_of_equations(self.problem) if self.solution is None else _reference_of(self.solution)
+
+    def check(self, answer: tuple[Fragment, ...]) -> CheckedAnswer:
+        """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare with."""
+        answer = separated(answer)
+        solution = self.solution
+        at_rest = solution is not None and (solution.motion is None or not _moves(answer, solution))
+        if solution is not None and solution.equilibrium is not None and at_rest:
+            return _check_statics(answer, solution, solution.equilibrium)
+        return CheckedAnswer(check_equations(answer, self.reference))
+
+    def check_answers(self, answers: Answers, more: tuple[Fragment, ...] = ()) -> CheckedAnswer:
+        """The verdict on somebody's answers to all questions; `more` are equations beside them. Raises ProblemError."""
+        solution, equations = self.solution, (*answers.equations, *more)
+        others = (
+            tuple(_nothing_to_compare(answers))
+            if solution is None
+            else (*_before_equations(solution, answers), *_after_equations(solution, answers))
+        )
+        if not equations:
+            return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
+        return replace(self.check(equations), others=others)
+
+
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
     """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
-    answer = separated(answer)
-    if problem.equations:
-        return CheckedAnswer(check_equations(answer, reference_of_equations(problem)))
-    return _checked_equations(answer, solve(problem))
+    return Examiner.of(problem).check(answer)
 
 
 def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...] = ()) -> CheckedAnswer:
     """The verdict on somebody's answers to all questions; `more` are equations beside them. Raises ProblemError."""
-    equations = (*answers.equations, *more)
-    if problem.equations:
-        others = tuple(_nothing_to_compare(answers))
-        if not equations:
-            return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
-        return CheckedAnswer(check_equations(equations, reference_of_equations(problem)), others)
-    solution = solve(problem)
-    others = (*_before_equations(solution, answers), *_after_equations(solution, answers))
-    if not equations:
-        return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
-    return replace(_checked_equations(equations, solution), others=others)
+    return Examiner.of(problem).check_answers(answers, more)
 
 
 def _nothing_to_compare(answers: Answers) -> Iterator[ComparedAnswer]:
@@ -302,13 +332,6 @@ def _nothing_to_compare(answers: Answers) -> Iterator[ComparedAnswer]:
     for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions"):
         if getattr(answers, name) not in (None, (), {}):
             yield ComparedAnswer(name, Verdict.UNDECIDED, why)
-
-
-def _checked_equations(answer: tuple[Fragment, ...], solution: Solution) -> CheckedAnswer:
-    """The verdict on equations of motion, or of an equilibrium where that is what is asked."""
-    if solution.equilibrium is not None and (solution.motion is None or not _moves(answer, solution)):
-        return _check_statics(answer, solution, solution.equilibrium)
-    return CheckedAnswer(check_equations(answer, _reference_of(solution)))
 
 
 def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: Equilibrium) -> CheckedAnswer:
@@ -366,7 +389,7 @@ def check_own_answers(problem: Problem) -> CheckedAnswer:
 
 def reference(problem: Problem) -> Reference:
     """What answers to a problem are compared with: its solution, or the equations that it gives outright."""
-    return reference_of_equations(problem) if problem.equations else _reference_of(solve(problem))
+    return Examiner.of(problem).reference
 
 
 def _reference_of(solution: Solution) -> Reference:

@@ -256,5 +256,11 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "title: Example\ncoordinates: [x]\nequations: [x'^2 = 1]\nanswers: {equations: [x'' = 1]}\n")),
     "too-many-equations": ("An answer has twelve equations at most.",
         Command(("check", "ex11", *("-e", "x = 0") * 13))),
+    "no-submissions": ("Name files, or a folder that has some.", None),
+    "feedback-among-answers": ("The pages need a folder of their own.",
+        Command(("grade", "ex11", ".", "--feedback", "."))),
+    "would-be-lost": ("`--csv` names a file that is something else.", None),
+    "limits-too-low": ("The problem cannot be solved with the memory that a submission may use.", None),
+    "no-cluster": ("The Dask cluster cannot be reached, or its workers cannot grade.", None),
     "internal": ("A mistake of the program. Please report it with the problem file.", None),
 }  # fmt: skip

@@ -36,7 +36,7 @@ LAYERS = {
         quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
         statics rest linear_stability linearization linearization_checks""",
     "results": """solution letters references reference_systems validity recognition answers reaction_answers
-        equilibrium_comparison equilibrium_answers frequency_answers checking""",
+        equilibrium_comparison equilibrium_answers frequency_answers checking grading""",
     "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
         explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions
@@ -46,8 +46,11 @@ LAYERS = {
     "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
         render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
     "reports": "report render.json_linear render.json_motion render.json render.verdict",
-    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
-        lagsolve.main lagsolve.__main__""",
+    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading
+        lagsolve.grading lagsolve.grading.child lagsolve.grading.worker lagsolve.grading.pool lagsolve.grading.examining
+        lagsolve.grading.submissions lagsolve.grading.batch lagsolve.grading.rows lagsolve.grading.feedback
+        lagsolve.grading.journal lagsolve.grading.progress lagsolve.grading.cluster lagsolve.grading.order
+        lagsolve.output lagsolve.main lagsolve.__main__""",
 }
 """A module imports only what stands before it."""
 
@@ -64,7 +67,9 @@ ROOMS = {
         "lagrange.render.paragraphs",
         "lagrange.render.tables",
         "lagrange.render.matrices",
+        "lagsolve.grading.rows",
     },
+    "distributed": {"lagsolve.grading.cluster"},
     "yaml": {"lagrange.yaml_composer", "lagrange.yaml_mistakes", "lagrange.yaml_nodes", "lagsolve.library"},
     "sympy": None,
     "mpmath": None,
@@ -203,5 +208,5 @@ def test_the_page_has_each_module_in_its_layer() -> None:
     sections = re.split(r"^\*\*.+?\.\*\*", PAGE, flags=re.MULTILINE)[1:]
     for names, section in zip(LAYERS.values(), sections, strict=True):
         written = [f.removesuffix(".py").replace("/", ".") for f in re.findall(r"`((?:\w+/)*\w+\.py)`", section)]
-        packages = {"lagrange", "explain", "render", "lagsolve"}
+        packages = {"lagrange", "explain", "render", "lagsolve", "lagsolve.grading"}
         assert set(written) == set(names.split()) - packages

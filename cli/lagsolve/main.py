@@ -1,4 +1,4 @@
-"""The command `lagsolve`: solve (the default), check, list, show.
+"""The command `lagsolve`: solve (the default), check, grade, list, show.
 
 The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
 1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.
@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import click
 
 from lagsolve.group import CommandLine
-from lagsolve.status import OK, UNDECIDED, complain, say
+from lagsolve.status import INTERRUPTED, OK, UNDECIDED, complain, say
 
 if TYPE_CHECKING:
     from lagrange.checking import CheckedAnswer
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
+SECONDS = click.FloatRange(0, 86_400, min_open=True)
+MEGABYTES = click.IntRange(256)
 
 
 @click.group(
@@ -155,6 +157,64 @@ def _checked(asked: Problem, answer_file: str | None, equations: tuple[str, ...]
     if answer_file is None and not equations:
         return check_own_answers(asked)
     return check_answer(asked, answer_fragments(answer_file, equations))
+
+
+@main.command(short_help="Grade a folder of submissions to one PROBLEM.")
+@click.argument("problem", metavar="PROBLEM")
+@click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...")
+@click.option("--csv", metavar="FILE", help="Write the table as CSV; `-` is standard output.")
+@click.option("--feedback", metavar="DIR", help="Write a page of Markdown for each submission.")
+@click.option("--jobs", type=click.IntRange(1), metavar="N", help="Processes on this machine. Default: its cores.")
+@click.option("--timeout", type=SECONDS, default=60.0, show_default=True, metavar="SECONDS", help="For one submission.")
+@click.option("--memory", type=MEGABYTES, default=1024, show_default=True, metavar="MB", help="For one submission.")
+@click.option("--dask", metavar="ADDRESS", help="Grade on the cluster of this scheduler, tcp://host:8786.")
+def grade(
+    problem: str,
+    answers: tuple[str, ...],
+    csv: str | None,
+    feedback: str | None,
+    jobs: int | None,
+    timeout: float,
+    memory: int,
+    dask: str | None,
+) -> None:
+    """Compare many submissions with the derived equations of one PROBLEM.
+
+    ANSWERS are files, or folders in which every file, and every folder with somebody's files, is a submission. A batch
+    that was interrupted goes on where it was when the same command is given again, if it has --csv or --feedback.
+    Exit status: 0 every submission has its verdict; 2 the batch cannot begin; 3 somebody must look at some submissions,
+    which are undecided or exceed the limits.
+    """
+    if not timeout > 0:  # a NaN
+        raise click.UsageError(f"--timeout {timeout} is no number of seconds")
+    if dask is not None and jobs is not None:
+        raise click.UsageError("--jobs is for this machine; the cluster of --dask has its own number of processes")
+    from pathlib import Path
+
+    from lagsolve.grading.order import InterruptedBatchError, Order, graded
+    from lagsolve.grading.pool import available_cores
+    from lagsolve.grading.worker import Limits
+    from lagsolve.output import write_rows
+    from lagsolve.reading import problem_source
+
+    source = problem_source(problem)
+    order = Order(
+        source,
+        answers,
+        Limits(timeout, memory),
+        jobs or available_cores(),
+        dask,
+        Path(csv) if csv not in (None, "-") else None,
+        Path(feedback) if feedback else None,
+        Path(source.name),
+    )
+    try:
+        rows = graded(order)
+    except InterruptedBatchError as interrupted:
+        say(str(interrupted))
+        sys.exit(INTERRUPTED)
+    write_rows(rows, as_csv=csv == "-")
+    sys.exit(UNDECIDED if any(r.verdict == "undecided" for r in rows) else OK)
 
 
 @main.command("list")

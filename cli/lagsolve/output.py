@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from lagrange.diagnostics import ProblemError
     from lagrange.problem import Problem
     from lagrange.report import Report
+    from lagsolve.grading.rows import Row
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
 NARROWEST = 20
@@ -109,6 +110,14 @@ def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str) -> None
     from lagrange.render import verdict
 
     put(verdict.text(answer, problem, terminal_width()))
+
+
+def write_rows(rows: Sequence[Row], as_csv: bool) -> None:
+    """Prints the rows of a batch: the table, or CSV."""
+    from lagsolve.grading.rows import csv_text, table_text
+
+    on_terminal = sys.stdout is not None and sys.stdout.isatty()
+    put(csv_text(rows) if as_csv else table_text(rows, terminal_width(), on_terminal))
 
 
 def table(rows: Sequence[tuple[str, str, str]]) -> str:
