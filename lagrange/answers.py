@@ -13,7 +13,10 @@ from enum import StrEnum
 
 import sympy as sp
 
+from lagrange.advice import Advisor
 from lagrange.comparison import Standing, System, compare
+from lagrange.conventions import Convention, other_convention
+from lagrange.diagnosis import diagnosed
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.latex_layout import separated
@@ -52,6 +55,7 @@ class EquationVerdict:
     """The verdict on one equation, with what is wrong (`diagnosis`) and what is to be said beside (`remarks`).
 
     sides  what is equal, as it was read, where the reading may surprise; empty otherwise
+    hints  of a wrong equation of motion: the diagnosis in three degrees of frankness, the last of them `diagnosis`
     """
 
     text: str
@@ -59,6 +63,11 @@ class EquationVerdict:
     diagnosis: str = ""
     remarks: tuple[str, ...] = ()
     sides: tuple[sp.Expr | Vector, ...] = ()
+    hints: tuple[str, ...] = ()
+
+    def hinted(self, degree: int) -> EquationVerdict:
+        """The same, with no more said of what is wrong than this degree allows: 1, 2 or 3."""
+        return replace(self, diagnosis=self.hints[degree - 1]) if self.hints else self
 
     def as_json(self) -> dict[str, object]:
         """FORMAT's JSON object."""
@@ -101,7 +110,7 @@ def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerV
     if not attempts:
         return _mixed(readings, errors, notes)
     best = max(attempts, key=lambda a: a.quality)
-    found = _with_reasons(best)
+    found = _with_reasons(best, readings, reference)
     equations = tuple(replace(e, sides=r.surprising) for e, r in zip(found.equations, readings, strict=True))
     return replace(found, equations=equations, unreadable=errors, notes=notes)
 
@@ -238,7 +247,7 @@ _DERIVATIVE = {
 }
 
 
-def _with_reasons(attempt: _Attempt) -> AnswerVerdict:
+def _with_reasons(attempt: _Attempt, readings: Sequence[Reading], reference: Reference) -> AnswerVerdict:
     """What is wrong with the wrong equations, and where the right ones say less than they should."""
     verdict = attempt.verdict
     if not attempt.components:
@@ -246,12 +255,18 @@ def _with_reasons(attempt: _Attempt) -> AnswerVerdict:
     system = attempt.candidate.system
     equations = list(verdict.equations)
     following = []
+    advisor = Advisor(system.configuration.slots)
+    turned = _convention(attempt, system)
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
         if bad:
-            kind = recognised(bad[0][0], system, linear=bad[0][1] is not Standing.NOT_LINEAR)
+            equation, linear = bad[0][0], bad[0][1] is not Standing.NOT_LINEAR
+            kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
-            equations[n] = replace(equations[n], diagnosis=why)
+            change = diagnosed(equation, system) if kind in _TO_BE_DIAGNOSED else None
+            units = reference.mismatch(readings[n]) if kind in _TO_BE_DIAGNOSED else None
+            hints = advisor.hints(why, change, units, turned, readings[n].sides)
+            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS:
             following.append((n, es[0]))
     alone = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
@@ -259,6 +274,17 @@ def _with_reasons(attempt: _Attempt) -> AnswerVerdict:
     for (n, _), said in zip(following, found, strict=True):
         equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, said)))
     return replace(verdict, equations=tuple(equations))
+
+
+_TO_BE_DIAGNOSED = (Kind.OTHER, Kind.NO_ACCELERATION)
+
+
+def _convention(attempt: _Attempt, system: System) -> Convention | None:
+    """Another way of measuring a coordinate for which the whole answer, wrong as it is, would be right."""
+    standings = [s for several in attempt.standings for s in several]
+    if Standing.CONTRADICTS not in standings or Standing.NOT_LINEAR in standings:
+        return None
+    return other_convention([e for es in attempt.components for e in es], system)
 
 
 def _has_one_equation(system: System) -> bool:

@@ -11,6 +11,8 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
+import sympy as sp
+
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict, check_equations
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.latex_layout import separated
@@ -211,6 +213,11 @@ class CheckedAnswer:
         """What could not be read, with its place, and how the rest was read where that may surprise."""
         return (*self.equations.unreadable, *self.equations.notes, *(m for a in self.others for m in a.messages))
 
+    def hinted(self, degree: int) -> CheckedAnswer:
+        """The same, with no more said of what is wrong than this degree allows: 1, 2 or 3."""
+        equations = tuple(e.hinted(degree) for e in self.equations.equations)
+        return replace(self, equations=replace(self.equations, equations=equations))
+
     def as_json(self) -> dict[str, object]:
         """The verdict as FORMAT's JSON object; `answers` are those of the file that are not equations."""
         equations = [e.as_json() for e in self.equations.equations]
@@ -315,6 +322,25 @@ class Examiner:
             return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
         return replace(self.check(equations), others=others)
 
+    def check_own(self) -> CheckedAnswer:
+        """The verdict on the answers that the problem file states. Raises ProblemError where it states none."""
+        answers, solution = self.problem.answers or Answers(), self.solution
+        if solution is None:
+            return self.check(answers.equations)
+        others = (*_before_equations(solution, answers), *map(_readable, _after_equations(solution, answers)))
+        if not answers.equations and others:
+            return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
+        return CheckedAnswer(check_equations(answers.equations, self.reference), others)
+
+    def revealed(self, checked: CheckedAnswer) -> tuple[sp.Expr, ...]:
+        """The derived equations, each zero, in the coordinates in which an answer was compared; none in statics."""
+        choice, solution = checked.equations.choice, self.solution
+        if solution is None:
+            return next(c.system.equations for c in self.reference.candidates if c.choice == choice)
+        motions = {"": solution.motion, **{c.name: c.motion for c in solution.choices}}
+        found = motions.get(choice) if checked.equations.equations else next(iter(motions.values()))
+        return found.expressions if found is not None else ()
+
 
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
     """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
@@ -377,14 +403,7 @@ def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:
 
 def check_own_answers(problem: Problem) -> CheckedAnswer:
     """The verdict on the answers that the problem file states. Raises ProblemError where it states none."""
-    answers = problem.answers or Answers()
-    if problem.equations:
-        return check_answer(problem, answers.equations)
-    solution = solve(problem)
-    others = (*_before_equations(solution, answers), *map(_readable, _after_equations(solution, answers)))
-    if not answers.equations and others:
-        return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
-    return CheckedAnswer(check_equations(answers.equations, _reference_of(solution)), others)
+    return Examiner.of(problem).check_own()
 
 
 def reference(problem: Problem) -> Reference:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.notation import base
+from lagrange.notation import base, t
 
 Dimension = tuple[sp.Rational, ...]
 _BASE = ("kg", "m", "s", "A", "K")
@@ -86,6 +86,9 @@ def written(dimension: Dimension) -> str:
 def mismatch(terms: Sequence[sp.Expr], units: Mapping[sp.Symbol, str]) -> Mismatch | None:
     """The term of a sum that does not agree with the others; None where they agree, or that is not known."""
     known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+    waves = (w for term in terms for w in term.atoms(sp.sin, sp.cos, sp.tan))
+    angles = {base(s) for w in waves for s in w.args[0].free_symbols if base(s) not in known}
+    known |= dict.fromkeys(angles - {t}, _NONE) | {t: _of(s=1)}
     try:
         _sum(terms, known)
     except _Unknown:

@@ -24,7 +24,7 @@ from lagrange.exact import DivisionByZeroError, NoPointError, Point, Unsupported
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.notation import base
 from lagrange.problem import Problem
-from lagrange.references import Candidate, Reference, occurring, read_answer, values_of
+from lagrange.references import Candidate, Reference, occurring, read_answer, units_of, values_of
 from lagrange.sampling import agreed
 
 
@@ -58,7 +58,7 @@ def reference_of_equations(problem: Problem) -> Reference:
         *(_rewritten(system, c, forces, values) for c in chosen),
     )
     _check(candidates[0].system, problem)
-    return Reference(scope, candidates, values, forces)
+    return Reference(scope, candidates, values, forces, units_of(problem))
 
 
 def _rewritten(

@@ -16,6 +16,8 @@ import sympy as sp
 
 from lagrange.comparison import System
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.dimensions import Mismatch, mismatch
+from lagrange.edits import terms_of
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
 from lagrange.kinematics import Configuration
@@ -96,12 +98,26 @@ class Reference:
     candidates  the systems, those of the file's own coordinates first
     values      the numbers that the file gives to parameters
     unknowns    declared unknown forces
+    units       of parameters and coordinates, where the file gives them
     """
 
     scope: Scope
     candidates: tuple[Candidate, ...]
     values: Mapping[sp.Symbol, sp.Rational]
     unknowns: tuple[sp.Symbol, ...] = ()
+    units: Mapping[sp.Symbol, str] = field(default_factory=dict)
+
+    def mismatch(self, reading: Reading) -> Mismatch | None:
+        """Terms of an equation that are not of one dimension; None where they are, or that is not known."""
+        if not self.units or not self._units_agree or len(reading.components) != 1:
+            return None
+        return mismatch(terms_of(reading.components[0]) or (), self.units)
+
+    @cached_property
+    def _units_agree(self) -> bool:
+        """Whether the derived equations themselves are of one dimension: otherwise the units of the file are wrong."""
+        systems = (c.system for c in self.candidates)
+        return all(mismatch(terms_of(e) or (), self.units) is None for s in systems for e in s.equations)
 
     @cached_property
     def moving(self) -> set[str]:
@@ -140,7 +156,8 @@ def reference_of_solution(solution: Solution) -> Reference:
     values = values_of(problem)
     certain = _settled(solution)
     plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
-    return Reference(wider, tuple(_with_meanings(plain, solution)), values, problem.unknowns)
+    candidates = tuple(_with_meanings(plain, solution))
+    return Reference(wider, candidates, values, problem.unknowns, units_of(problem))
 
 
 def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
@@ -321,6 +338,12 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
         parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
         return Reading(text, parts, notes=notes, sides=(lhs, rhs))
     return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
+
+
+def units_of(problem: Problem) -> dict[sp.Symbol, str]:
+    """The units that a file gives to parameters and coordinates."""
+    found = {p.symbol: p.unit for p in problem.parameters if p.unit}
+    return found | {q.symbol: q.unit for q in problem.coordinates if q.unit}
 
 
 def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:

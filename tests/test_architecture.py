@@ -30,19 +30,21 @@ LAYERS = {
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions combinations candidates first_integrals hidden_relations""",
     "closed forms": "positivity unit_circle presentation polynomial_roots pencils closed_form solution_sets branching",
+    "a derivation": "derivation",
+    "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
+        render.style_unicode render.style_latex render.mathematics""",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
         coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
         multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
         quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
         statics rest linear_stability linearization linearization_checks""",
-    "results": """solution letters references reference_systems validity recognition answers reaction_answers
+    "results": """solution letters benches edits conventions diagnosis dimensions advice references reference_systems
+        validity recognition answers reaction_answers
         equilibrium_comparison equilibrium_answers frequency_answers checking grading""",
-    "derivations": """derivation explain explain.words explain.bodies explain.statement explain.nonlinear
+    "derivations": """explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
         explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions
         explain.conservation explain.static_reactions explain.statics explain.linearization explain.checks""",
-    "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
-        render.style_unicode render.style_latex render.mathematics""",
     "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
         render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
     "reports": "report render.json_linear render.json_motion render.json render.verdict",

@@ -19,8 +19,7 @@ from lagsolve.group import CommandLine
 from lagsolve.status import INTERRUPTED, OK, UNDECIDED, complain, say
 
 if TYPE_CHECKING:
-    from lagrange.checking import CheckedAnswer
-    from lagrange.problem import Problem
+    from lagrange.checking import CheckedAnswer, Examiner
     from lagrange.report import Report
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
@@ -118,7 +117,11 @@ def _look_for_garbage_seldom() -> None:
 @click.argument("answer_file", required=False, metavar="[ANSWER_FILE]")
 @click.option("-e", "--equation", "equations", multiple=True, help="An equation of the answer; may be repeated.")
 @click.option("--format", "format_", type=click.Choice(("pretty", "json")), default="pretty", show_default=True)
-def check(problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str) -> None:
+@click.option("--hint", type=click.IntRange(1, 3), help="How much is said of a wrong equation. Default: 3, all of it.")
+@click.option("--reveal", is_flag=True, help="Print the derived equations too.")
+def check(
+    problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str, hint: int | None, reveal: bool
+) -> None:
     """Compare somebody's equations of motion with the derived ones.
 
     Give the equations with -e, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input); a .tex or
@@ -130,33 +133,36 @@ def check(problem: str, answer_file: str | None, equations: tuple[str, ...], for
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
     gc.disable()
+    from lagrange.checking import Examiner
     from lagrange.loader import read_problem
     from lagsolve.output import write_verdict
     from lagsolve.reading import problem_source
 
     _look_for_garbage_seldom()
     asked = read_problem(problem_source(problem))
-    result = _checked(asked, answer_file, equations)
+    examiner = Examiner.of(asked)
+    result = _checked(examiner, answer_file, equations)
+    if hint is not None:
+        result = result.hinted(hint)
     for message in (*asked.notes, *result.messages):
         say(str(message))
-    write_verdict(result, asked, format_)
+    write_verdict(result, asked, format_, examiner.revealed(result) if reveal else ())
     sys.exit(result.exit_status)
 
 
-def _checked(asked: Problem, answer_file: str | None, equations: tuple[str, ...]) -> CheckedAnswer:
+def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, ...]) -> CheckedAnswer:
     """The verdict on what is given: equations, a file with all answers, or nothing but the problem file's own."""
-    from lagrange.checking import check_answer, check_answers, check_own_answers
     from lagsolve.reading import answer_fragments
 
     if answer_file is not None and answer_file.lower().endswith((".yaml", ".yml")):
         from lagrange.answer_yaml import read_answers
         from lagrange.loader import read_source
 
-        answers = read_answers(read_source(Path(answer_file)), asked)
-        return check_answers(asked, answers, answer_fragments(None, equations))
+        answers = read_answers(read_source(Path(answer_file)), examiner.problem)
+        return examiner.check_answers(answers, answer_fragments(None, equations))
     if answer_file is None and not equations:
-        return check_own_answers(asked)
-    return check_answer(asked, answer_fragments(answer_file, equations))
+        return examiner.check_own()
+    return examiner.check(answer_fragments(answer_file, equations))
 
 
 @main.command(short_help="Grade a folder of submissions to one PROBLEM.")

@@ -14,6 +14,8 @@ from typing import TYPE_CHECKING
 import click
 
 if TYPE_CHECKING:
+    from sympy import Expr
+
     from lagrange.checking import CheckedAnswer
     from lagrange.diagnostics import ProblemError
     from lagrange.problem import Problem
@@ -100,16 +102,16 @@ class Destination:
         return "\n".join(pretty.text(d, n, PIPED, detail) for d, n in solved)
 
 
-def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str) -> None:
-    """Prints what is to be said of an answer to a problem."""
+def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str, revealed: Sequence[Expr] = ()) -> None:
+    """Prints what is to be said of an answer to a problem, and the derived equations that are to be revealed."""
+    from lagrange.render import verdict
+
     if format_ == "json":
         import json
 
-        put(json.dumps(answer.as_json(), ensure_ascii=False, indent=1) + "\n")
-        return
-    from lagrange.render import verdict
-
-    put(verdict.text(answer, problem, terminal_width()))
+        put(json.dumps(verdict.as_object(answer, problem, revealed), ensure_ascii=False, indent=1) + "\n")
+    else:
+        put(verdict.text(answer, problem, terminal_width(), revealed))
 
 
 def write_rows(rows: Sequence[Row], as_csv: bool) -> None:

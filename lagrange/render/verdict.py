@@ -1,19 +1,22 @@
 """What is said of somebody's answer, for a terminal or a plain text file.
 
 One line says the verdict; under it each part with its mark, and what is to be said of it on lines of its own. An
-equation whose reading could surprise is shown as it was read. Nothing of the derived equations is shown.
+equation whose reading could surprise is shown as it was read. Nothing of the derived equations is shown unasked.
 """
 
 from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
 
 from lagrange.answers import EquationVerdict, Verdict
 from lagrange.checking import CheckedAnswer
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
+from lagrange.render.mathematics import text as plain
 from lagrange.render.mathematics import unicode
 
 MARKS = {
@@ -31,9 +34,27 @@ _LONGEST = 1000  # characters of an equation; more is no answer
 _NO_BREAK = "\u00a0"
 
 
-def text(answer: CheckedAnswer, problem: Problem, width: int) -> str:
-    """The verdict in lines of at most `width` characters; words that are wider stand on lines of their own."""
-    return "".join(f"{line}\n" for line in _lines(answer, notation_of_problem(problem), min(width, WIDEST)))
+def text(answer: CheckedAnswer, problem: Problem, width: int, revealed: Sequence[sp.Expr] = ()) -> str:
+    """The verdict in lines of at most `width` characters; words that are wider stand on lines of their own.
+
+    revealed  derived equations, each zero, that are to be shown
+    """
+    notation, width = notation_of_problem(problem), min(width, WIDEST)
+    lines = [*_lines(answer, notation, width)]
+    if revealed:
+        lines += ["", *_wrapped("the derived equations:", width, "", "")]
+        for e in revealed:
+            lines += _wrapped(f"{plain(e, notation)} = 0", width, _INDENT, _UNDER)
+    return "".join(f"{line}\n" for line in lines)
+
+
+def as_object(answer: CheckedAnswer, problem: Problem, revealed: Sequence[sp.Expr] = ()) -> dict[str, object]:
+    """The same for JSON; `reference` has the derived equations."""
+    found = answer.as_json()
+    if revealed:
+        notation = notation_of_problem(problem)
+        found["reference"] = [f"{plain(e, notation)} = 0" for e in revealed]
+    return found
 
 
 def notation_of_problem(problem: Problem) -> Notation:
