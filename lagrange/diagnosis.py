@@ -107,6 +107,8 @@ class _Search:
         moving = {*self.slots.coordinates, *self.slots.prescribed, t}
         unknowns = {*system.multipliers}
         self.parameters = sorted((s for s in used if base(s) not in moving and s not in unknowns), key=str)
+        waves = set().union(*(e.atoms(sp.sin, sp.cos, sp.tan) for e in (equation, *system.equations)))
+        self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
         self.benches = benches((equation,), system)
 
     def change(self) -> Diagnosis | None:
@@ -173,7 +175,7 @@ class _Search:
         bench = self.benches[0]
         reduce = bench.moving.arithmetic.reduce
         for term, residue in zip(self.terms, residues, strict=True):
-            for n, (slip, variant) in enumerate(variants(term, self.slots, self.parameters)):
+            for n, (slip, variant) in enumerate(variants(term, self.slots, self.parameters, self.angles)):
                 found = bench.residue(variant)
                 if found is None:
                     continue
@@ -202,7 +204,7 @@ class _Search:
         for term, mine in zip(self.terms, residues, strict=True):
             wanted = self._wanted(mine, total)
             if wanted is not None and bench.moving.arithmetic.vanishes(wanted) and len(self.terms) > 1:
-                yield 5.0, Diagnosis(None, Slip.EXTRA, term)
+                yield 4.6, Diagnosis(None, Slip.EXTRA, term)
         reduce = bench.moving.arithmetic.reduce
         for term in self._vocabulary:
             residue = bench.residue(term)
@@ -249,9 +251,10 @@ class _Search:
     def _scales_of(self, wanted: Any, term: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
         """What a missing term is multiplied by: as the terms of the equation are multiples of the derived ones."""
         bench = self.benches[0]
+        moving = {*self.slots.coordinates, *self.slots.velocities}
         for factor, value in self._scales:
             if bench.moving.arithmetic.vanishes(bench.moving.arithmetic.reduce(value - wanted)):
-                yield 0.0, factor
+                yield (0.0 if factor.free_symbols.isdisjoint(moving) else 2.0), factor
                 return
         found = sorted(self._factors_of(wanted, term), key=lambda pair: pair[0])
         for cost, factor in found[:1]:
@@ -269,7 +272,7 @@ class _Search:
 
     @cached_property
     def _simple_factors(self) -> list[sp.Expr]:
-        return factors(self.parameters, self.slots)
+        return factors(self.parameters, self.slots, self.angles)
 
     @cached_property
     def _values(self) -> list[tuple[Any, Any] | None]:
@@ -321,9 +324,9 @@ _COSTS = {
 
 
 def _is_decimal(term: sp.Expr) -> bool:
-    """Whether a number in it looks measured: 981/100, 33/100."""
+    """Whether a number in it looks measured: 9.81, 0.33, 10."""
     number = term.as_coeff_Mul()[0]
-    return bool(number.is_Rational) and number.q >= 10
+    return bool(number.is_Rational) and (number.q >= 10 or abs(number.p) >= 10)
 
 
 def _kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symbol]) -> Slip:
@@ -337,6 +340,10 @@ def _kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symb
     if number == 1 and (term * root).count_ops() < term.count_ops() and _is_quotient(root):
         return Slip.INVERTED
     return Slip.POWER if rest.free_symbols & {*velocities} else Slip.FACTOR
+
+
+def _positive(angle: sp.Expr) -> sp.Expr:
+    return -angle if angle.could_extract_minus_sign() else angle
 
 
 def _is_quotient(factor: sp.Expr) -> bool:

@@ -64,20 +64,26 @@ def cleared(equation: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     return (numerator, sp.Mul(*sums)) if sums else None
 
 
-def variants(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) -> Iterator[tuple[Slip, sp.Expr]]:
-    """What a term may have been meant to be, the likeliest first."""
+def variants(
+    term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol], angles: Sequence[sp.Expr]
+) -> Iterator[tuple[Slip, sp.Expr]]:
+    """What a term may have been meant to be, the likeliest first; `angles` are those whose sines may belong there."""
     seen = {term}
-    for slip, variant in _all_variants(term, slots, parameters):
+    for slip, variant in _all_variants(term, slots, parameters, angles):
         if variant not in seen and variant.is_finite is not False and not variant.has(sp.zoo, sp.nan):
             seen.add(variant)
             yield slip, variant
 
 
-def _all_variants(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) -> Iterator[tuple[Slip, sp.Expr]]:
+def _all_variants(
+    term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol], angles: Sequence[sp.Expr]
+) -> Iterator[tuple[Slip, sp.Expr]]:
     waves = sorted(term.atoms(sp.sin, sp.cos, sp.tan), key=str)
     for wave in waves:
         if type(wave) in _SWAPPED:
-            yield Slip.FUNCTION, term.xreplace({wave: _SWAPPED[type(wave)](wave.args[0])})
+            other = _SWAPPED[type(wave)](wave.args[0])
+            yield Slip.FUNCTION, term.xreplace({wave: other})
+            yield Slip.FUNCTION, term / wave * other
     if len(waves) > 1:
         flipped = {
             w: (sp.cos if isinstance(w, sp.sin) else sp.sin)(w.args[0]) for w in waves if not isinstance(w, sp.tan)
@@ -87,24 +93,23 @@ def _all_variants(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) 
         for f in (sp.sin, sp.cos, sp.tan):
             if not isinstance(wave, f):
                 yield Slip.FUNCTION, term.xreplace({wave: f(wave.args[0])})
-    yield from _angles(term, waves, slots)
+    yield from _angles(term, waves, slots, angles)
     yield from _dots(term, slots)
     yield from _renamed(term, slots, parameters)
 
 
-def _angles(term: sp.Expr, waves: Sequence[sp.Expr], slots: Slots) -> Iterator[tuple[Slip, sp.Expr]]:
-    for q in slots.coordinates:
-        if q in sp.Mul.make_args(term):
-            yield Slip.SMALL_ANGLE, term / q * sp.sin(q)
-            yield Slip.SMALL_ANGLE, term / q * sp.tan(q)
-            for other in slots.coordinates:
-                if other != q:
-                    yield Slip.SMALL_ANGLE, term / q * sp.sin(q - other)
-        if q not in term.free_symbols and any(s in term.free_symbols for s in (prime(q), prime(q, 2))):
-            yield Slip.SMALL_ANGLE, term * sp.cos(q)
-            for other in slots.coordinates:
-                if other != q:
-                    yield Slip.SMALL_ANGLE, term * sp.cos(q - other)
+def _angles(
+    term: sp.Expr, waves: Sequence[sp.Expr], slots: Slots, angles: Sequence[sp.Expr]
+) -> Iterator[tuple[Slip, sp.Expr]]:
+    factors_of_term = sp.Mul.make_args(term)
+    for angle in angles:
+        for f in (sp.sin, sp.tan):
+            if angle in factors_of_term:
+                yield Slip.SMALL_ANGLE, term / angle * f(angle)
+            for q in (q for q in slots.coordinates if q in factors_of_term and q != angle):
+                yield Slip.SMALL_ANGLE, term / q * f(angle)
+        if not any(w.args[0] == angle for w in waves):
+            yield Slip.SMALL_ANGLE, term * sp.cos(angle)
     for wave in waves:
         angle = wave.args[0]
         yield Slip.EXACT_ANGLE, term.xreplace({wave: sp.S.One if isinstance(wave, sp.cos) else angle})
@@ -163,16 +168,28 @@ def _renamed(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) -> It
                 yield Slip.PARAMETER, term.xreplace({a: b})
 
 
-def factors(parameters: Iterable[sp.Symbol], slots: Slots) -> list[sp.Expr]:
+def factors(parameters: Iterable[sp.Symbol], slots: Slots, angles: Sequence[sp.Expr]) -> list[sp.Expr]:
     """What a term may be multiplied by wrongly, numbers apart, the simplest first."""
     constants = list(parameters)[:_MOST_SYMBOLS]
     found: list[sp.Expr] = [sp.S.One]
     found += [s**n for s in constants for n in (1, -1, 2, -2)]
     moving: list[sp.Expr] = []
     for q in slots.coordinates[:4]:
-        moving += [prime(q), 1 / prime(q), q, 1 / q, sp.sin(q), 1 / sp.sin(q), sp.cos(q), 1 / sp.cos(q)]
-        moving += [prime(q) ** 2, prime(q) ** -2, q**2, q**-2, sp.sin(q) ** 2, sp.cos(q) ** 2, sp.tan(q), 1 / sp.tan(q)]
-        moving += [prime(q, 2), 1 / prime(q, 2)]
+        moving += [
+            prime(q),
+            1 / prime(q),
+            q,
+            1 / q,
+            prime(q) ** 2,
+            prime(q) ** -2,
+            q**2,
+            q**-2,
+            prime(q, 2),
+            1 / prime(q, 2),
+        ]
+    for angle in angles[:4]:
+        sine, cosine = sp.sin(angle), sp.cos(angle)
+        moving += [sine, 1 / sine, cosine, 1 / cosine, sine**2, cosine**2, sine / cosine, cosine / sine]
     found += moving
     found += [a / b for a in constants for b in constants if a != b]
     found += [a * b for a, b in combinations(constants, 2)] + [1 / (a * b) for a, b in combinations(constants, 2)]
@@ -181,6 +198,6 @@ def factors(parameters: Iterable[sp.Symbol], slots: Slots) -> list[sp.Expr]:
     found += [1 / (a * b**2) for a in constants for b in constants if a != b]
     found += [a / b**2 for a in constants for b in constants if a != b]
     found += [a**2 / b for a in constants for b in constants if a != b]
-    found += [a * f for a in constants for f in moving[: 8 * len(slots.coordinates)]]
-    found += [f / a for a in constants for f in moving[: 8 * len(slots.coordinates)]]
+    found += [a * f for a in constants for f in moving]
+    found += [f / a for a in constants for f in moving]
     return found
