@@ -251,10 +251,9 @@ class _Search:
     def _scales_of(self, wanted: Any, term: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
         """What a missing term is multiplied by: as the terms of the equation are multiples of the derived ones."""
         bench = self.benches[0]
-        moving = {*self.slots.coordinates, *self.slots.velocities}
         for factor, value in self._scales:
             if bench.moving.arithmetic.vanishes(bench.moving.arithmetic.reduce(value - wanted)):
-                yield (0.0 if factor.free_symbols.isdisjoint(moving) else 2.0), factor
+                yield 0.0, factor
                 return
         found = sorted(self._factors_of(wanted, term), key=lambda pair: pair[0])
         for cost, factor in found[:1]:
@@ -290,11 +289,19 @@ class _Search:
     def _scales(self) -> list[tuple[sp.Expr, Any]]:
         """t/T for the terms of the equation and of the derived ones, where that is simple."""
         bench = self.benches[0]
+        moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         found: dict[sp.Expr, Any] = {}
         for mine in self.terms:
             for theirs in self._vocabulary:
                 scale = mine / theirs
-                if scale in found or scale.free_symbols & {*self.slots.accelerations} or scale.count_ops() > 12:
+                # of what moves only a factor of the whole equation is taken in: that of terms with accelerations
+                moves = bool(scale.free_symbols & moving) and not self._is_inertia(theirs)
+                if (
+                    scale in found
+                    or moves
+                    or scale.free_symbols & {*self.slots.accelerations}
+                    or scale.count_ops() > 12
+                ):
                     continue
                 value = bench.value(scale)
                 if value is not None:

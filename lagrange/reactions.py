@@ -243,7 +243,7 @@ def written_out(system: LinearSystem, configuration: Configuration, dragging: Se
 def over_one_denominator(value: sp.Expr) -> sp.Expr:
     """A sum whose terms have a denominator in common as one quotient, or one product: (m/l) (x'² + y'² + g y)."""
     if not value.is_Add:
-        return value
+        return _unnested(value)
     common = common_factor(value)
     if not any(e < 0 for _, e in common.powers):
         return value
@@ -252,6 +252,17 @@ def over_one_denominator(value: sp.Expr) -> sp.Expr:
     if all(term.could_extract_minus_sign() for term in terms):
         return -(common.expression * sp.Add(*(-term for term in terms)))
     return common.expression * rest
+
+
+def _unnested(value: sp.Expr) -> sp.Expr:
+    """A quotient without quotients in the sums above its line: g (l² − y²), not g l² (1 − y²/l²)."""
+    numerator, _ = sp.fraction(value)
+    sums = (s for s in numerator.atoms(sp.Add) if s.count_ops() <= MOST_CANCELLED)
+    if numerator.count_ops() > MOST_CANCELLED or all(sp.fraction(term)[1].is_number for s in sums for term in s.args):
+        return value
+    above, below = sp.fraction(sp.together(value))
+    formed = textbook_form(above) / textbook_form(below)
+    return formed if formed.count_ops() < value.count_ops() else value
 
 
 def _force(direction: Vector, value: sp.Expr, tidy: Tidy) -> Vector:

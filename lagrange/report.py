@@ -227,7 +227,8 @@ def _speeds(found: InSpeeds | None, solution: Solution) -> Iterator[Step]:
         from lagrange.explain.quasi_velocities import explain_speeds
 
         others = (solution.in_speeds, *(c.in_speeds for c in solution.choices))
-        yield explain_speeds(found, solution.problem, found is next(s for s in others if s is not None))
+        stated = solution.law is not None and solution.law.method is Method.DALEMBERT
+        yield explain_speeds(found, solution.problem, found is next(s for s in others if s is not None), stated)
 
 
 def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:

@@ -260,6 +260,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "feedback-among-answers": ("The pages need a folder of their own.",
         Command(("grade", "ex11", ".", "--feedback", "."))),
     "would-be-lost": ("`--csv` names a file that is something else.", None),
+    "several-answer-files": ("A folder with the submission of one person has one file of answers in YAML.", None),
     "limits-too-low": ("The problem cannot be solved with the memory that a submission may use.", None),
     "no-cluster": ("The Dask cluster cannot be reached, or its workers cannot grade.", None),
     "internal": ("A mistake of the program. Please report it with the problem file.", None),

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import gc
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
@@ -155,6 +154,8 @@ def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, 
     from lagsolve.reading import answer_fragments
 
     if answer_file is not None and answer_file.lower().endswith((".yaml", ".yml")):
+        from pathlib import Path
+
         from lagrange.answer_yaml import read_answers
         from lagrange.loader import read_source
 

@@ -9,13 +9,11 @@ import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 if TYPE_CHECKING:
-    from sympy import Expr
-
     from lagrange.checking import CheckedAnswer
     from lagrange.diagnostics import ProblemError
     from lagrange.problem import Problem
@@ -102,7 +100,7 @@ class Destination:
         return "\n".join(pretty.text(d, n, PIPED, detail) for d, n in solved)
 
 
-def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str, revealed: Sequence[Expr] = ()) -> None:
+def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str, revealed: Sequence[Any] = ()) -> None:
     """Prints what is to be said of an answer to a problem, and the derived equations that are to be revealed."""
     from lagrange.render import verdict
 
