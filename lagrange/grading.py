@@ -17,10 +17,11 @@ from time import perf_counter
 
 from lagrange.answer_files import equations_in_file
 from lagrange.answer_yaml import read_answers
-from lagrange.answers import EXIT_STATUS, EquationVerdict, Verdict, check_equations
+from lagrange.answers import EXIT_STATUS, WHAT_IT_IS, EquationVerdict, Verdict, check_equations
 from lagrange.checking import CheckedAnswer, Examiner
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.problem import Answers
+from lagrange.recognition import Kind
 from lagrange.yaml_nodes import decode
 
 
@@ -62,7 +63,8 @@ class Graded:
     @property
     def remark(self) -> str:
         """The first thing to be said: what is wrong, or else what is remarkable."""
-        wrong = [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
+        said = (e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT)
+        wrong = [diagnosis.removeprefix(f"{WHAT_IT_IS[Kind.OTHER]}; ") for diagnosis in said]
         remarks = [r for e in self.equations for r in e.remarks]
         if wrong or self.verdict is Verdict.EQUIVALENT:
             return next(iter([*wrong, *remarks]), "")
