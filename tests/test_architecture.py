@@ -46,7 +46,7 @@ LAYERS = {
         explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions
         explain.conservation explain.static_reactions explain.statics explain.linearization explain.checks""",
     "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
-        render.aligned render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
+        render.aligned render.letters_of_vectors render.latex render.markdown render.style_mathml render.formulas render.stylesheet render.html""",
     "reports": "report render.json_linear render.json_motion render.json render.verdict",
     "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading
         lagsolve.grading lagsolve.grading.child lagsolve.grading.worker lagsolve.grading.pool lagsolve.grading.examining

@@ -143,6 +143,18 @@ def test_formats() -> None:
     assert run(SKATE, "--format", "html").stdout.startswith("<!DOCTYPE html>\n")
 
 
+def test_vectors_are_set_as_asked() -> None:
+    for format_ in ("latex", "markdown"):
+        bold, underlined, arrow = (
+            run("ex11", "--format", format_, "--vectors", v).stdout for v in ("bold", "underlined", "arrow")
+        )
+        assert bold == run("ex11", "--format", format_).stdout
+        assert r"\mathbf{r}" in bold
+        assert underlined == bold.replace(r"\mathbf{", r"\underline{").replace(r"\boldsymbol{", r"\underline{")
+        assert r"\ddot{\vec{r}}" in arrow
+        assert r"\mathbf" not in underlined + arrow
+
+
 def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None:
     for name, form in [
         ("a.tex", "latex"),
@@ -172,6 +184,7 @@ def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None
         (["--fragment", "--format", "json"], "--fragment goes with --format latex"),
         (["--fragment", "--format", "markdown"], "--fragment goes with --format latex"),
         (["--fragment", "-o", "a.html"], "--fragment goes with --format latex"),
+        (["--vectors", "arrow"], "--vectors goes with --format latex or markdown"),
         (["--format", "docx"], "'docx' is not one of"),
         (["--method", "magic"], "'magic' is not one of"),
         (["--watch"], "--watch is not there yet"),

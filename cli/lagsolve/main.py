@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
+VECTORS = ("bold", "underlined", "arrow")
 SECONDS = click.FloatRange(0, 86_400, min_open=True)
 MEGABYTES = click.IntRange(256)
 
@@ -51,6 +52,7 @@ def main() -> None:
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
 @click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
+@click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
 @click.option("--watch", is_flag=True, hidden=True)
 def solve(
     problems: tuple[str, ...],
@@ -60,6 +62,7 @@ def solve(
     detail: str,
     method: str,
     choice: str | None,
+    vectors: str | None,
     watch: bool,
 ) -> None:
     """Derive and check the equations of each PROBLEM."""
@@ -69,7 +72,7 @@ def solve(
         raise click.UsageError("--watch is not there yet")
     if problems.count("-") > 1:
         raise click.UsageError("standard input cannot be two problems")
-    destination = Destination.of(format_, output, fragment, detail)
+    destination = Destination.of(format_, output, fragment, detail, vectors)
     destination.spare(problems)
     reports, status = [], OK
     for name in problems:

@@ -33,9 +33,12 @@ class Destination:
     path: Path | None
     fragment: bool
     detail: str
+    vectors: str = "bold"
 
     @classmethod
-    def of(cls, format_: str | None, output: str | None, fragment: bool, detail: str) -> Destination:
+    def of(
+        cls, format_: str | None, output: str | None, fragment: bool, detail: str, vectors: str | None = None
+    ) -> Destination:
         """Settles the format from the options. Raises a usage error where they do not fit together."""
         path = Path(output) if output not in (None, "-") else None
         if path and path.is_dir():
@@ -47,7 +50,9 @@ class Destination:
         chosen = format_ or by_ending or ("latex" if fragment else "pretty")
         if fragment and chosen != "latex":
             raise click.UsageError("--fragment goes with --format latex")
-        return cls(chosen, path, fragment, detail)
+        if vectors and chosen not in ("latex", "markdown"):
+            raise click.UsageError("--vectors goes with --format latex or markdown")
+        return cls(chosen, path, fragment, detail, vectors or "bold")
 
     @property
     def is_complete(self) -> bool:
@@ -74,6 +79,7 @@ class Destination:
 
     def _text(self, reports: Sequence[Report | None]) -> str:
         from lagrange.derivation import Detail
+        from lagrange.render.letters_of_vectors import Vectors
 
         detail = Detail[self.detail.upper()]
         solved = [(r.derivation, r.notation) for r in reports if r is not None]
@@ -84,11 +90,11 @@ class Destination:
         if self.format == "latex":
             from lagrange.render import latex
 
-            return latex.render(solved, self.fragment, detail)
+            return latex.render(solved, self.fragment, detail, Vectors(self.vectors))
         if self.format == "markdown":
             from lagrange.render import markdown
 
-            return markdown.render(solved, detail)
+            return markdown.render(solved, detail, Vectors(self.vectors))
         if self.format == "html":
             from lagrange.render import html
 

@@ -32,6 +32,7 @@ from lagrange.derivation import (
 from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.ems import ems
 from lagrange.render.escape import escape, slug
+from lagrange.render.letters_of_vectors import Vectors
 from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import Shown, shown
 
@@ -58,9 +59,11 @@ def render(
     derivations: Sequence[tuple[Derivation, Notation]],
     fragment: bool = False,
     detail: Detail = Detail.STEPS,
+    vectors: Vectors = Vectors.BOLD,
 ) -> str:
     """A document with these derivations, or the fragment that goes into one."""
     bodies = "\n".join(body(derivation, notation, detail) for derivation, notation in derivations)
+    bodies = vectors.written(bodies)
     if fragment:
         return FRAGMENT + bodies
     return f"{PREAMBLE}\n\\begin{{document}}\n\n{bodies}\n\\end{{document}}\n"
