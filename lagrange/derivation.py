@@ -77,10 +77,11 @@ Part = str | Math | Ref | Term
 
 @dataclass(frozen=True)
 class Prose:
-    """A paragraph."""
+    """A paragraph; `short` stands in its place where little detail is wanted."""
 
     parts: tuple[Part, ...]
     detail: Detail = Detail.STEPS
+    short: tuple[Part, ...] = ()
 
 
 @dataclass(frozen=True)

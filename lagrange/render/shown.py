@@ -6,12 +6,12 @@ is replaced by the equation itself.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import sympy as sp
 
-from lagrange.derivation import Block, Derivation, Detail, Display, Equation, Math, Prose, Step
+from lagrange.derivation import Block, CheckMark, Derivation, Detail, Display, Equation, Math, Prose, Step
 
 
 @dataclass(frozen=True)
@@ -28,6 +28,8 @@ def shown(derivation: Derivation, detail: Detail, first: int = 1) -> Shown:
     steps = []
     for step in derivation.steps:
         body = tuple(block for block in step.body if block.detail <= detail)
+        if detail is Detail.BRIEF:
+            body = tuple(_shortened(body))
         if body:
             steps.append(replace(step, body=body))
     labelled = [e for e in _equations(steps) if e.label is not None]
@@ -35,6 +37,19 @@ def shown(derivation: Derivation, detail: Detail, first: int = 1) -> Shown:
     everything = {e.label: e for e in _equations(derivation.steps) if e.label is not None}
     hidden = {label: e for label, e in everything.items() if label not in numbers}
     return Shown(tuple(steps), numbers, hidden)
+
+
+def _shortened(body: Sequence[Block]) -> Iterator[Block]:
+    """Paragraphs in their short form, the checks that held in one line."""
+    held = [b for b in body if isinstance(b, CheckMark) and b.passed]
+    for block in body:
+        if isinstance(block, Prose) and block.short:
+            yield Prose(block.short, block.detail)
+        elif block not in held:
+            yield block
+        elif block is held[0]:
+            many = len(held)
+            yield block if many == 1 else CheckMark((f"{many} checks held",), True, "")
 
 
 def _equations(steps: tuple[Step, ...] | list[Step]) -> list[Equation]:
