@@ -7,7 +7,7 @@ through its substitution. It is tried against the file's own system and every ch
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 
@@ -104,7 +104,7 @@ def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerV
         help_ = "leave out those that follow from the others"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_EQUATIONS].whole, help=help_))
     readings = [read_answer(f, reference.scope) for f in answer]
-    attempts = [a for c in reference.candidates if (a := _attempt(readings, c, reference)) is not None]
+    attempts = list(_attempts(readings, reference))
     notes = tuple(n for r in readings for n in r.notes)
     errors = tuple(d for r in readings if r.error for d in r.error.diagnostics)
     if not attempts:
@@ -144,6 +144,16 @@ class _Attempt:
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
         bent = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
         return _QUALITY.index(self.verdict.verdict), right, -bent
+
+
+def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_Attempt]:
+    """The verdicts in all sets of coordinates that know the answer's, until it is right in one."""
+    for candidate in reference.candidates:
+        attempt = _attempt(readings, candidate, reference)
+        if attempt is not None:
+            yield attempt
+            if attempt.verdict.verdict is Verdict.EQUIVALENT:
+                return
 
 
 def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Reference) -> _Attempt | None:
