@@ -7,7 +7,7 @@ NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p $(NEW_ENOUGH) 2>/dev/null && echo $$p && break; done)
 
-.PHONY: demo test lint sweep golden clean
+.PHONY: demo test lint sweep bench golden clean
 
 $(VENV)/installed: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -36,9 +36,17 @@ lint: $(VENV)/installed
 sweep: $(VENV)/installed
 	$(BIN)/python tests/sweep.py
 
+# Seconds that every shipped problem takes, and chains of 2 to 16 links.
+bench: $(VENV)/installed
+	$(BIN)/python tests/bench/speed.py
+
 # Renews the golden files. Read the difference before you commit it.
 golden: $(VENV)/installed
 	$(BIN)/python -m pytest tests/test_golden.py --renew
+
+# How long things take, and against what; no test depends on it.
+bench: $(VENV)/installed
+	for script in tests/bench/*.py; do $(BIN)/python $$script || exit 1; done
 
 clean:
 	rm -rf $(VENV) build dist .pytest_cache .mypy_cache .ruff_cache .hypothesis tests/actual

@@ -1,12 +1,12 @@
 """Reading what the textbook says: the `answers` of a problem file, and a reference system given under `equations`.
 
 Equations stay text, for they are read and judged as any reader's answer; but what cannot be read is a mistake of the
-file and reported with the others. Text in LaTeX is not tried here.
+file and reported with the others. They may be in LaTeX.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Any, TypeVar
@@ -15,6 +15,7 @@ import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation, read_value
+from lagrange.latex_layout import equations
 from lagrange.names import canonical
 from lagrange.nodes import Node, Scalar
 from lagrange.nodes import Sequence as ListNode
@@ -25,23 +26,33 @@ from lagrange.sections import Section, entries_of, items_of, mapping_of, scalar_
 
 CLASSES = ("holonomic", "nonholonomic", "scleronomic", "rheonomic", "catastatic", "acatastatic")
 _OPPOSITES = (("holonomic", "nonholonomic"), ("scleronomic", "rheonomic"), ("catastatic", "acatastatic"))
-_KEYS = ("degrees_of_freedom", "classification", "integrable", "equations", "equilibrium", "reactions")
+_KEYS = ("degrees_of_freedom", "classification", "integrable", "equations", "equilibrium", "reactions", "frequencies")
 _MOST_SIGNS = 20
 
 T = TypeVar("T")
 
 
 class AnswerReader:
-    """Reads what is compared with the solution. `constraints` are those that could be read."""
+    """Reads what is compared with the solution. `constraints` are those that could be read.
+
+    tries  whether an equation that cannot be read is a mistake of the file; otherwise the verdict on it says so
+    """
 
     def __init__(
-        self, reading: Reading, constraints: tuple[Constraint, ...], choices: tuple[Choice, ...], scope: Scope
+        self,
+        reading: Reading,
+        constraints: tuple[Constraint, ...],
+        choices: tuple[Choice, ...],
+        scope: Scope,
+        *,
+        tries: bool = True,
     ) -> None:
         self.reading = reading
         self.findings = reading.findings
         self.components: dict[str, list[str]] = {name: [] for name in reading.constraints.known()}
         for c in constraints:
-            self.components[_whole(c.name)].append(c.name)
+            self.components.setdefault(_whole(c.name), []).append(c.name)
+        self.tries = tries
         self.scope = _scope_of_answers(scope, choices)
 
     def answers(self, node: Node | None) -> Answers | None:
@@ -60,6 +71,7 @@ class AnswerReader:
             equations=self.equations(section.get("equations"), "`equations`"),
             equilibrium=self._equilibrium(section.get("equilibrium")),
             reactions=self._of_constraints(section.get("reactions"), "reactions", "rod: m*g", self._reaction),
+            frequencies=self._frequencies(section.get("frequencies")),
         )
 
     def equations(self, node: Node | None, what: str) -> tuple[Fragment, ...]:
@@ -87,9 +99,13 @@ class AnswerReader:
 
     def _try(self, reader: Reader[Any], fragment: Fragment) -> None:
         """Reads an answer for its mistakes only: notes on its reading belong to the verdict on it."""
-        if "\\" not in fragment.text and "$" not in fragment.text:
-            limited = partial(reader, limit=MAX_ANSWER_CHARACTERS) if reader is read_equation else reader
-            self.reading.read_quietly(limited, fragment, self.scope, [])
+        if not self.tries:
+            return
+        limited: Reader[Any] = partial(read_value, latex=True)
+        if reader is read_equation:
+            limited = partial(read_equation, limit=MAX_ANSWER_CHARACTERS, latex=True)
+        for one in equations(fragment):
+            self.reading.read_quietly(limited, one, self.scope, [])
 
     def _equilibrium(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
         """Nested lists are alternatives; a flat list is one system."""
@@ -101,6 +117,29 @@ class AnswerReader:
             return tuple(self.equations(item, what) for item in node.items)
         flat = self.equations(node, what)
         return (flat,) if flat else ()
+
+    def _frequencies(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
+        """Expressions for ω; nested lists are those of several equilibria."""
+        what, example = "`frequencies`", '["sqrt(g/l)"]'
+        if node is None:
+            return ()
+        whole = (node,) if isinstance(node, Scalar) else self.findings.attempt(lambda: items_of(node, what, example))
+        items = list(whole or ())
+        if any(isinstance(item, ListNode) for item in items):
+            lists = [item for item in items if isinstance(item, ListNode)]
+            if len(lists) < len(items):
+                help_ = "write `[a, b]` for one equilibrium, `[[a, b], [c]]` for several"
+                self.findings.report(wrong_kind(node, f"{what} mixes expressions with lists of them", help_))
+            return tuple(tuple(self._values(item.items, what)) for item in lists)
+        return (tuple(self._values(items, what)),)
+
+    def _values(self, nodes: Sequence[Node], what: str) -> Iterator[Fragment]:
+        """Expressions, without mistakes."""
+        for node in nodes:
+            scalar = self.findings.attempt(lambda n=node: scalar_of(n, f"an entry of {what}"))  # type: ignore[misc]
+            if scalar is not None:
+                self._try(read_value, scalar.fragment)
+                yield scalar.fragment
 
     def _classification(self, node: Node | None) -> tuple[str, ...]:
         """The classification, in the words of the textbook."""
@@ -147,7 +186,7 @@ class AnswerReader:
             return [name]
         if self.reading.names.has_failed(scalar.text):
             return []
-        help_ = suggestion(name, [*self.components, *known], "constraints")
+        help_ = suggestion(name, list(dict.fromkeys((*self.components, *known))), "constraints")
         raise ProblemError(
             Diagnostic("unknown-name", f"`{scalar.text}` is not a constraint of this file", scalar.span, help=help_)
         )

@@ -8,14 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
+
+import sympy as sp
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict, check_equations
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.latex_layout import separated
 from lagrange.notation import base
-from lagrange.problem import Problem
-from lagrange.reaction_answers import AtRest, check_reaction
-from lagrange.references import Reference, read_answer, reference_of_equations, reference_of_solution
+from lagrange.problem import Answers, Problem
+from lagrange.reaction_answers import AtRest, check_reaction, reading_error
+from lagrange.reference_systems import reference_of_equations
+from lagrange.references import Reference, read_answer, reference_of_solution
 from lagrange.solution import Solution, solve
 
 if TYPE_CHECKING:
@@ -24,65 +29,100 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ComparedAnswer:
-    """One of the file's answers, with the verdict on it."""
+    """One answer that is no system of equations of motion, with the verdict on it.
+
+    diagnosis  what is wrong with it, or why nothing is said
+    equations  the verdicts on its parts: equilibria, reactions
+    messages   what could not be read, with places, and how the rest was read
+    """
 
     name: str
     verdict: Verdict
+    diagnosis: str = ""
+    equations: tuple[EquationVerdict, ...] = ()
+    messages: tuple[Diagnostic, ...] = ()
+
+    def as_json(self) -> dict[str, object]:
+        """Name and verdict, and what else there is to say."""
+        found: dict[str, object] = {"name": self.name, "verdict": self.verdict.value}
+        found |= {"diagnosis": self.diagnosis} if self.diagnosis else {}
+        return found | ({"equations": [e.as_json() for e in self.equations]} if self.equations else {})
 
 
 def compared_answers(solution: Solution) -> Iterator[ComparedAnswer]:
-    """The file's own answers against the solution."""
-    yield from _before_equations(solution)
-    answers = solution.problem.answers
-    if answers is not None and answers.equations and (verdict := _equations(solution)) is not None:
-        yield ComparedAnswer("equations", verdict)
-    yield from _after_equations(solution)
-
-
-def _before_equations(solution: Solution) -> Iterator[ComparedAnswer]:
+    """The file's own answers against the solution. Raises ProblemError where one cannot be read."""
     answers = solution.problem.answers
     if answers is None:
         return
+    yield from _before_equations(solution, answers)
+    if answers.equations and (verdict := _equations(solution, answers)) is not None:
+        yield ComparedAnswer("equations", verdict)
+    yield from map(_readable, _after_equations(solution, answers))
+
+
+def _readable(answer: ComparedAnswer) -> ComparedAnswer:
+    """An answer of the file; one that cannot be read is a mistake of the file."""
+    if answer.verdict is Verdict.UNREADABLE and answer.messages:
+        raise ProblemError(answer.messages)
+    return replace(answer, messages=())
+
+
+def _before_equations(solution: Solution, answers: Answers) -> Iterator[ComparedAnswer]:
+    """The answers about constraints."""
     classification = solution.classification
     if answers.degrees_of_freedom is not None:
         yield ComparedAnswer(
             "degrees_of_freedom", _agrees(answers.degrees_of_freedom == classification.degrees_of_freedom)
         )
     if answers.classification:
-        yield ComparedAnswer("classification", _all_agree(_class(solution, word) for word in answers.classification))
+        yield _together("classification", {word: _class(solution, word) for word in answers.classification})
     if answers.integrable:
         found = {c.constraint.name: c.integrable for c in classification.constraints}
-        verdicts = (None if found.get(n) is None else found[n] == said for n, said in answers.integrable.items())
-        yield ComparedAnswer("integrable", _all_agree(verdicts))
+        said = {n: None if found.get(n) is None else found[n] == s for n, s in answers.integrable.items()}
+        yield _together("integrable", said)
 
 
-def _after_equations(solution: Solution) -> Iterator[ComparedAnswer]:
-    answers = solution.problem.answers
-    if answers is None:
-        return
+def _together(name: str, parts: Mapping[str, bool | None]) -> ComparedAnswer:
+    """The verdict on several statements, saying which are not right."""
+    verdict = _all_agree(iter(parts.values()))
+    named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
+    heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
+    diagnosis = f"{heading}: {', '.join(named)}" if len(parts) > 1 and named else ""
+    return ComparedAnswer(name, verdict, diagnosis)
+
+
+def _after_equations(solution: Solution, answers: Answers) -> Iterator[ComparedAnswer]:
+    """The answers about equilibria and reactions."""
     if answers.equilibrium:
-        yield ComparedAnswer("equilibrium", _equilibrium(solution, answers.equilibrium).verdict)
+        yield _equilibrium(solution, answers.equilibrium)
+    if answers.frequencies:
+        from lagrange.frequency_answers import check_frequencies
+
+        found = [solution.linearization, *(c.linearization for c in solution.choices)]
+        there = [f for f in found if f is not None]
+        verdict = check_frequencies(answers.frequencies, there, reference_of_solution(solution))
+        yield ComparedAnswer("frequencies", verdict)
     if answers.reactions:
-        yield ComparedAnswer("reactions", _reactions(solution, answers.reactions))
+        yield _reactions(solution, answers.reactions)
 
 
-def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
+def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> ComparedAnswer:
     """The verdict on equilibria."""
     from lagrange.equilibrium_answers import check_equilibria
 
-    if solution.equilibrium is None:
-        return AnswerVerdict(Verdict.UNDECIDED, ())
-    found = [solution.equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
+    found = [e for e in (solution.equilibrium, *(c.equilibrium for c in solution.choices)) if e is not None]
+    linear = [solution.linearization, *(c.linearization for c in solution.choices)]
+    found = found or [f.equilibrium for f in linear if f is not None]
+    if not found:
+        return ComparedAnswer("equilibrium", Verdict.UNDECIDED, "the problem does not ask for equilibrium")
     verdict = check_equilibria(alternatives, found, reference_of_solution(solution))
-    if verdict.unreadable:
-        raise ProblemError(verdict.unreadable)
-    return verdict
+    diagnosis = _missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
+    messages = (*verdict.unreadable, *verdict.notes)
+    return ComparedAnswer("equilibrium", verdict.verdict, diagnosis, verdict.equations, messages)
 
 
-def _equations(solution: Solution) -> Verdict | None:
+def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     """The verdict on the file's equations; None where they are in a choice of coordinates that was not asked for."""
-    answers = solution.problem.answers
-    assert answers is not None
     if solution.motion is None:
         return Verdict.UNDECIDED
     verdict = check_equations(answers.equations, reference_of_solution(solution))
@@ -92,21 +132,28 @@ def _equations(solution: Solution) -> Verdict | None:
     return None if verdict.verdict is Verdict.UNREADABLE and some_left_out else verdict.verdict
 
 
-def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> Verdict:
+def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> ComparedAnswer:
     """The verdict on all stated reactions together."""
     if solution.law is None:
-        return Verdict.UNDECIDED
+        return ComparedAnswer("reactions", Verdict.UNDECIDED, "no reactions are derived for this problem")
     reactions = {r.name: r for r in solution.law.newton.reactions}
     reference = reference_of_solution(solution)
     at_rest = _at_rest(solution) if solution.motion is None else None
-    found = [
-        at_rest.check_stated(fragment, reactions[name])
-        if at_rest
-        else check_reaction(fragment, reactions[name], reference)
-        for name, fragment in stated.items()
-    ]
+    parts: list[EquationVerdict] = []
+    messages: list[Diagnostic] = []
+    for name, fragment in stated.items():
+        error = reading_error(fragment, reference)
+        if error is not None:
+            messages += error.diagnostics
+            verdict = Verdict.UNREADABLE
+        elif at_rest:
+            verdict = at_rest.check_stated(fragment, reactions[name])
+        else:
+            verdict = check_reaction(fragment, reactions[name], reference)
+        parts.append(EquationVerdict(f"{name}: {fragment.text}", verdict))
     order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
-    return next((v for v in order if v in found), Verdict.EQUIVALENT)
+    whole = next((v for v in order if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
+    return ComparedAnswer("reactions", whole, "", tuple(parts), tuple(messages))
 
 
 def _at_rest(solution: Solution) -> AtRest | None:
@@ -164,30 +211,29 @@ class CheckedAnswer:
     @property
     def messages(self) -> tuple[Diagnostic, ...]:
         """What could not be read, with its place, and how the rest was read where that may surprise."""
-        return (*self.equations.unreadable, *self.equations.notes)
+        return (*self.equations.unreadable, *self.equations.notes, *(m for a in self.others for m in a.messages))
+
+    def hinted(self, degree: int) -> CheckedAnswer:
+        """The same, with no more said of what is wrong than this degree allows: 1, 2 or 3."""
+        equations = tuple(e.hinted(degree) for e in self.equations.equations)
+        return replace(self, equations=replace(self.equations, equations=equations))
 
     def as_json(self) -> dict[str, object]:
         """The verdict as FORMAT's JSON object; `answers` are those of the file that are not equations."""
-        equations = [
-            {"text": e.text, "verdict": e.verdict.value, "diagnosis": e.diagnosis, "remarks": list(e.remarks)}
-            for e in self.equations.equations
-        ]
-        found = {"verdict": self.verdict.value, "equations": equations, "missing": self.equations.missing}
-        answers = [{"name": a.name, "verdict": a.verdict.value} for a in self.others]
+        equations = [e.as_json() for e in self.equations.equations]
+        found: dict[str, object] = {"verdict": self.verdict.value, "equations": equations}
+        found["missing"] = self.equations.missing
+        answers = [a.as_json() for a in self.others]
         return found | ({"answers": answers} if answers else {})
 
-    def as_text(self) -> str:
-        """The verdict for a person."""
+    @property
+    def headline(self) -> str:
+        """The verdict on everything, in one line."""
         headlines = _HEADLINES | (_HEADLINES_OF_STATICS if self.statics else {})
         headlines |= _HEADLINES_OF_REACTIONS[self.statics] if self.reactions else {}
-        headlines |= _HEADLINES_OF_FILE if self.others else {}
+        headlines |= _HEADLINES_OF_ANSWERS if self.others else {}
         missing = _missing_equilibria if self.statics else _missing
-        lines = [headlines[self.verdict].format(missing=missing(self.equations.missing))]
-        lines += [f"  {_MARKS[a.verdict]} {a.name.replace('_', ' ')}" for a in self.others]
-        for e in self.equations.equations:
-            said = "; ".join((*((e.diagnosis,) if e.diagnosis else ()), *e.remarks))
-            lines.append(f"  {_MARKS[e.verdict]} {e.text}{'    ' + said if said else ''}")
-        return "\n".join(lines)
+        return headlines[self.verdict].format(missing=missing(self.equations.missing))
 
 
 _FIRST = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
@@ -218,18 +264,12 @@ _HEADLINES_OF_REACTIONS = {
         Verdict.UNDECIDED: "undecided: it could not be settled whether these are the equilibria and reactions",
     },
 }
-_HEADLINES_OF_FILE = {
-    Verdict.EQUIVALENT: "equivalent: the file's answers agree with what is derived",
-    Verdict.WRONG: "wrong: not all of the file's answers agree with what is derived",
-    Verdict.UNDECIDED: "undecided: it could not be settled whether all of the file's answers are right",
-}
-_MARKS = {
-    Verdict.EQUIVALENT: "✓",
-    Verdict.WRONG: "✗",
-    Verdict.TRIVIAL: "·",
-    Verdict.UNREADABLE: "!",
-    Verdict.UNDECIDED: "?",
-    Verdict.INCOMPLETE: "·",
+_HEADLINES_OF_ANSWERS = {
+    Verdict.EQUIVALENT: "equivalent: the answers agree with what is derived",
+    Verdict.WRONG: "wrong: not all of the answers agree with what is derived",
+    Verdict.INCOMPLETE: "incomplete: what is there agrees with what is derived, and something is missing",
+    Verdict.UNREADABLE: "unreadable: not every answer can be read",
+    Verdict.UNDECIDED: "undecided: it could not be settled whether all of the answers are right",
 }
 
 
@@ -241,14 +281,83 @@ def _missing_equilibria(number: int) -> str:
     return "an equation or a solution is missing" if number <= 1 else f"{number} solutions are missing"
 
 
+@dataclass(frozen=True)
+class Examiner:
+    """Checks any number of answers to a problem that is solved once.
+
+    solution  None where the file gives the equations outright
+    """
+
+    problem: Problem
+    solution: Solution | None
+
+    @classmethod
+    def of(cls, problem: Problem) -> Examiner:
+        """Solves the problem, so that answers can be checked. Raises ProblemError where it cannot be solved."""
+        return cls(problem, None if problem.equations else solve(problem))
+
+    @cached_property
+    def reference(self) -> Reference:
+        """What equations of motion are compared with. Raises ProblemError where there is nothing of the kind."""
+        return reference_of_equations(self.problem) if self.solution is None else _reference_of(self.solution)
+
+    def check(self, answer: tuple[Fragment, ...]) -> CheckedAnswer:
+        """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare with."""
+        answer = separated(answer)
+        solution = self.solution
+        at_rest = solution is not None and (solution.motion is None or not _moves(answer, solution))
+        if solution is not None and solution.equilibrium is not None and at_rest:
+            return _check_statics(answer, solution, solution.equilibrium)
+        return CheckedAnswer(check_equations(answer, self.reference))
+
+    def check_answers(self, answers: Answers, more: tuple[Fragment, ...] = ()) -> CheckedAnswer:
+        """The verdict on somebody's answers to all questions; `more` are equations beside them. Raises ProblemError."""
+        solution, equations = self.solution, (*answers.equations, *more)
+        others = (
+            tuple(_nothing_to_compare(answers))
+            if solution is None
+            else (*_before_equations(solution, answers), *_after_equations(solution, answers))
+        )
+        if not equations:
+            return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
+        return replace(self.check(equations), others=others)
+
+    def check_own(self) -> CheckedAnswer:
+        """The verdict on the answers that the problem file states. Raises ProblemError where it states none."""
+        answers, solution = self.problem.answers or Answers(), self.solution
+        if solution is None:
+            return self.check(answers.equations)
+        others = (*_before_equations(solution, answers), *map(_readable, _after_equations(solution, answers)))
+        if not answers.equations and others:
+            return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
+        return CheckedAnswer(check_equations(answers.equations, self.reference), others)
+
+    def revealed(self, checked: CheckedAnswer) -> tuple[sp.Expr, ...]:
+        """The derived equations, each zero, in the coordinates in which an answer was compared; none in statics."""
+        choice, solution = checked.equations.choice, self.solution
+        if solution is None:
+            return next(c.system.equations for c in self.reference.candidates if c.choice == choice)
+        motions = {"": solution.motion, **{c.name: c.motion for c in solution.choices}}
+        found = motions.get(choice) if checked.equations.equations else next(iter(motions.values()))
+        return found.expressions if found is not None else ()
+
+
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
     """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
-    if problem.equations:
-        return CheckedAnswer(check_equations(answer, reference_of_equations(problem)))
-    solution = solve(problem)
-    if solution.equilibrium is not None and (solution.motion is None or not _moves(answer, solution)):
-        return _check_statics(answer, solution, solution.equilibrium)
-    return CheckedAnswer(check_equations(answer, _reference_of(solution)))
+    return Examiner.of(problem).check(answer)
+
+
+def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...] = ()) -> CheckedAnswer:
+    """The verdict on somebody's answers to all questions; `more` are equations beside them. Raises ProblemError."""
+    return Examiner.of(problem).check_answers(answers, more)
+
+
+def _nothing_to_compare(answers: Answers) -> Iterator[ComparedAnswer]:
+    """The answers that a reference system given outright says nothing about."""
+    why = "the problem gives its equations and no more: there is nothing to compare this with"
+    for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions"):
+        if getattr(answers, name) not in (None, (), {}):
+            yield ComparedAnswer(name, Verdict.UNDECIDED, why)
 
 
 def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: Equilibrium) -> CheckedAnswer:
@@ -264,7 +373,7 @@ def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: 
     if not about or at_rest is None:
         return CheckedAnswer(check_equilibria(alternatives_of(answer), found, reference), statics=True)
     stated = tuple(at_rest.check(r) for _, r in about)
-    verdict = _together(stated)
+    verdict = _all_stated(stated)
     notes = tuple(n for _, r in about for n in r.notes)
     if not rest:
         return CheckedAnswer(AnswerVerdict(verdict, stated, notes=notes), reactions=True)
@@ -279,7 +388,7 @@ def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: 
     )
 
 
-def _together(stated: Sequence[EquationVerdict]) -> Verdict:
+def _all_stated(stated: Sequence[EquationVerdict]) -> Verdict:
     """The verdict on several equations; identities count where there is nothing else."""
     verdicts = {v.verdict for v in stated}
     return next((v for v in (*_FIRST[:-1], Verdict.EQUIVALENT) if v in verdicts), Verdict.TRIVIAL)
@@ -294,19 +403,12 @@ def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:
 
 def check_own_answers(problem: Problem) -> CheckedAnswer:
     """The verdict on the answers that the problem file states. Raises ProblemError where it states none."""
-    stated = problem.answers.equations if problem.answers is not None else ()
-    if problem.equations:
-        return check_answer(problem, stated)
-    solution = solve(problem)
-    others = (*_before_equations(solution), *_after_equations(solution))
-    if not stated and others:
-        return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
-    return CheckedAnswer(check_equations(stated, _reference_of(solution)), others)
+    return Examiner.of(problem).check_own()
 
 
 def reference(problem: Problem) -> Reference:
     """What answers to a problem are compared with: its solution, or the equations that it gives outright."""
-    return reference_of_equations(problem) if problem.equations else _reference_of(solve(problem))
+    return Examiner.of(problem).reference
 
 
 def _reference_of(solution: Solution) -> Reference:

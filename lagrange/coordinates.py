@@ -185,7 +185,7 @@ def solved_constraints(rows: Sequence[Row], unknown: list[sp.Symbol]) -> SolvedC
     total = len(unknown)
     for degree in (1, 2) * total:
         for used, f in _candidates(waiting, unknown, degree):
-            solved = _solved_for_one(f.xreplace(expressed), unknown, degree, len(roots) + 1)
+            solved = solved_for_one(f.xreplace(expressed), unknown, degree, len(roots) + 1)
             if solved is None:
                 continue
             q, value, sign = solved
@@ -212,7 +212,7 @@ def _candidates(waiting: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], degree
                 yield n, sp.expand(g * a - f * b)
 
 
-def _solved_for_one(
+def solved_for_one(
     f: sp.Expr, unknown: Sequence[sp.Symbol], degree: int, number: int
 ) -> tuple[sp.Symbol, sp.Expr, tuple[Sign, ...]] | None:
     """q, its value and the sign of its root, for the first unknown in which f = 0 has the given degree."""

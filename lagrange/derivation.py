@@ -31,10 +31,14 @@ class Rule(StrEnum):
     REACTIONS = "reactions"  # m x'' = 2 x λ
     WORKLESS = "workless"  # R·δr = 0
     PRINCIPLE = "principle"  # (m r'' - F)·δr = 0
+    ENERGIES = "energies"  # T = m l² θ'²/2, V = −m g l cos θ
+    LAGRANGE = "lagrange-equations"  # p_θ = m l² θ', d/dt p_θ = ∂L/∂θ
     GENERALIZED_COORDINATES = "generalized-coordinates"  # x = l sin θ, y = l cos θ
     EQUATIONS_OF_MOTION = "equations-of-motion"  # l θ'' + g sin θ = 0
     QUASI_VELOCITIES = "quasi-velocities"  # u = x' cos θ + y' sin θ: u' = a ω²
+    LINEARIZATION = "linearization"  # l ξ'' + g ξ = 0, ω² = g/l
     SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
+    CONSERVED = "conserved"  # m l² θ'²/2 − m g l cos θ = const
     EQUILIBRIUM = "equilibrium"  # tan θ = (2k - 1)/tan α
     CHECKS = "checks"  # Lagrange's equations give the same
 
@@ -74,10 +78,11 @@ Part = str | Math | Ref | Term
 
 @dataclass(frozen=True)
 class Prose:
-    """A paragraph."""
+    """A paragraph; `short` stands in its place where little detail is wanted."""
 
     parts: tuple[Part, ...]
     detail: Detail = Detail.STEPS
+    short: tuple[Part, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -109,6 +114,14 @@ class Table:
 
 
 @dataclass(frozen=True)
+class Matrices:
+    """Named matrices, M = (a b; c d), side by side where there is room; a column has rows of one entry."""
+
+    named: tuple[tuple[sp.Symbol, tuple[tuple[sp.Expr, ...], ...]], ...]
+    detail: Detail = Detail.STEPS
+
+
+@dataclass(frozen=True)
 class CheckMark:
     """A check, whether it held (None: could not be decided), and how it was done."""
 
@@ -132,7 +145,7 @@ class Picture:
     detail: Detail = Detail.STEPS
 
 
-Block = Prose | Display | Table | CheckMark | Picture
+Block = Prose | Display | Table | Matrices | CheckMark | Picture
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 
@@ -146,7 +147,7 @@ def eliminate(
     """
     matrix = [[*row.coefficients, row.drift] for row in rows]
     pivot_of: dict[int, int] = {}
-    minor = sp.S.One
+    pivots: list[sp.Expr] = []
     unused: list[int] = []
     for r, row in enumerate(matrix):
         column = _pivot_column(row[:size], surface, first)
@@ -154,7 +155,7 @@ def eliminate(
             unused.append(r)
             continue
         pivot = row[column]
-        minor = _cancelled(minor * pivot)
+        pivots.append(pivot)
         matrix[r] = [_tidy(entry / pivot) for entry in row]
         for other in range(len(matrix)):
             factor = matrix[other][column]
@@ -169,7 +170,7 @@ def eliminate(
     independent = tuple(k for k in range(size) if k not in dependent)
     solution = tuple(tuple(_factored(-matrix[r][k]) for k in independent) for r in pivot_of)
     drift = tuple(_factored(-matrix[r][size]) for r in pivot_of)
-    return Elimination(independent, dependent, solution, drift, _varying_factors(_tidy(minor)), tuple(unused))
+    return Elimination(independent, dependent, solution, drift, _varying_factors(_minor(pivots)), tuple(unused))
 
 
 def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[int]) -> int | None:
@@ -181,15 +182,26 @@ def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[in
     return None
 
 
-def _varying_factors(minor: sp.Expr) -> tuple[sp.Expr, ...]:
-    """The factors of the minor that can vanish, each once, constant ones dropped: of 2 l x² it is x."""
-    small = len(minor.free_symbols) <= MOST_FACTORED and _is_short(minor)
-    numerator, _ = sp.fraction(sp.factor(minor) if small else minor)
-    bases = (f.as_base_exp()[0] for f in sp.Mul.make_args(numerator))
+def _minor(pivots: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """Factors of the minor that was divided by: the pivots themselves, where none has a denominator to cancel."""
+    if all(sp.fraction(p)[1].is_number for p in pivots):
+        return [_tidy(p) for p in pivots]
+    minor = sp.S.One
+    for p in pivots:
+        minor = _cancelled(minor * p)
+    return [_tidy(minor)]
+
+
+def _varying_factors(minor: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """What can vanish of the factors of a minor, each once, constants dropped: of 2 l x² it is x."""
+    numerators = (sp.fraction(p)[0] for p in minor)
+    parts = (sp.factor(p) if len(p.free_symbols) <= MOST_FACTORED and _is_short(p) else p for p in numerators)
+    bases = (f.as_base_exp()[0] for p in parts for f in sp.Mul.make_args(p))
     varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
     return tuple(dict.fromkeys(varying))
 
 
+@lru_cache(maxsize=256)
 def _factored(quotient: sp.Expr) -> sp.Expr:
     """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
     if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
@@ -210,6 +222,7 @@ def _cancelled(expression: sp.Expr) -> sp.Expr:
     return sp.cancel(expression) if _is_short(expression) else expression
 
 
+@lru_cache(maxsize=256)
 def _tidy(entry: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms, and with sin² + cos² put together."""
     if entry.is_number or entry.is_Symbol:

@@ -9,22 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from enum import StrEnum
 from functools import cached_property
 from typing import TypeVar
 
 import sympy as sp
 
+from lagrange.balance import Balance
 from lagrange.comparison import affine_rows, state, symbols_of
 from lagrange.displacements import Elimination
-from lagrange.equations import (
-    EquationsOfMotion,
-    WithMultipliers,
-    equations_of_motion,
-    equations_with_multipliers,
-)
+from lagrange.energies import energies
+from lagrange.equations import EquationsOfMotion, WithMultipliers, equations_of_motion, equations_with_multipliers
 from lagrange.exact import Point
 from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
 from lagrange.kinematics import Configuration, Load
+from lagrange.matrix_form import MatrixForm, matrix_form
+from lagrange.multipliers import lagrange_motion
 from lagrange.newton import Newton, Reaction, newton_equations
 from lagrange.notation import Sign
 from lagrange.principle import dalembert
@@ -41,6 +41,13 @@ LONGEST = 30
 """Operations of a multiplier that is put into the equations of motion where friction needs it."""
 
 
+class Method(StrEnum):
+    """By what the equations of motion are derived; the other one checks them."""
+
+    DALEMBERT = "dalembert"
+    LAGRANGE = "lagrange"
+
+
 @dataclass(frozen=True)
 class Law:
     """Newton's law in the file's coordinates, and what follows for reactions.
@@ -49,12 +56,14 @@ class Law:
     configuration  without friction
     newton         with friction, if there is any
     used           the reactions of independent constraints
+    method         by what the equations of motion are derived
     """
 
     problem: Problem
     configuration: Configuration
     newton: Newton
     used: tuple[Reaction, ...]
+    method: Method = Method.DALEMBERT
 
     @property
     def frictions(self) -> tuple[Friction, ...]:
@@ -64,7 +73,18 @@ class Law:
     @cached_property
     def system(self) -> LinearSystem:
         """The equations for accelerations and multipliers, without friction."""
-        return motion_system(dalembert(self.configuration), self.used)
+        return motion_system(self.balance(self.configuration), self.used)
+
+    def balance(self, configuration: Configuration) -> Balance:
+        """What the virtual displacements of a configuration are multiplied by, from the principle or from T and V."""
+        return energies(configuration) if self.method is Method.LAGRANGE else dalembert(configuration)
+
+    def equations(self, configuration: Configuration, elimination: Elimination) -> EquationsOfMotion:
+        """The equations of motion of a configuration."""
+        if self.method is Method.LAGRANGE:
+            unknown = self.newton.multipliers_by_name.values()
+            return lagrange_motion(energies(configuration), elimination, tuple(unknown))
+        return equations_of_motion(dalembert(configuration), elimination)
 
 
 @dataclass(frozen=True)
@@ -78,6 +98,7 @@ class Motion:
     signs      the signs of multipliers that friction leaves open, each with its λ
     symbolic   the equations with |λ| in them, where λ is long
     multipliers  of the constraints, by name
+    solved     the accelerations of independent coordinates, where they are asked for and short
     """
 
     equations: EquationsOfMotion
@@ -87,6 +108,19 @@ class Motion:
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     symbolic: EquationsOfMotion | None = None
     multipliers: Mapping[str, sp.Symbol] = field(default_factory=dict)
+    solved: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    @cached_property
+    def matrices(self) -> MatrixForm:
+        """The equations in matrix form."""
+        return matrix_form(self.equations)
+
+    @property
+    def accelerations(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """q'' as functions of position, velocity and time; empty where they were not found."""
+        if self.solved or self.reactions is None or self.reactions.configuration.expressed:
+            return self.solved
+        return {s: e for s, e in self.reactions.accelerations.items() if e is not None}
 
     @property
     def written(self) -> EquationsOfMotion:
@@ -101,7 +135,12 @@ class Motion:
 
 
 def law_of_motion(
-    problem: Problem, configuration: Configuration, elimination: Elimination, rank: int, at_rest: bool = False
+    problem: Problem,
+    configuration: Configuration,
+    elimination: Elimination,
+    rank: int,
+    at_rest: bool = False,
+    method: Method = Method.DALEMBERT,
 ) -> Law:
     """Newton's law for the particles of a problem, in the file's coordinates."""
     taken = frozenset(problem.scope.names())
@@ -114,6 +153,7 @@ def law_of_motion(
         configuration=configuration,
         newton=newton,
         used=tuple(r for n, r in enumerate(newton.reactions) if n not in elimination.unused),
+        method=method,
     )
     if not law.frictions:
         return law
@@ -126,12 +166,12 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
     """The motion in the coordinates of a configuration without friction: the file's own, or those of a choice."""
     multipliers = law.newton.multipliers_by_name
     if not with_reactions or _is_left_out(law, configuration):
-        equations = equations_of_motion(dalembert(configuration), elimination)
+        equations = law.equations(configuration, elimination)
         return Motion(equations, None, (), configuration, multipliers=multipliers)
     reactions = solved_reactions(law.system, law.newton, law.used, configuration)
     rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
     if not rubbed:
-        equations = equations_of_motion(dalembert(configuration), elimination)
+        equations = law.equations(configuration, elimination)
         return Motion(equations, reactions, (), configuration, multipliers=multipliers)
     dragging = [(r.reaction.multiplier, _generalized(law, configuration, r.share, r.friction.on)) for r in rubbed]
     if not _is_unaffected(law, configuration, reactions, dragging):
@@ -140,14 +180,14 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
     final = replace(configuration, loads=(*configuration.loads, *loads))
     shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(rubbed, configuration)))
     long = any(reactions.multipliers[r.reaction.name].count_ops() > LONGEST for r in rubbed)  # type: ignore[union-attr]
-    equations = equations_of_motion(dalembert(final), elimination)
+    equations = law.equations(final, elimination)
     return Motion(
         equations=equations,
         reactions=_with_friction(law, configuration, reactions, loads),
         rubbed=rubbed,
         shown=shown,
         signs=signs,
-        symbolic=equations_of_motion(dalembert(shown), elimination) if long else None,
+        symbolic=law.equations(shown, elimination) if long else None,
         multipliers=multipliers,
     )
 

@@ -20,6 +20,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from lagrange.balance import Balance
 from lagrange.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
 from lagrange.displacements import Elimination
 from lagrange.exact import NoPointError, UnsupportedError
@@ -48,14 +49,13 @@ class EquationOfMotion:
 class EquationsOfMotion:
     """The equations of one configuration; the rows of the configuration complete them.
 
+    principle    what they follow from
     elimination  of the dependent virtual displacements
-    reduced      Σ over the independent δq: the principle with the dependent ones put in, in textbook form
     """
 
     configuration: Configuration
-    principle: Principle
+    principle: Balance
     elimination: Elimination
-    reduced: sp.Expr
     equations: tuple[EquationOfMotion, ...]
 
     @property
@@ -82,7 +82,7 @@ def excluded(pivots: Sequence[sp.Expr], equations: Sequence[EquationOfMotion]) -
     return tuple(dict.fromkeys((*pivots, *(f for e in equations for f in e.factor.nonzero))))
 
 
-def equations_with_multipliers(principle: Principle, multipliers: Mapping[str, sp.Symbol]) -> WithMultipliers:
+def equations_with_multipliers(principle: Balance, multipliers: Mapping[str, sp.Symbol]) -> WithMultipliers:
     """The equations in which nothing is eliminated; `multipliers` are λ_j by name of the constraint."""
     rows = principle.configuration.rows
     used = tuple(multipliers[row.name] for row in rows)
@@ -93,7 +93,18 @@ def equations_with_multipliers(principle: Principle, multipliers: Mapping[str, s
     return WithMultipliers(used, tuple(equations))
 
 
-def equations_of_motion(principle: Principle, elimination: Elimination) -> EquationsOfMotion:
+@dataclass(frozen=True)
+class DalembertMotion(EquationsOfMotion):
+    """The equations from d'Alembert's principle.
+
+    reduced  Σ over the independent δq: the principle with the dependent ones put in, in textbook form
+    """
+
+    principle: Principle
+    reduced: sp.Expr
+
+
+def equations_of_motion(principle: Principle, elimination: Elimination) -> DalembertMotion:
     """The equations of motion of a configuration, the dependent virtual displacements eliminated."""
     configuration = principle.configuration
     coordinates = configuration.slots.coordinates
@@ -104,7 +115,7 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Equat
     equations = tuple(
         divided(textbook, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
     )
-    return EquationsOfMotion(configuration, principle, elimination, textbook.form(reduced), equations)
+    return DalembertMotion(configuration, principle, elimination, equations, textbook.form(reduced))
 
 
 def of_independent(d: Sequence[Element], ring: Ring, elimination: Elimination) -> list[Element]:

@@ -21,6 +21,7 @@ from dataclasses import dataclass, replace
 import sympy as sp
 
 from lagrange.branching import solutions
+from lagrange.closed_form import Values
 from lagrange.common_factor import Factor, common_factor, normalised
 from lagrange.displacements import Elimination
 from lagrange.equations import of_independent
@@ -80,6 +81,7 @@ class Equilibrium:
     given        whether the position is taken as given, because the forces alone are determined
     solution     all solutions
     branches     those of the solution, without multipliers
+    multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each row that is no identity
     """
 
     configuration: Configuration
@@ -92,6 +94,7 @@ class Equilibrium:
     given: bool
     solution: SolutionSet
     branches: tuple[Branch, ...]
+    multipliers: tuple[sp.Symbol, ...] = ()
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -140,13 +143,17 @@ def virtual_work(configuration: Configuration) -> VirtualWork:
 
 
 def equilibrium(
-    configuration: Configuration, elimination: Elimination, unknown_forces: tuple[sp.Symbol, ...] = ()
+    configuration: Configuration,
+    elimination: Elimination,
+    unknown_forces: tuple[sp.Symbol, ...] = (),
+    work: VirtualWork | None = None,
 ) -> Equilibrium:
     """The equilibria of a configuration, in closed form as far as possible.
 
     unknown_forces  the symbols to be found beside the coordinates
+    work            of the forces at rest, if that is not the work of the applied forces
     """
-    work = virtual_work(configuration)
+    work = work or virtual_work(configuration)
     coordinates = configuration.slots.coordinates
     left = of_independent(work.coefficients, work.ring, elimination)
     displacements = [work.ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
@@ -212,15 +219,41 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     else:
         equations = [c.expression for c in e.conditions]
     solution = solutions(equations, (*coordinates, *e.forces, *multipliers), (*multipliers, *e.forces))
-    return replace(e, solution=solution, branches=_without(solution.branches, multipliers))
+    return replace(
+        e, solution=solution, branches=_without(solution.branches, multipliers), multipliers=tuple(multipliers)
+    )
 
 
 def _without(branches: tuple[Branch, ...], multipliers: list[sp.Symbol]) -> tuple[Branch, ...]:
     """The branches without what they say of multipliers; those that say the same are one."""
     found: dict[object, Branch] = {}
-    for b in branches:
+    for b in (_turned(b, multipliers) for b in branches):
         relations = tuple(r for r in b.relations if r.lhs not in multipliers)
         key = (relations, b.conditions, b.left)
         known = found.get(key)
         found[key] = replace(b, relations=relations, points=(*(known.points if known else ()), *b.points))
     return tuple(found.values())
+
+
+def _turned(b: Branch, multipliers: list[sp.Symbol]) -> Branch:
+    """The branch with a relation y = c λ that gives a coordinate by a free multiplier read as λ = y/c, y being free."""
+    for m in multipliers:
+        for r in b.relations:
+            rate = sp.expand(r.rhs).diff(m)
+            if r.lhs in multipliers or not r.lhs.is_Symbol or rate == 0 or m in rate.free_symbols or b.left:
+                continue
+            rule = {m: sp.cancel((r.lhs - r.rhs.xreplace({m: sp.S.Zero})) / rate)}
+            relations = tuple(
+                replace(o, rhs=sp.factor(o.rhs.xreplace(rule)) if m in o.rhs.free_symbols else o.rhs)
+                for o in b.relations
+                if o is not r
+            )
+            points = tuple(_given_by(p, r.lhs, rule) for p in b.points)
+            b = replace(b, relations=relations, points=points, common=_given_by(b.common, r.lhs, rule))
+            break
+    return b
+
+
+def _given_by(values: Values, free: sp.Symbol, rule: dict[sp.Symbol, sp.Expr]) -> Values:
+    """The values of letters with a multiplier given by a coordinate, which is free."""
+    return {u: v.xreplace(rule) for u, v in values.items() if u != free} | rule

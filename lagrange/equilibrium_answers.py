@@ -20,6 +20,7 @@ from lagrange.answers import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equilibrium import Equilibrium
 from lagrange.equilibrium_comparison import EquilibriumComparison
+from lagrange.latex_layout import ALTERNATIVE, is_latex, piece
 from lagrange.references import Reading, Reference, read_answer
 
 MAX_ALTERNATIVES = 32
@@ -40,11 +41,13 @@ def alternatives_of(answer: Sequence[Fragment]) -> list[tuple[Fragment, ...]]:
 
 
 def _split(fragment: Fragment) -> list[Fragment]:
+    latex = is_latex(fragment)
     found, start = [], 0
-    for match in [*re.finditer(r"(?<![\w\\])or(?![\w'])", fragment.text), None]:
+    for match in [*re.finditer(ALTERNATIVE if latex else r"(?<![\w\\])or(?![\w'])", fragment.text), None]:
         end = match.start() if match else len(fragment.text)
         begin = None if fragment.start is None else fragment.start + start
-        found.append(replace(fragment, text=fragment.text[start:end].strip(), start=begin))
+        text = fragment.text[start:end].strip()
+        found.append(piece(fragment, start, end) if latex else replace(fragment, text=text, start=begin))
         start = match.end() if match else end
     return found
 

@@ -15,6 +15,7 @@ from typing import TypeAlias, TypeVar
 import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError
+from lagrange.latex_layout import is_latex
 from lagrange.lexicon import FUNCTIONS, OPERATIONS
 from lagrange.meaning import DIFFERENTIALS
 from lagrange.scope import RESERVED, FunctionDeclaration, Scope
@@ -69,14 +70,19 @@ def read_vector(fragment: Fragment, scope: Scope, notes: Notes = None, limit: in
     return _read(fragment, scope, notes, limit, lambda reading: reading.vector())
 
 
-def read_value(fragment: Fragment, scope: Scope, notes: Notes = None) -> Value:
+def read_value(fragment: Fragment, scope: Scope, notes: Notes = None, latex: bool = False) -> Value:
     """A scalar or a vector, whichever it is. Raises ProblemError at the place that cannot be read."""
-    return _read(fragment, scope, notes, MAX_CHARACTERS, lambda reading: reading.value())
+    return _read(fragment, scope, notes, MAX_CHARACTERS, lambda reading: reading.value(), latex)
 
 
-def read_equation(fragment: Fragment, scope: Scope, notes: Notes = None, limit: int = MAX_CHARACTERS) -> EquationRead:
-    """An equation of scalars or of vectors. Raises ProblemError at the place that cannot be read."""
-    return _read(fragment, scope, notes, limit, lambda reading: reading.equation())
+def read_equation(
+    fragment: Fragment, scope: Scope, notes: Notes = None, limit: int = MAX_CHARACTERS, latex: bool = False
+) -> EquationRead:
+    """An equation of scalars or of vectors; `latex`: it may be in LaTeX, as answers may.
+
+    Raises ProblemError at the place that cannot be read.
+    """
+    return _read(fragment, scope, notes, limit, lambda reading: reading.equation(), latex)
 
 
 def canonical_name(text: str) -> str | None:
@@ -94,9 +100,11 @@ def canonical_name(text: str) -> str | None:
     return name.text
 
 
-def _read(fragment: Fragment, scope: Scope, notes: Notes, limit: int, what: Callable[[_Reading], T]) -> T:
+def _read(
+    fragment: Fragment, scope: Scope, notes: Notes, limit: int, what: Callable[[_Reading], T], latex: bool = False
+) -> T:
     try:
-        reading = _Reading(fragment, scope, limit)
+        reading = _Reading(fragment, scope, limit, latex)
         value = what(reading)
     except RecursionError:
         message, help_ = "this nests too deeply to be read here", "introduce abbreviations"
@@ -110,9 +118,14 @@ def _read(fragment: Fragment, scope: Scope, notes: Notes, limit: int, what: Call
 class _Reading:
     """One text being read."""
 
-    def __init__(self, fragment: Fragment, scope: Scope, limit: int) -> None:
+    def __init__(self, fragment: Fragment, scope: Scope, limit: int, latex: bool = False) -> None:
         _check_length(fragment, limit)
-        found, notes = tokens(fragment, scientific=scope.scalar("e") is None)
+        if latex and is_latex(fragment):
+            from lagrange.latex_input import latex_tokens  # many tables, wanted seldom
+
+            found, notes = latex_tokens(fragment, scope)
+        else:
+            found, notes = tokens(fragment, scientific=scope.scalar("e") is None)
         found = [replace(f, text=scope.spelling(f.text)) if f.loose else f for f in found]
         self._scope = scope
         self._parser = Parser(fragment, found, scope)

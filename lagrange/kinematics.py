@@ -204,7 +204,7 @@ class Configuration:
         """An expression of the file's coordinates, velocities and accelerations in the present ones."""
         return expression.xreplace(self.substitution) if self.expressed else expression
 
-    @property
+    @cached_property
     def substitution(self) -> dict[sp.Basic, sp.Basic]:
         """q, q', q'' of each replaced coordinate -> their expressions."""
         rule: dict[sp.Basic, sp.Basic] = {}

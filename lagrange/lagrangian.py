@@ -23,7 +23,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.kinematics import Configuration, Load
+from lagrange.kinematics import Configuration, Load, MassPoint
 from lagrange.notation import Slots, base, derivative, t
 from lagrange.rigid_bodies import Rotation
 from lagrange.vectors import Components, Vector
@@ -47,16 +47,16 @@ def lagrange_equations(configuration: Configuration) -> Lagrangian:
     """T, V and the left sides of Lagrange's equations."""
     slots = configuration.slots
     kinetic = kinetic_energy(configuration)
-    constant = [f for f in configuration.loads if _is_constant(f, configuration)]
+    constant = [f for f in configuration.loads if is_constant(f, configuration)]
     varying = [f for f in configuration.loads if f not in constant]
     fields = configuration.potential - sp.Add(*(s.energy for s in configuration.springs))
     potential = fields - sp.Add(*(f.vector.fixed().dot(f.point.fixed()) for f in constant))
     left = []
     for q, v in zip(slots.coordinates, slots.velocities, strict=True):
-        force = sp.Add(*(_generalized(f, v, configuration) for f in varying)) - _partial(potential, q)
-        force += _of_moments(configuration, v) + _of_springs(configuration, q) + _of_dampers(configuration, v)
-        quasi = sp.Add(*(_quasi(r, q, v, slots) for r in configuration.rotations if r.given))
-        left.append(slots.time_derivative(_partial(kinetic, v)) - _partial(kinetic, q) - force - quasi)
+        force = sp.Add(*(share_of_load(f, v, configuration) for f in varying)) - partial(potential, q)
+        force += share_of_moments(configuration, v) + _of_springs(configuration, q) + _of_dampers(configuration, v)
+        quasi = sp.Add(*(quasi_term(r, q, v, slots) for r in configuration.rotations if r.given))
+        left.append(slots.time_derivative(partial(kinetic, v)) - partial(kinetic, q) - force - quasi)
     return Lagrangian(kinetic, potential, tuple(left))
 
 
@@ -65,14 +65,21 @@ def kinetic_energy(configuration: Configuration) -> sp.Expr:
     slots = configuration.slots
     terms = []
     for p in configuration.points:
-        velocity = p.position.fixed().time_derivative(slots)
+        velocity = velocity_of(p, slots)
         terms.append(p.mass * velocity.dot(velocity) / 2)
     for r in configuration.rotations:
-        terms += [moment * w**2 / 2 for moment, w in zip(r.inertia, _spin(r, slots), strict=True) if moment != 0]
+        terms += [
+            moment * w**2 / 2 for moment, w in zip(r.inertia, spin_along_axes(r, slots), strict=True) if moment != 0
+        ]
     return sp.Add(*terms)
 
 
-def _spin(rotation: Rotation, slots: Slots) -> Components:
+def velocity_of(point: MassPoint, slots: Slots) -> Vector:
+    """v of a particle or mass centre, from its position in i, j, k."""
+    return point.position.fixed().time_derivative(slots)
+
+
+def spin_along_axes(rotation: Rotation, slots: Slots) -> Components:
     """The components of ω along the axes of the body."""
     e1, e2, e3 = rotation.axes
     if rotation.given:
@@ -84,24 +91,25 @@ def _spin(rotation: Rotation, slots: Slots) -> Components:
 
 def angular_velocity(rotation: Rotation, slots: Slots) -> Vector:
     """ω in i, j, k, from the axes of the body."""
-    return sum((e * w for e, w in zip(rotation.axes, _spin(rotation, slots), strict=True)), Vector.zero())
+    return sum((e * w for e, w in zip(rotation.axes, spin_along_axes(rotation, slots), strict=True)), Vector.zero())
 
 
-def _quasi(rotation: Rotation, coordinate: sp.Symbol, velocity: sp.Symbol, slots: Slots) -> sp.Expr:
+def quasi_term(rotation: Rotation, coordinate: sp.Symbol, velocity: sp.Symbol, slots: Slots) -> sp.Expr:
     """H·(ω_k' − ∂ω/∂q_k): what quasi-coordinates add to Lagrange's expression. Zero for true coordinates."""
     e1, e2, e3 = rotation.axes
-    components = _spin(rotation, slots)
+    components = spin_along_axes(rotation, slots)
     spin = rotation.angular_velocity.fixed()
-    part = spin.map(lambda c: _partial(c, velocity)).time_derivative(slots)
+    part = spin.map(lambda c: partial(c, velocity)).time_derivative(slots)
     bending = zip(rotation.inertia, components, (e1, e2, e3), strict=True)
-    return sp.Add(*(moment * w * (part.dot(e) - _partial(w, coordinate)) for moment, w, e in bending))
+    return sp.Add(*(moment * w * (part.dot(e) - partial(w, coordinate)) for moment, w, e in bending))
 
 
-def _partial(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+def partial(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """∂/∂symbol."""
     return derivative(expression, lambda s: sp.S.One if s == symbol else sp.S.Zero)
 
 
-def _is_constant(load: Load, configuration: Configuration) -> bool:
+def is_constant(load: Load, configuration: Configuration) -> bool:
     """Whether a force has the potential −F·r: it is constant, and acts at a particle or mass centre."""
     slots = configuration.slots
     moving = {*slots.coordinates, *slots.prescribed, t}
@@ -117,7 +125,7 @@ def _arm(load: Load, configuration: Configuration) -> Vector:
     return (load.point - centre).fixed()
 
 
-def _generalized(load: Load, velocity: sp.Symbol, configuration: Configuration) -> sp.Expr:
+def share_of_load(load: Load, velocity: sp.Symbol, configuration: Configuration) -> sp.Expr:
     """F·∂v/∂q_k', the force's share of Q_k."""
     return load.vector.fixed().dot(_rate_at(load, configuration).map(lambda c: c.diff(velocity)))
 
@@ -134,7 +142,7 @@ def _rate_at(load: Load, configuration: Configuration) -> Vector:
     return rate if arm.is_zero else rate + angular_velocity(turning, slots).cross(arm)
 
 
-def _of_moments(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
+def share_of_moments(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
     """M·∂ω/∂q_k'."""
     spins = {r.name: angular_velocity(r, configuration.slots) for r in configuration.rotations}
     return sp.Add(*(m.vector.fixed().dot(spins[m.on].map(lambda c: c.diff(velocity))) for m in configuration.torques))
@@ -145,7 +153,7 @@ def _of_springs(configuration: Configuration, coordinate: sp.Symbol) -> sp.Expr:
     found = []
     for s in configuration.springs:
         apart = s.apart.fixed()
-        pulled = apart.dot(apart.map(lambda c: _partial(c, coordinate)))
+        pulled = apart.dot(apart.map(lambda c: partial(c, coordinate)))
         found.append(-s.stiffness * pulled * (1 if s.length == 0 else 1 - s.length / s.distance))
     return sp.Add(*found)
 
@@ -157,7 +165,7 @@ def _of_dampers(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
         apart = d.apart.fixed()
         closing = apart.dot(apart.time_derivative(configuration.slots))
         squared = apart.dot(apart)
-        found.append(-d.coefficient * closing * _partial(closing, velocity) / squared)
+        found.append(-d.coefficient * closing * partial(closing, velocity) / squared)
     return sp.Add(*found)
 
 

@@ -26,6 +26,9 @@ MOST_WORK = 2500
 """Operations of all entries together, each counted whenever it is tidied."""
 MOST_CANCELLED = 120
 """Operations of a quotient that is still brought to lowest terms with its sines as they are."""
+MOST_COUPLED = 5
+"""Unknowns that hang together by entries that vary, of equations that are still solved: of a chain of six links no
+tension fits on a page."""
 MOST_BY_DETERMINANTS = 2
 """Unknowns that are found by Cramer's rule."""
 
@@ -118,10 +121,24 @@ def solved_in_blocks(
         ]
     except TooLargeError:
         return None
+    if _most_coupled([row[:-1] for row in reduced], constant) > MOST_COUPLED:
+        return None
     found = solved_linear([row[:-1] for row in reduced], [row[-1] for row in reduced], surface, tidy)
     if found is None:
         return None
     return [*(_leading(row, found, tidied) if leading else None for row in moved), *found]
+
+
+def _most_coupled(rows: Sequence[Sequence[sp.Expr]], constant: Callable[[sp.Expr], bool]) -> int:
+    """The number of unknowns in the largest set that rows with entries that vary tie together."""
+    sets: list[set[int]] = []
+    for row in rows:
+        if all(constant(e) for e in row):
+            continue
+        tied = {c for c, e in enumerate(row) if e != 0}
+        apart = [s for s in sets if s.isdisjoint(tied)]
+        sets = [*apart, tied.union(*(s for s in sets if s not in apart))]
+    return max(map(len, sets), default=0)
 
 
 def _by_determinants(

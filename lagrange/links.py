@@ -43,7 +43,10 @@ class Stretched:
     def energy(self) -> sp.Expr:
         """k (d − l)²/2, written so that no root is left where l = 0, and no |s|² anywhere."""
         d, l = self.distance, self.length
-        return self.stiffness * (d**2 - 2 * l * d + l**2) / 2 if d.has(sp.Abs) else self.stiffness * (d - l) ** 2 / 2
+        if d.has(sp.Abs):
+            return self.stiffness * (d**2 - 2 * l * d + l**2) / 2
+        stretch = d - l
+        return self.stiffness * (-stretch if stretch.could_extract_minus_sign() else stretch) ** 2 / 2
 
     @property
     def pull(self) -> sp.Expr:

@@ -55,6 +55,10 @@ class ScalarMeaning(Remarks, ABC):
     def is_vector(self, tree: Tree) -> bool:
         """Whether a tree is a vector beyond doubt."""
 
+    @abstractmethod
+    def dotted(self, tree: Product) -> tuple[Tree, Tree] | None:
+        """The two vectors of which a product with ⋅ is the scalar product; None where it is none."""
+
     def scalar(self, tree: Tree) -> sp.Expr:
         """The tree as a scalar. Raises ProblemError where it is none."""
         match tree:
@@ -68,7 +72,8 @@ class ScalarMeaning(Remarks, ABC):
                 with self.blaming(tree):
                     return self.arithmetic.sum([self._signed(sign, term) for sign, term in terms])
             case Product(factors=factors):
-                return self.product(tree, factors)
+                dotted = self.dotted(tree)
+                return self.product(tree, factors) if dotted is None else self._inner(tree, *dotted)
             case Power():
                 return self._power(tree)
             case Call():
@@ -85,6 +90,11 @@ class ScalarMeaning(Remarks, ABC):
         values = [self._divisor(f) if operator == "/" else self.scalar(f) for operator, f in factors]
         with self.blaming(whole):
             return self.arithmetic.product(values)
+
+    def _inner(self, whole: Tree, a: Tree, b: Tree) -> sp.Expr:
+        left, right = self.vector(a), self.vector(b)
+        with self.blaming(whole):
+            return self.arithmetic.dot(left, right)
 
     def _signed(self, sign: int, term: Tree) -> sp.Expr:
         value = self.scalar(term)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from lagrange.balance import Balance
 from lagrange.kinematics import Configuration
 from lagrange.notation import variation
 from lagrange.textbook import Textbook
@@ -23,29 +24,17 @@ from lagrange.vectors import Vector
 
 
 @dataclass(frozen=True)
-class Principle:
+class Principle(Balance):
     """D'Alembert's principle in the coordinates of a configuration.
 
-    coefficients  shape (n,): D_k, as ring elements
-    forces        shape (n,): Q_k, in textbook form
     statement     Σ D_k δq_k, in textbook form
     accelerations of the particles and mass centres, by name, in textbook form
     momentum_rates dH/dt of the bodies, by name, in textbook form
-    textbook      what writes ring elements down
     """
 
-    configuration: Configuration
-    coefficients: tuple[Element, ...]
-    forces: tuple[sp.Expr, ...]
     statement: sp.Expr
     accelerations: Mapping[str, Vector]
     momentum_rates: Mapping[str, Vector]
-    textbook: Textbook
-
-    @property
-    def ring(self) -> Ring:
-        """The ring of the coefficients."""
-        return self.textbook.ring
 
 
 def dalembert(configuration: Configuration) -> Principle:

@@ -226,6 +226,7 @@ class Answers:
     equations: tuple[Fragment, ...] = ()
     equilibrium: tuple[tuple[Fragment, ...], ...] = ()
     reactions: Mapping[str, Fragment] = field(default_factory=dict)
+    frequencies: tuple[tuple[Fragment, ...], ...] = ()
 
 
 @dataclass(frozen=True)

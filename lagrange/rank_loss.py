@@ -65,11 +65,10 @@ def _of_row(row: Row, rows: Sequence[Row], slots: Slots) -> RankLoss | None:
     if not 0 < len(conditions) <= MOST_CONDITIONS:
         return None
     finite = [r.name for r in rows if r.finite is not None]
-    if all(c.is_Symbol for c in conditions):
-        at_zero = dict.fromkeys(conditions, sp.S.Zero)
-        excluded = [r.name for r in rows if r.finite is not None and sp.expand(r.finite.xreplace(at_zero)).is_nonzero]
-        if excluded:
-            return RankLoss(conditions, row.name, tuple(excluded[:1]))
+    there = _rule(conditions, slots)
+    excluded = [r.name for r in rows if r.finite is not None and sp.expand(r.finite.xreplace(there)).is_nonzero]
+    if excluded:
+        return RankLoss(conditions, row.name, tuple(excluded[:1]))
     place = _place(conditions, rows, slots)
     try:
         clash = place.contradictory()
@@ -80,6 +79,20 @@ def _of_row(row: Row, rows: Sequence[Row], slots: Slots) -> RankLoss | None:
         return RankLoss(conditions, row.name, rank=rank) if rank is not None and has_real_point(place) else None
     except (UnsupportedError, DivisionByZeroError):
         return None
+
+
+def _rule(conditions: Sequence[sp.Expr], slots: Slots) -> dict[sp.Basic, sp.Expr]:
+    """What x = 0 and x₂ − x₁ = 0 say of coordinates, each of which occurs in one condition only; other conditions say
+    nothing here.
+    """
+    rule: dict[sp.Basic, sp.Expr] = {}
+    for condition in conditions:
+        others = [c for c in conditions if c is not condition]
+        for q in sorted(condition.free_symbols.intersection(slots.coordinates), key=str):
+            if abs(condition.diff(q)) == 1 and not any(c.has(q) for c in others):
+                rule[q] = sp.expand(q - condition * condition.diff(q))
+                break
+    return rule
 
 
 def _conditions(row: Row, slots: Slots) -> tuple[sp.Expr, ...]:

@@ -40,13 +40,25 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
     return next((v for v in order if v in verdicts), Verdict.UNREADABLE)
 
 
+def reading_error(fragment: Fragment, reference: Reference) -> ProblemError | None:
+    """Why what is stated of a reaction cannot be read; None where it can."""
+    try:
+        if "=" in fragment.text:
+            read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS)
+        else:
+            read_value(fragment, reference.scope, [])
+    except ProblemError as error:
+        return error
+    return None
+
+
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[sp.Expr]:
     """What may be meant, each of these being zero."""
     if "=" in fragment.text:
-        equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS)
+        equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS, latex=True)
         lhs, rhs = equation.lhs, equation.rhs
         return [] if isinstance(lhs, Vector) or isinstance(rhs, Vector) else [lhs - rhs]
-    value = read_value(fragment, reference.scope, [])
+    value = read_value(fragment, reference.scope, [], latex=True)
     return [] if isinstance(value, Vector) else [force - value for force in _meanings(reaction)]
 
 
@@ -69,8 +81,7 @@ def _verdict(claim: sp.Expr, candidate: Candidate, reference: Reference) -> Verd
     used = {base(s).name for s in claim.free_symbols}
     if not used & reference.moving <= candidate.known:
         return None
-    claim = candidate.read(claim).xreplace(dict(reference.values))
-    system = candidate.system_with(reference.values)
+    claim, system = candidate.read(claim), candidate.system
     try:
         result = compare(
             [claim], system, [u for u in reference.unknowns if u.name in used and u not in system.multipliers]

@@ -20,11 +20,11 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.balance import Balance
 from lagrange.kinematics import Configuration
 from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_in_blocks, solved_linear, tidy_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import Unspecified, t
-from lagrange.principle import Principle
 from lagrange.textbook import common_factor, textbook_form
 from lagrange.vectors import Vector
 
@@ -111,7 +111,7 @@ class Place:
     show: Tidy
 
 
-def motion_system(principle: Principle, used: Sequence[Reaction]) -> LinearSystem:
+def motion_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
     """The equations with the multipliers of `used`, for accelerations and multipliers."""
     configuration = principle.configuration
     slots = configuration.slots
@@ -126,7 +126,7 @@ def motion_system(principle: Principle, used: Sequence[Reaction]) -> LinearSyste
     return LinearSystem(tuple(rows), tuple(right), unknowns)
 
 
-def equilibrium_system(principle: Principle, used: Sequence[Reaction]) -> LinearSystem:
+def equilibrium_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
     """The same at rest: n equations for the multipliers, velocities and accelerations being zero."""
     slots = principle.configuration.slots
     multipliers = tuple(r.multiplier for r in used)
@@ -140,7 +140,7 @@ def equilibrium_system(principle: Principle, used: Sequence[Reaction]) -> Linear
 
 
 def equations_with_multipliers(
-    principle: Principle, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
+    principle: Balance, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
 ) -> tuple[list[tuple[sp.Expr, ...]], list[sp.Expr]]:
     """D_k − Σ λ_j a_jk = 0 for each coordinate, as rows and right sides."""
     rows, right = [], []
@@ -243,7 +243,7 @@ def written_out(system: LinearSystem, configuration: Configuration, dragging: Se
 def over_one_denominator(value: sp.Expr) -> sp.Expr:
     """A sum whose terms have a denominator in common as one quotient, or one product: (m/l) (x'² + y'² + g y)."""
     if not value.is_Add:
-        return value
+        return _unnested(value)
     common = common_factor(value)
     if not any(e < 0 for _, e in common.powers):
         return value
@@ -252,6 +252,17 @@ def over_one_denominator(value: sp.Expr) -> sp.Expr:
     if all(term.could_extract_minus_sign() for term in terms):
         return -(common.expression * sp.Add(*(-term for term in terms)))
     return common.expression * rest
+
+
+def _unnested(value: sp.Expr) -> sp.Expr:
+    """A quotient without quotients in the sums above its line: g (l² − y²), not g l² (1 − y²/l²)."""
+    numerator, _ = sp.fraction(value)
+    sums = (s for s in numerator.atoms(sp.Add) if s.count_ops() <= MOST_CANCELLED)
+    if numerator.count_ops() > MOST_CANCELLED or all(sp.fraction(term)[1].is_number for s in sums for term in s.args):
+        return value
+    above, below = sp.fraction(sp.together(value))
+    formed = textbook_form(above) / textbook_form(below)
+    return formed if formed.count_ops() < value.count_ops() else value
 
 
 def _force(direction: Vector, value: sp.Expr, tidy: Tidy) -> Vector:

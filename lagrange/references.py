@@ -15,27 +15,36 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.comparison import System
-from lagrange.constraints import constraint_row
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.dimensions import Mismatch, mismatch
+from lagrange.edits import terms_of
 from lagrange.equations import EquationsOfMotion
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
-from lagrange.kinematics import Configuration, file_configuration
+from lagrange.kinematics import Configuration
+from lagrange.letters import letters
+from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import prime, variation
 from lagrange.problem import Problem
 from lagrange.quasi_velocities import quasi_variation
-from lagrange.solution import Solution
+from lagrange.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.vectors import Vector
 from lagrange.verification import multiplier_system
 
 
 @dataclass(frozen=True)
 class Reading:
-    """One equation of an answer: its components, each zero; or why it cannot be read."""
+    """One equation of an answer: its two sides and its components, each zero; or why it cannot be read."""
 
     text: str
     components: tuple[sp.Expr, ...] = ()
     error: ProblemError | None = None
     notes: list[Diagnostic] = field(default_factory=list)
+    sides: tuple[sp.Expr | Vector, ...] = ()
+
+    @property
+    def surprising(self) -> tuple[sp.Expr | Vector, ...]:
+        """The two sides, where the reader may have understood something else than was meant, or meant LaTeX."""
+        return self.sides if self.notes or set(self.text) & {"\\", "$"} else ()
 
 
 @dataclass(frozen=True)
@@ -47,6 +56,8 @@ class Candidate:
     meanings     names of forces that stand for multiples of multipliers: T = −2 l λ
     named        what meanings know that is no multiple of a multiplier
     only_for     names one of which an answer must use, for this reading of it to be another one
+    values       the numbers that the file gives to parameters
+    certain      magnitudes and signs that the file settles: |N| is N
     """
 
     choice: str
@@ -56,15 +67,13 @@ class Candidate:
     meanings: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     only_for: frozenset[str] = frozenset()
     named: frozenset[str] = frozenset()
+    values: Mapping[sp.Symbol, sp.Rational] = field(default_factory=dict)
+    certain: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict)
 
     @cached_property
     def system(self) -> System:
-        """The system."""
-        return self.build()
-
-    def system_with(self, values: Mapping[sp.Symbol, sp.Rational]) -> System:
-        """The system with the numbers that the file gives to parameters."""
-        return _with_values(self.system, values) if values else self.system
+        """The system, with the numbers that the file gives."""
+        return _with_values(self.build(), self.values) if self.values else self.build()
 
     @property
     def known(self) -> set[str]:
@@ -76,8 +85,9 @@ class Candidate:
         return {s.name for s in (*own, *meant)} | self.named
 
     def read(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of an answer, in the coordinates and the unknowns of the system."""
-        return self.configuration.rewritten(expression.xreplace(dict(self.meanings)))
+        """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
+        meant = expression.xreplace(dict(self.certain)).xreplace(dict(self.meanings))
+        return self.configuration.rewritten(meant).xreplace(dict(self.values))
 
 
 @dataclass(frozen=True)
@@ -88,12 +98,26 @@ class Reference:
     candidates  the systems, those of the file's own coordinates first
     values      the numbers that the file gives to parameters
     unknowns    declared unknown forces
+    units       of parameters and coordinates, where the file gives them
     """
 
     scope: Scope
     candidates: tuple[Candidate, ...]
     values: Mapping[sp.Symbol, sp.Rational]
     unknowns: tuple[sp.Symbol, ...] = ()
+    units: Mapping[sp.Symbol, str] = field(default_factory=dict)
+
+    def mismatch(self, reading: Reading) -> Mismatch | None:
+        """Terms of an equation that are not of one dimension; None where they are, or that is not known."""
+        if not self.units or not self._units_agree or len(reading.components) != 1:
+            return None
+        return mismatch(terms_of(reading.components[0]) or (), self.units)
+
+    @cached_property
+    def _units_agree(self) -> bool:
+        """Whether the derived equations themselves are of one dimension: otherwise the units of the file are wrong."""
+        systems = (c.system for c in self.candidates)
+        return all(mismatch(terms_of(e) or (), self.units) is None for s in systems for e in s.equations)
 
     @cached_property
     def moving(self) -> set[str]:
@@ -107,13 +131,19 @@ def reference_of_solution(solution: Solution) -> Reference:
     signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
     scope = problem.scope
     angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
-    new = [*(q for c in problem.choices for q in c.coordinates), *angles]
+    energies = _energies(solution)
+    general = [letters(solution).coordinate] if energies else []
+    small = [x for x in small_displacements(solution) if x.name not in scope.names()]
+    of_oscillations = {s.name: s for s in letters_of_oscillations(solution)}
+    new = [*(q for c in problem.choices for q in c.coordinates), *angles, *general, *small]
     coordinates = tuple(dict.fromkeys((*scope.slots.coordinates, *new)))
     wider = replace(
         scope,
         scalars={
+            **of_oscillations,
             **_potential(solution),
             **_quasi_variations(solution),
+            **energies,
             **_reactions(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
@@ -123,8 +153,11 @@ def reference_of_solution(solution: Solution) -> Reference:
         slots=replace(scope.slots, coordinates=coordinates),
         vectors={**_applied_forces(solution), **_reaction_forces(solution), **_of_bodies(solution), **scope.vectors},
     )
-    candidates = tuple(_with_meanings(list(_candidates(solution)), solution))
-    return Reference(wider, candidates, _values(problem), problem.unknowns)
+    values = values_of(problem)
+    certain = _settled(solution)
+    plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
+    candidates = tuple(_with_meanings(plain, solution))
+    return Reference(wider, candidates, values, problem.unknowns, units_of(problem))
 
 
 def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
@@ -161,6 +194,25 @@ def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> I
         yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
 
 
+def _settled(solution: Solution) -> dict[sp.Expr, sp.Expr]:
+    """The magnitudes and signs that the file settles for friction: |N| = N where the contact is said to be positive.
+
+    |N| may also be written with the value of N: |m g cos α| is m g cos α then.
+    """
+    found: dict[sp.Expr, sp.Expr] = {}
+    for there in (solution.dynamics, *(c.dynamics for c in solution.choices)):
+        for r in there.rubbed if there is not None else ():
+            if r.friction.contact is not None:
+                multiplier = r.reaction.multiplier
+                found |= {sp.Abs(multiplier): r.contact * multiplier, sp.sign(multiplier): r.contact}
+                value = there.reactions.values.get(multiplier) if there and there.reactions else None
+                inside = sp.Abs(value).atoms(sp.Abs) if value is not None else set()
+                found |= {a: r.contact * value * a / sp.Abs(value) for a in inside if len(inside) == 1}
+            if r.friction.slip is not None and r.speed is not None:
+                found |= {sp.Abs(r.speed): r.sense * r.speed, sp.sign(r.speed): r.sense}
+    return found
+
+
 def _angles_on_surfaces(solution: Solution) -> Iterator[sp.Symbol]:
     """The angles with which a derivation writes forms on circles, spheres, ...: intermediate lines have them."""
     for c in solution.classification.constraints:
@@ -183,6 +235,16 @@ def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
         )
         for u in problem.speeds
     }
+
+
+def _energies(solution: Solution) -> dict[str, sp.Expr]:
+    """T, V, L, v_P, p_k, Q_k, N_k of a derivation by Lagrange's equations; those of the file's coordinates prevail."""
+    found: dict[str, sp.Expr] = {}
+    named = letters(solution)
+    for dynamics in (*(c.dynamics for c in reversed(solution.choices)), solution.dynamics):
+        if dynamics is not None and isinstance(dynamics.written, LagrangeMotion):
+            found |= {s.name: e for s, e in named.meanings(dynamics.written.principle).items()}
+    return found
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:
@@ -245,25 +307,6 @@ def _reaction_forces(solution: Solution) -> dict[str, Vector]:
     return {name: force for name, force in forces.items() if name not in taken}
 
 
-def reference_of_equations(problem: Problem) -> Reference:
-    """The reference system that a file gives outright under `equations`."""
-    rows = tuple(constraint_row(c, problem.slots) for c in problem.constraints)
-    configuration = file_configuration(problem, rows)
-    expressions: list[sp.Expr] = []
-    errors: list[Diagnostic] = []
-    for fragment in problem.equations:
-        reading = read_answer(fragment, problem.scope)
-        expressions += reading.components
-        errors += reading.error.diagnostics if reading.error else ()
-    if errors:
-        raise ProblemError(errors)
-    unknowns = _occurring(problem.unknowns, tuple(expressions))
-    system = System(configuration, tuple(expressions), unknowns)
-    return Reference(
-        problem.scope, (Candidate("", configuration, unknowns, lambda: system),), _values(problem), problem.unknowns
-    )
-
-
 def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> System:
     """The system with the numbers that the file gives to parameters."""
     configuration = system.configuration
@@ -287,17 +330,24 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     notes: list[Diagnostic] = []
     text = fragment.text.strip()
     try:
-        equation = read_equation(fragment, scope, notes, MAX_ANSWER_CHARACTERS)
+        equation = read_equation(fragment, scope, notes, MAX_ANSWER_CHARACTERS, latex=True)
     except ProblemError as error:
         return Reading(text, error=error)
     lhs, rhs = equation.lhs, equation.rhs
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
-        return Reading(text, parts, notes=notes)
-    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes)
+        return Reading(text, parts, notes=notes, sides=(lhs, rhs))
+    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
 
 
-def _values(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+def units_of(problem: Problem) -> dict[sp.Symbol, str]:
+    """The units that a file gives to parameters and coordinates."""
+    found = {p.symbol: p.unit for p in problem.parameters if p.unit}
+    return found | {q.symbol: q.unit for q in problem.coordinates if q.unit}
+
+
+def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
+    """The numbers that a file gives to parameters."""
     return {p.symbol: p.value for p in problem.parameters if p.value is not None}
 
 
@@ -318,7 +368,7 @@ def _candidates(solution: Solution) -> Iterator[Candidate]:
             """The file's own equations, with all multipliers, in the coordinates of the choice."""
             own = _with_multipliers(solution.motion, solution)  # type: ignore[arg-type]
             equations = tuple(configuration.rewritten(e) for e in own.equations)
-            return System(configuration, equations, (*reactions, *_occurring(unknowns, equations)))
+            return System(configuration, equations, (*reactions, *occurring(unknowns, equations)))
 
         yield Candidate(c.name, configuration, (*reactions, *unknowns), rewritten)
 
@@ -337,10 +387,10 @@ def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:
     reactions = {c.name: c.reaction for c in solution.problem.constraints}
     left = tuple(principle.textbook.form(d) for d in principle.coefficients)
     system = multiplier_system(configuration, left, tuple(reactions[r.name] for r in configuration.rows))
-    return replace(system, multipliers=(*system.multipliers, *_occurring(solution.problem.unknowns, left)))
+    return replace(system, multipliers=(*system.multipliers, *occurring(solution.problem.unknowns, left)))
 
 
-def _occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
+def occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
     """Those of the symbols that occur."""
     used = set().union(*(e.free_symbols for e in expressions))
     return tuple(s for s in symbols if s in used)

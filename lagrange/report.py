@@ -10,10 +10,13 @@ import sympy as sp
 
 from lagrange.answers import Verdict
 from lagrange.checking import ComparedAnswer, compared_answers
+from lagrange.conservation import Conserved
 from lagrange.derivation import Derivation, Step
 from lagrange.diagnostics import Diagnostic
-from lagrange.dynamics import Motion
+from lagrange.dynamics import Law, Method, Motion
+from lagrange.equations import DalembertMotion
 from lagrange.explain.checks import explain_checks
+from lagrange.explain.conservation import explain_conserved
 from lagrange.explain.constraints import (
     explain_classification,
     explain_constraints,
@@ -22,6 +25,7 @@ from lagrange.explain.constraints import (
     explain_integrability,
 )
 from lagrange.explain.displacements import explain_displacements
+from lagrange.explain.matrix_form import explain_matrix_form
 from lagrange.explain.motion import (
     explain_choice,
     explain_equations,
@@ -31,12 +35,16 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions
 from lagrange.explain.statement import explain_statement
+from lagrange.letters import letters, states_potential
+from lagrange.multipliers import LagrangeMotion
 from lagrange.pictures.illustrated import illustrated
-from lagrange.problem import Problem
+from lagrange.problem import Find, Problem
 from lagrange.render.kinds import Notation
-from lagrange.solution import Solution, solve
+from lagrange.solution import Solution, letters_of_oscillations, small_displacements, solve
 
 if TYPE_CHECKING:
+    from lagrange.explain.energies import Told
+    from lagrange.linearization import Linearization
     from lagrange.quasi_verification import InSpeeds
     from lagrange.static_reactions import StaticReactions
 
@@ -49,11 +57,12 @@ class Report:
     answers: tuple[ComparedAnswer, ...]
     derivation: Derivation
     notation: Notation
+    remarks: tuple[Diagnostic, ...] = ()
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What is to be said of how the file was read."""
-        return self.solution.problem.notes
+        """What is to be said of how the file was read, and of what was asked."""
+        return (*self.solution.problem.notes, *self.remarks)
 
     @property
     def shortcomings(self) -> tuple[Diagnostic, ...]:
@@ -72,18 +81,31 @@ class Report:
         return markdown.body(self.derivation, self.notation)
 
 
-def report(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Report:
+def report(
+    problem: Problem, choice: str | None = None, *, complete: bool = True, method: Method = Method.DALEMBERT
+) -> Report:
     """Solves a problem and explains the solution. Raises what `solve` raises."""
-    solution = solve(problem, choice, complete=complete)
+    solution = solve(problem, choice, complete=complete, method=method)
     answers = tuple(compared_answers(solution))
     notation = notation_of(solution)
-    steps = tuple(illustrated(_steps(solution, answers), solution, notation))
-    return Report(solution, answers, Derivation(problem.title, problem.source, steps), notation)
+    steps = tuple(illustrated(_steps(solution, answers, complete), solution, notation))
+    derivation = Derivation(problem.title, problem.source, steps)
+    remarks = _remarks(problem, method)
+    return Report(solution, answers, derivation, notation, remarks)
 
 
-def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Step]:
+def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
+    """That a method of motion was asked for where nothing moves."""
+    if method is Method.DALEMBERT or Find.MOTION in problem.find:
+        return ()
+    message = f"`--method {method}` makes no difference here: no equations of motion are asked for"
+    help_ = "equilibrium is found by the principle of virtual work; `find: motion` asks for equations of motion"
+    return (Diagnostic("method-without-motion", message, help=help_).as_note(),)
+
+
+def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...], complete: bool) -> Iterator[Step]:
     problem, classification = solution.problem, solution.classification
-    yield explain_statement(problem, solution.configuration)
+    yield explain_statement(problem, solution.configuration, not _tells_energies(solution))
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
@@ -92,9 +114,10 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
     yield explain_freedom(classification)
     yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
     yield from _statics(solution)
-    yield from _motion(solution)
+    yield from _motion(solution, complete)
     if solution.dynamics is None:
         yield from _speeds(solution.in_speeds, solution)
+    yield from _small_oscillations(solution.linearization)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
@@ -103,10 +126,17 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield from _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
-            yield explain_motion_in_choice(c.coordinates, c.dynamics.written, problem, c.dynamics.with_multipliers)
+            written = c.dynamics.written
+            if isinstance(written, LagrangeMotion):
+                yield from _by_lagrange(solution, written)
+            elif isinstance(written, DalembertMotion):
+                yield explain_motion_in_choice(c.coordinates, written, problem, c.dynamics.with_multipliers)
+            yield from _matrix_form(c.dynamics, c.name, complete)
         yield from _speeds(c.in_speeds, solution)
         if c.dynamics is not None:
             yield from _reactions(solution, c.dynamics, c.name)
+        yield from _conserved(c.conserved, problem, c.name)
+        yield from _small_oscillations(c.linearization)
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
 
 
@@ -136,6 +166,20 @@ def _statics(solution: Solution) -> Iterator[Step]:
     yield from _reactions_at_rest(solution, solution.reactions_at_rest)
 
 
+def _matrix_form(dynamics: Motion, choice: str, complete: bool) -> Iterator[Step]:
+    """The equations in matrix form: in full detail only."""
+    step = explain_matrix_form(dynamics, choice) if complete else None
+    if step is not None:
+        yield step
+
+
+def _small_oscillations(found: Linearization | None) -> Iterator[Step]:
+    if found is not None:
+        from lagrange.explain.linearization import explain_linearization
+
+        yield explain_linearization(found)
+
+
 def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Iterator[Step]:
     if found is not None and solution.law is not None:
         from lagrange.explain.static_reactions import explain_reactions_at_rest
@@ -145,24 +189,39 @@ def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Ite
             yield step
 
 
-def _motion(solution: Solution) -> Iterator[Step]:
+def _motion(solution: Solution, complete: bool) -> Iterator[Step]:
     """From Newton's law to the equations of motion; friction needs the reactions first."""
     law, dynamics = solution.law, solution.dynamics
     if law is None or dynamics is None:
         return
-    if solution.works:
+    written = dynamics.written
+    if solution.works and not isinstance(written, LagrangeMotion):
         freedom = solution.classification.degrees_of_freedom
         yield explain_newton(law.newton, dynamics.rubbed, solution.configuration, freedom)
         yield explain_works(solution.works, solution.configuration)
+    if dynamics.rubbed and isinstance(written, LagrangeMotion):
+        from lagrange.explain.energies import explain_friction_first
+
+        yield explain_friction_first(_told(solution, law, written))
     if dynamics.rubbed:
         yield from _reactions(solution, dynamics)
-    yield explain_principle(dynamics.written)
-    shown = law.newton.equations is not None and not solution.configuration.rotations  # they are Newton's, then
-    multiplied = None if shown else dynamics.with_multipliers
-    yield explain_equations(dynamics.written, solution.problem, multiplied)
+    if isinstance(written, LagrangeMotion):
+        yield from _by_lagrange(solution, written)
+    elif isinstance(written, DalembertMotion):
+        yield explain_principle(written)
+        multiplied = None if law.newton.equations is not None else dynamics.with_multipliers  # they are Newton's, then
+        yield explain_equations(written, solution.problem, multiplied)
+    yield from _matrix_form(dynamics, "", complete)
     yield from _speeds(solution.in_speeds, solution)
     if not dynamics.rubbed:
         yield from _reactions(solution, dynamics)
+    yield from _conserved(solution.conserved, solution.problem)
+
+
+def _conserved(found: Conserved | None, problem: Problem, choice: str = "") -> Iterator[Step]:
+    step = None if found is None else explain_conserved(found, choice, names_of(problem))
+    if step is not None:
+        yield step
 
 
 def _speeds(found: InSpeeds | None, solution: Solution) -> Iterator[Step]:
@@ -170,7 +229,35 @@ def _speeds(found: InSpeeds | None, solution: Solution) -> Iterator[Step]:
         from lagrange.explain.quasi_velocities import explain_speeds
 
         others = (solution.in_speeds, *(c.in_speeds for c in solution.choices))
-        yield explain_speeds(found, solution.problem, found is next(s for s in others if s is not None))
+        stated = solution.law is not None and solution.law.method is Method.DALEMBERT
+        yield explain_speeds(found, solution.problem, found is next(s for s in others if s is not None), stated)
+
+
+def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
+    """T, V and Q_k, Lagrange's equations, and what they come to without multipliers."""
+    from lagrange.explain.energies import explain_energies
+    from lagrange.explain.lagrange import explain_lagrange, explain_lagrange_motion
+
+    if solution.law is not None:
+        told = _told(solution, solution.law, written)
+        yield explain_energies(told)
+        yield explain_lagrange(told)
+        yield explain_lagrange_motion(told)
+
+
+def _told(solution: Solution, law: Law, written: LagrangeMotion) -> Told:
+    """What is told of Lagrange's equations in one set of coordinates."""
+    from lagrange.explain.energies import Told
+
+    finite = frozenset(c.row.name for c in solution.classification.constraints if c.integrable)
+    rubbed = solution.dynamics.rubbed if solution.dynamics is not None else ()
+    return Told(written, letters(solution), law, solution.problem, rubbed, finite)
+
+
+def _tells_energies(solution: Solution) -> bool:
+    """Whether V is told of where T is, the weights' with that of springs and fields."""
+    by_lagrange = solution.law is not None and solution.law.method is Method.LAGRANGE
+    return by_lagrange and not states_potential(solution)
 
 
 def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Iterator[Step]:
@@ -203,9 +290,9 @@ def notation_of(solution: Solution) -> Notation:
     problem = solution.problem
     new = [q for c in solution.choices for q in c.coordinates.configuration.slots.coordinates]
     return Notation(
-        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new))),
+        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
-        speeds=tuple(s.symbol for s in problem.speeds),
+        speeds=(*(s.symbol for s in problem.speeds), *letters_of_oscillations(solution)),
         parameters=tuple(p.symbol for p in problem.parameters),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),

@@ -1,12 +1,13 @@
 """solve(): the stages in order.
 
 statement -> constraints -> classification -> displacements -> Newton's law -> workless constraints -> d'Alembert's
-principle -> generalized coordinates -> equations of motion -> reactions -> checks. Each stage is a function of its own
-in a module of its own; what each of them finds is a field of the result.
+principle -> generalized coordinates -> equations of motion -> reactions -> what is conserved -> checks. Each stage is a
+function of its own in a module of its own; what each of them finds is a field of the result.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
@@ -14,13 +15,15 @@ import sympy as sp
 
 from lagrange.classification import Classification, classify
 from lagrange.comparison import System
+from lagrange.conservation import Conserved, check_conserved, conserved
 from lagrange.constant_inertia import check_constant_inertia
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.displacements import Elimination, carrying_rates, eliminate
-from lagrange.dynamics import Law, Motion, law_of_motion, motion
+from lagrange.dynamics import Law, Method, Motion, law_of_motion, motion
 from lagrange.equations import EquationsOfMotion, check_inertia
 from lagrange.kinematics import Configuration, file_configuration
+from lagrange.matrix_form import solved_accelerations
 from lagrange.newton import Normal, normals
 from lagrange.problem import Choice, Find, Friction, Problem
 from lagrange.spot import Spot, spot_value
@@ -41,6 +44,7 @@ from lagrange.workless import WorkOfReaction, works_of_reactions
 
 if TYPE_CHECKING:
     from lagrange.equilibrium import Equilibrium
+    from lagrange.linearization import Linearization
     from lagrange.quasi_verification import InSpeeds
     from lagrange.stability import SecondVariation
     from lagrange.static_reactions import StaticReactions
@@ -57,6 +61,8 @@ class ChoiceSolution:
     reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
     in_speeds: InSpeeds | None = None
+    conserved: Conserved | None = None
+    linearization: Linearization | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -83,6 +89,8 @@ class Solution:
     equilibrium    its equilibria, where these are asked for; their stability, where there is a potential
     reactions_at_rest  the reactions there, where there are constraints
     in_speeds    the velocities, and the equations of motion, by the quasi-velocities of the file
+    conserved      what the motion conserves; None where it is found in a choice only
+    linearization  small oscillations in the file's coordinates, where no choice serves
     """
 
     problem: Problem
@@ -101,6 +109,8 @@ class Solution:
     reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
     in_speeds: InSpeeds | None = None
+    conserved: Conserved | None = None
+    linearization: Linearization | None = None
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -115,15 +125,21 @@ class Solution:
         return decided and all(check.passed for check in self.checks)
 
 
-def solve(problem: Problem, choice: str | None = None, *, complete: bool = True) -> Solution:
+def solve(
+    problem: Problem, choice: str | None = None, *, complete: bool = True, method: Method = Method.DALEMBERT
+) -> Solution:
     """Solves a problem; with `choice`, in that choice of generalized coordinates only.
 
-    complete  also what is long and not shown unasked: several reactions in dependent coordinates, if a choice has them
+    method    by what equations of motion are derived; statics knows only the principle of virtual work
+    complete  also what is long and not shown unasked: several reactions, and what is conserved, in dependent
+              coordinates, if a choice has them
 
     Raises ProblemError where the problem contradicts itself, UndecidedError and NotCoveredError where it cannot be
     solved.
     """
     _refuse_what_is_not_covered(problem)
+    if Find.LINEARIZATION in problem.find and Find.MOTION not in problem.find:
+        problem = replace(problem, find=(Find.MOTION, *problem.find))
     classification = classify(problem)
     configuration = file_configuration(problem, classification.rows)
     elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.states)
@@ -151,10 +167,34 @@ def solve(problem: Problem, choice: str | None = None, *, complete: bool = True)
 
         check_statics(problem, configuration)
     if Find.MOTION in problem.find:
-        solution = _with_motion(solution, complete)
+        solution = _with_motion(solution, complete, method)
     if problem.speeds:
         solution = _with_speeds(solution)
+    if Find.LINEARIZATION in problem.find:
+        solution = _with_linearization(solution)
     return _with_equilibrium(solution) if Find.EQUILIBRIUM in problem.find else solution
+
+
+def _with_linearization(solution: Solution) -> Solution:
+    """The solution with small oscillations, in every choice without square roots, else in the file's coordinates."""
+    from lagrange.linearization import linearization
+    from lagrange.linearization_checks import check_linearization
+
+    problem = solution.problem
+    taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
+    checks = [*solution.checks]
+    choices = []
+    for c in solution.choices:
+        if c.dynamics is not None and not c.coordinates.signs:
+            found = linearization(c.dynamics.equations, taken)
+            checks += check_linearization(found)
+            c = replace(c, linearization=found)
+        choices.append(c)
+    here = None
+    if solution.dynamics is not None and not any(s for c in choices if c.linearization for s in c.linearization.at):
+        here = linearization(solution.dynamics.equations, taken)
+        checks += check_linearization(here)
+    return replace(solution, linearization=here, choices=tuple(choices), checks=tuple(checks))
 
 
 def _with_equilibrium(solution: Solution) -> Solution:
@@ -194,10 +234,24 @@ def _with_equilibrium(solution: Solution) -> Solution:
     )
 
 
-def _law(solution: Solution, at_rest: bool = False) -> Law:
+def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters ξ of all linear equations."""
+    found = [solution.linearization, *(c.linearization for c in solution.choices)]
+    return tuple(dict.fromkeys(x for f in found if f is not None for x in f.displacements))
+
+
+def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters for frequencies, exponents and damping ratios."""
+    found = [f for f in (solution.linearization, *(c.linearization for c in solution.choices)) if f is not None]
+    names = {f"{f.omega}{i}" for f in found for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
+    names |= {f.exponent.name for f in found} | ({"zeta"} if found else set())
+    return tuple(sp.Symbol(n, real=True) for n in sorted(names))
+
+
+def _law(solution: Solution, at_rest: bool = False, method: Method = Method.DALEMBERT) -> Law:
     """Newton's law in the file's coordinates."""
     rank = solution.classification.rank
-    return law_of_motion(solution.problem, solution.configuration, solution.elimination, rank, at_rest)
+    return law_of_motion(solution.problem, solution.configuration, solution.elimination, rank, at_rest, method)
 
 
 def _elimination_in(c: ChoiceSolution) -> Elimination:
@@ -208,10 +262,10 @@ def _elimination_in(c: ChoiceSolution) -> Elimination:
     return eliminate(configuration.rows, len(coordinates), configuration.states, first)
 
 
-def _with_motion(solution: Solution, complete: bool) -> Solution:
+def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution:
     """The solution with the equations of motion, in the file's coordinates and in every choice."""
     original = solution.configuration
-    law = _law(solution)
+    law = _law(solution, method=method)
     problem = law.problem
     reactions = law.newton.multipliers_by_name
     given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
@@ -222,20 +276,29 @@ def _with_motion(solution: Solution, complete: bool) -> Solution:
     dynamics = motion(law, original, solution.elimination, with_reactions)
     found = dynamics.equations
     check_inertia(found)
+    if complete and not dynamics.accelerations:
+        dynamics = replace(dynamics, solved=solved_accelerations(dynamics.matrices))
     multipliers = tuple(reactions.values())
-    checks = [*solution.checks, *check_workless(works), *check_motion(found, reactions)]
-    checks += check_reactions(found.configuration, multipliers, dynamics.reactions)
+    checks = [*solution.checks, *check_workless(works), *check_motion(found, reactions, method)]
+    checks += check_reactions(found.configuration, multipliers, dynamics.reactions, method)
+    frictions = {f.name for f in law.frictions}
+    kept = conserved(dynamics, reactions, frictions) if complete or not solution.choices else None
+    checks += check_conserved(kept) if kept else []
     choices = []
     for c in solution.choices:
         configuration = c.coordinates.configuration
         elimination = _elimination_in(c)
         there = motion(law, configuration, elimination)
+        if complete:
+            there = replace(there, solved=solved_accelerations(there.matrices))
         checks += check_displacements(configuration, elimination)
-        checks += check_motion(there.equations, reactions)
+        checks += check_motion(there.equations, reactions, method)
         checks.append(check_choice(found, there.equations))
-        checks += check_reactions(found.configuration, multipliers, there.reactions)
+        checks += check_reactions(found.configuration, multipliers, there.reactions, method)
         spot = spot_value(System(there.equations.configuration, there.equations.expressions), given)
-        choices.append(replace(c, dynamics=there, spot=spot))
+        integrals = conserved(there, reactions, frictions) if complete or _is_short(c, solution.choices) else None
+        checks += check_conserved(integrals) if integrals else []
+        choices.append(replace(c, dynamics=there, spot=spot, conserved=integrals))
     spot = spot_value(System(found.configuration, found.expressions), given)
     return replace(
         solution,
@@ -247,6 +310,7 @@ def _with_motion(solution: Solution, complete: bool) -> Solution:
         spot=spot,
         choices=tuple(choices),
         checks=tuple(checks),
+        conserved=kept,
     )
 
 
@@ -268,6 +332,11 @@ def _with_speeds(solution: Solution) -> Solution:
         checks += check_speeds(there, problem)
         choices.append(replace(c, in_speeds=there))
     return replace(solution, in_speeds=own, choices=tuple(choices), checks=tuple(checks))
+
+
+def _is_short(choice: ChoiceSolution, choices: Sequence[ChoiceSolution]) -> bool:
+    """Whether a choice has no square roots, or all have."""
+    return not choice.coordinates.signs or all(c.coordinates.signs for c in choices)
 
 
 def _substitutions(chosen: list[GeneralizedCoordinates]) -> list[Check]:
@@ -295,7 +364,9 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
     for force in problem.forces:
         if isinstance(force, Friction) and Find.EQUILIBRIUM in problem.find:
             raise NotCoveredError(f"friction `{force.name}`", force.span)
+        if isinstance(force, Friction) and Find.LINEARIZATION in problem.find:
+            raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
-    if Find.LINEARIZATION in problem.find:
-        raise NotCoveredError(f"`find: {Find.LINEARIZATION}`")
+    if Find.LINEARIZATION in problem.find and problem.unknowns:
+        raise NotCoveredError("small oscillations with unknown forces, which have no law,")

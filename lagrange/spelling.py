@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from lagrange.characters import GREEK
 from lagrange.diagnostics import nearest
 from lagrange.lexicon import FUNCTIONS, OPERATIONS, Role
 from lagrange.scope import RESERVED, UNITS, Scope
@@ -14,6 +15,15 @@ _OTHER_NAMES = {
     "th": "tanh", "sgn": "sign", "signum": "sign", "root": "sqrt", "Derivative": "diff", "derivative": "diff",
     "grad": "diff",
 }  # fmt: skip
+_ALIKE = tuple(
+    group.split()
+    for group in (
+        "l I ell", "O o omicron", "v nu V upsilon", "w omega varpi", "u mu", "p rho", "a alpha", "k kappa varkappa K",
+        "x chi X", "n eta", "t tau", "y gamma", "B beta", "E epsilon varepsilon", "phi varphi", "theta vartheta",
+        "rho varrho", "sigma varsigma", "i iota", "d delta", "W omega",
+    )
+)  # fmt: skip
+"""Letters that are taken for one another."""
 _RATES = (("ddot", 2), ("dot", 1))
 
 
@@ -32,9 +42,12 @@ def help_for_symbol(name: str, scope: Scope) -> str:
         return f"did you mean `{rate}`? A prime is a time derivative"
     if differential := _differential(name, scope):
         return f"did you mean `{differential}`?"
-    if split := _split(name, scope):
+    if (split := _split(name, scope)) and name not in GREEK.values():
         return f"did you mean `{split}`? Symbols are multiplied with a space or `*` between them"
-    if near := nearest(name[:60], names):
+    near = nearest(name[:60], names)
+    if (near is None or near.casefold() != name.casefold()) and (alike := _alike(name, scope)):
+        return f"did you mean `{alike}`?"
+    if near:
         return f"did you mean `{near}`?"
     declared = [f"`{n}`" for n in names if n not in RESERVED]
     if len(declared) > _MOST_LISTED:
@@ -55,6 +68,17 @@ def help_for_function(name: str, scope: Scope) -> str:
     if near := nearest(name[:60], functions):
         return f"did you mean `{near}`?"
     return f"the functions are {', '.join(functions)}; any other name must be declared"
+
+
+def _alike(name: str, scope: Scope) -> str:
+    """The declared name that looks like one: l for \\ell, omega for w; with the same index."""
+    letter, joint, index = name.partition("_")
+    for group in _ALIKE:
+        if letter in group:
+            for other in group:
+                if other != letter and scope.role(other + joint + index) is not Role.UNDECLARED:
+                    return other + joint + index
+    return ""
 
 
 def _rate(name: str, scope: Scope) -> str:

@@ -7,10 +7,10 @@ so that the state is possible.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations, count
+from itertools import combinations, count, islice
 from random import Random
 from typing import Any
 
@@ -18,7 +18,7 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from lagrange.comparison import System, affine_rows
-from lagrange.coordinates import solved_constraints
+from lagrange.coordinates import solved_constraints, solved_for_one
 from lagrange.elimination import row_reduced
 from lagrange.evaluation import Graph
 from lagrange.exact import InadmissibleError, ZeroDivisorError
@@ -32,6 +32,10 @@ ITERATIONS = 30
 TOLERANCE = sp.Float(10) ** -20
 RECOGNISED = 60
 LARGEST_DENOMINATOR = 1000
+MOST_ATTEMPTS = 24
+"""Sets of dependent coordinates for which Newton's iteration is tried."""
+MOST_SOLVED = 3
+"""Constraints that are solved in symbols: roots of roots grow fast."""
 
 
 @dataclass(frozen=True)
@@ -89,6 +93,9 @@ def _positions(
     finite = configuration.finite_constraints
     if not finite:
         return dict(chosen)
+    equations = [f.xreplace(dict(values)) for f in finite]
+    if len(finite) > MOST_SOLVED:
+        return _in_turn(equations, chosen) or _by_newton(equations, chosen)
     solution = solved_constraints(configuration.rows, list(slots.coordinates))
     if len(solution.expressed) == len(finite):
         free = {q: v for q, v in chosen.items() if q not in solution.expressed}
@@ -96,12 +103,49 @@ def _positions(
         found = {q: e.xreplace({**values, **free, **branch}) for q, e in solution.expressed.items()}
         if all(v.is_real for v in found.values()):
             return free | found
-    return _by_newton([f.xreplace(dict(values)) for f in finite], chosen)
+    return _by_newton(equations, chosen)
+
+
+def _in_turn(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Basic, sp.Expr] | None:
+    """Each equation solved for a coordinate that occurs in none before it, linear ones first; None where one is not."""
+    steps: list[tuple[sp.Symbol, sp.Expr, int]] = []
+    waiting, seen = list(equations), set[sp.Basic]()
+    while waiting:
+        step = _next_step(waiting, start, seen)
+        if step is None:
+            return None
+        steps.append(step)
+        waiting.remove(step[1])
+        seen |= step[1].free_symbols
+    dependent = {q for q, _, _ in steps}
+    found: dict[sp.Basic, sp.Expr] = {q: v for q, v in start.items() if q not in dependent}
+    for q, f, degree in steps:
+        solved = solved_for_one(f.xreplace(found), [q], degree, 1)
+        if solved is None:
+            return None
+        value = solved[1].xreplace(dict.fromkeys(solved[2], sp.S.One))
+        if not value.is_Rational:
+            value = value.evalf(RECOGNISED + DIGITS)
+        if not value.is_real:
+            return None
+        found[q] = value
+    return found
+
+
+def _next_step(
+    waiting: Sequence[sp.Expr], coordinates: Iterable[sp.Symbol], seen: Collection[sp.Basic]
+) -> tuple[sp.Symbol, sp.Expr, int] | None:
+    for degree in (1, 2):
+        for f in waiting:
+            for q in coordinates:
+                if q in f.free_symbols and q not in seen and solved_for_one(f, [q], degree, 1):
+                    return q, f, degree
+    return None
 
 
 def _by_newton(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Basic, sp.Expr] | None:
     """A solution near the start in which only as many coordinates differ from it as there are equations."""
-    for dependent in combinations(reversed(start), len(equations)):
+    for dependent in islice(combinations(reversed(start), len(equations)), MOST_ATTEMPTS):
         place = {q: sp.Float(v, DIGITS) for q, v in start.items()}
         jacobian = sp.Matrix([[f.diff(q) for q in dependent] for f in equations])
         for _ in range(ITERATIONS):

@@ -12,6 +12,7 @@ open becomes a condition; a minor that vanishes leaves the question undecided.
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -90,14 +91,18 @@ def _is_symmetric(matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
             if e.configuration.surface.is_zero(difference):
                 continue
             for b in e.branches:
-                on_it = None if b.left or b.special else _on(b, difference, e)
+                on_it = None if b.left or b.special else on_branch(b, difference, e)
                 if on_it is None or not is_zero(on_it):
                     return False
     return True
 
 
-def _on(b: Branch, expression: sp.Expr, e: Equilibrium) -> sp.Expr | None:
-    """An expression on a branch, in factors; None where it cannot be written down."""
+def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: bool = False) -> sp.Expr | None:
+    """An expression on a branch, in factors; None where it cannot be written down.
+
+    in_parameters  whether a form without coordinates is wanted, ω² − g²/(R² ω²) and not ω² sin² θ; else one whose sign
+                   is known
+    """
     letters = e.solution.letters
     try:
         there = resolved(letters.read(expression), b.common)
@@ -109,51 +114,83 @@ def _on(b: Branch, expression: sp.Expr, e: Equilibrium) -> sp.Expr | None:
     if there.has(sp.zoo, sp.nan) or there.count_ops() > 4 * MOST_OPERATIONS:
         return None
     above, below = sp.fraction(sp.cancel(sp.together(there)))
+    numerators = [above, letters.reduced(above)]
+    if in_parameters:
+        numerators.append(resolved(numerators[1], b.common))
     forms = []
-    for p in (above, letters.reduced(above)):
+    for p in numerators:
         product = sp.factor(p) if factors(p) is not None else p
         forms.append(letters.write(product) / letters.write(sp.factor(below)))
+    if in_parameters:
+        unknowns = {*e.solution.unknowns}
+        return min(forms, key=lambda f: (bool(f.free_symbols & unknowns), f.count_ops()))
     return min(forms, key=lambda f: (sign_of(f) is None, f.count_ops()))
 
 
 def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
     if b.left or b.special or any(_vanishes(p, b, e) for p in e.elimination.pivots):
         return Stability(Verdict.UNDECIDED)
-    entries = [[_on(b, x, e) for x in row] for row in matrix]
-    if any(x is None for row in entries for x in row):
+    entries = [on_branch(b, x, e) for row in matrix for x in row]
+    if any(x is None for x in entries):
         return Stability(Verdict.UNDECIDED)
+    width = len(matrix)
+    return definiteness(
+        [[x for x in entries[n * width : (n + 1) * width] if x is not None] for n in range(width)], b, e
+    )
+
+
+def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium) -> Stability:
+    """Whether a symmetric matrix, shape (f, f), written as it is on a branch, is positive definite.
+
+    Stable: it is; unstable: it takes negative values; conditional: it is where the conditions hold.
+    """
     minors = []
-    for n in range(1, len(entries) + 1):
-        minor = _on(b, sp.Matrix([row[:n] for row in entries[:n]]).det(method="berkowitz"), e)
+    for n in range(1, len(matrix) + 1):
+        minor = on_branch(b, sp.Matrix([list(row[:n]) for row in matrix[:n]]).det(method="berkowitz"), e)
         if minor is None:
             return Stability(Verdict.UNDECIDED)
         minors.append(minor)
-    known = [c.lhs - c.rhs for c in b.conditions if c.relation in ("≥", ">")]
-    known += [c.rhs - c.lhs for c in b.conditions if c.relation in ("≤", "<")]
-    known = [sp.factor(p) for p in known]
-    signs = [_sign(m, known) for m in minors]
+    known = known_positive(b)
+    signs = [sign_on(m, known) for m in minors]
     written = tuple(min(m, shown(m), key=lambda x: int(x.count_ops())) for m in minors)
-    diagonal = [_sign(entries[n][n], known) for n in range(len(entries))]
+    diagonal = [sign_on(matrix[n][n], known) for n in range(len(matrix))]
     if -1 in diagonal or _is_indefinite(signs):
         return Stability(Verdict.UNSTABLE, written)
     if 0 in signs:
         return Stability(Verdict.UNDECIDED, written)
     if None not in signs:
         return Stability(Verdict.STABLE, written)
+    conditions = conditions_for(minors, known)
+    return (
+        Stability(Verdict.UNDECIDED, written)
+        if conditions is None
+        else Stability(Verdict.CONDITIONAL, written, conditions)
+    )
+
+
+def known_positive(b: Branch) -> list[sp.Expr]:
+    """What is positive on a branch, by the conditions under which it exists."""
+    known = [c.lhs - c.rhs for c in b.conditions if c.relation in ("≥", ">")]
+    known += [c.rhs - c.lhs for c in b.conditions if c.relation in ("≤", "<")]
+    return [sp.factor(p) for p in known]
+
+
+def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[Condition, ...] | None:
+    """The conditions under which all of them are positive; None where they are too long to be of use."""
+    known = list(known)
     wanted = []
-    for minor in minors:
-        if _sign(minor, known) is None:
-            wanted.append(more_than_zero(minor, known))
+    for e in expressions:
+        if sign_on(e, known) is None:
+            wanted.append(more_than_zero(e, known))
             known.append(sp.factor(wanted[-1].lhs - wanted[-1].rhs) * (-1 if wanted[-1].relation == "<" else 1))
     if any((c.lhs - c.rhs).count_ops() > MOST_OPERATIONS for c in wanted):
-        return Stability(Verdict.UNDECIDED, written)
-    conditions = tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in wanted)
-    return Stability(Verdict.CONDITIONAL, written, conditions)
+        return None
+    return tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in wanted)
 
 
 def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:
     """Whether what was divided by is zero, or may be, on a branch: then other δq would have to be the free ones."""
-    there = _on(b, pivot, e)
+    there = on_branch(b, pivot, e)
     return there is None or is_zero(there) is not False
 
 
@@ -167,7 +204,8 @@ def _is_indefinite(signs: list[int | None]) -> bool:
     return False
 
 
-def _sign(e: sp.Expr, known: list[sp.Expr]) -> int | None:
+def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:
+    """The sign of an expression where others are known to be positive; None where it may be either."""
     if e == 0 or is_zero(e):
         return 0
     return sign_of(e, known)

@@ -59,10 +59,14 @@ class TokenStream:
         if token.kind is Kind.PRIMES:
             message = "a prime stands behind nothing that it could differentiate"
             return self._mistake("misplaced-prime", message, token, "write `x'`")
+        if token.hidden:
+            return self._mistake(
+                "ends-early", "something must follow here, before the braces end", token, "complete it"
+            )
         if token.text in (")", "]"):
             help_ = "remove it, or open it before"
             return self._mistake("not-opened", f"this `{token.text}` closes nothing", token, help_)
-        message = f"`{token.text}` cannot stand here"
+        message = f"`{self._text(token.start, token.end)}` cannot stand here"
         return self._mistake("misplaced-operator", message, token, _MISPLACED.get(token.text, "remove it"))
 
     def _mistake(self, code: str, message: str, place: Token | Tree, help_: str) -> ProblemError:

@@ -2,7 +2,7 @@
 
     equation := sum "=" sum
     sum      := ["+" | "-"] term { ("+" | "-") term }
-    term     := factor { ("*" | "/") factor | factor }          juxtaposition multiplies, from left to right
+    term     := factor { ("*" | "/" | "⋅" | "⨯") factor | factor }    juxtaposition multiplies, from left to right
     factor   := { "-" | "+" } base [ "^" factor ]
     base     := atom { primes }
 
@@ -80,7 +80,7 @@ class Parser(AtomParser):
         factors: list[tuple[str, Tree]] = [("*", self._factor())]
         while True:
             operator, begins = "*", self._here
-            if self._is("*") or self._is("/"):
+            if self._operator in ("*", "/", "⋅", "⨯"):
                 operator = begins.text
                 self._step()
                 slash = begins.start if operator == "/" else 0

@@ -18,6 +18,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.exact import is_zero
 from lagrange.measures import Measures
 from lagrange.textbook import textbook_form
 
@@ -64,7 +65,7 @@ def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.
         return expression
     rest, differences = expression, {}
     for a, b in combinations(used, 2):
-        if {a, b} <= rest.free_symbols and sp.cancel(rest.diff(a) + rest.diff(b)) == 0:
+        if {a, b} <= rest.free_symbols and is_zero(rest.diff(a) + rest.diff(b)):
             difference = sp.Dummy(real=True)
             rest = rest.xreplace({a: sp.S.Zero, b: difference})
             differences[difference] = b - a

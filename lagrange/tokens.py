@@ -24,7 +24,7 @@ class Kind(Enum):
     NUMBER = auto()  # digits with a decimal point or a power of ten, or a fraction of two digits
     NAME = auto()
     PRIMES = auto()  # `count` of them
-    OPERATOR = auto()  # + - * / ^ = ( ) [ ] , |
+    OPERATOR = auto()  # + - * / ^ = ( ) [ ] , | and in LaTeX ⋅ ⨯, which multiply vectors too
     END = auto()
 
 
@@ -35,6 +35,7 @@ class Token:
     loose   a name that was written with a subscript or as a variant (θ₁, ϑ): it means theta_1 or theta1,
             vartheta or theta, whichever is declared
     tight   a function that takes the one factor behind it (√)
+    hidden  a parenthesis that is not written as one: the braces of LaTeX
     """
 
     kind: Kind
@@ -44,6 +45,7 @@ class Token:
     count: int = 0
     loose: bool = False
     tight: bool = False
+    hidden: bool = False
 
 
 def _any_of(characters: object) -> str:

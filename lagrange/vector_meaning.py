@@ -34,7 +34,7 @@ class Meaning(ScalarMeaning):
             case Sum(terms=terms):
                 return any(self.is_vector(term) for _, term in terms)
             case Product(factors=factors):
-                return any(self.is_vector(f) for _, f in factors)
+                return self.dotted(tree) is None and any(self.is_vector(f) for _, f in factors)
             case Call(name="diff", arguments=arguments):
                 return self.is_vector(arguments[0])
             case Call(name=name, arguments=(inner,)) if name in DIFFERENTIALS and name not in self.scope.functions:
@@ -59,7 +59,8 @@ class Meaning(ScalarMeaning):
             case Sum(terms=terms):
                 return self._vector_sum(tree, terms)
             case Product(factors=factors):
-                return self._scaled(tree, factors)
+                crossed = self._parted(tree, "⨯")
+                return self._scaled(tree, factors) if crossed is None else self._crossed(tree, *crossed)
             case Call(name="cross"):
                 a, b = self.vectors(tree, 2)
                 with self.blaming(tree):
@@ -69,6 +70,30 @@ class Meaning(ScalarMeaning):
             case Call(arguments=(inner,)) if tree.name in DIFFERENTIALS and self.is_vector(tree):
                 return self.virtual_rotation(tree) or self._displacement(tree, self.vector(inner))
         return self._zero_or_mistake(self.scalar(tree), tree, "a scalar")
+
+    def dotted(self, tree: Product) -> tuple[Tree, Tree] | None:
+        """The two vectors of which a product with ⋅ is the scalar product; None where it is none."""
+        return self._parted(tree, "⋅")
+
+    def _parted(self, tree: Product, sign: str) -> tuple[Tree, Tree] | None:
+        """What stands before and behind the last ⋅ or ⨯ of a product, if both are vectors."""
+        factors = tree.factors
+        at = next((n for n in range(len(factors) - 1, 0, -1) if factors[n][0] == sign), 0)
+        if not at:
+            return None
+        before, behind = (
+            self._product_of(part) for part in (factors[:at], (("*", factors[at][1]), *factors[at + 1 :]))
+        )
+        return (before, behind) if self.is_vector(before) and self.is_vector(behind) else None
+
+    def _product_of(self, factors: Factors) -> Tree:
+        first, last = factors[0][1], factors[-1][1]
+        return first if len(factors) == 1 else Product(factors, first.start, last.end)
+
+    def _crossed(self, whole: Tree, a: Tree, b: Tree) -> Vector:
+        left, right = self.vector(a), self.vector(b)
+        with self.blaming(whole):
+            return self.arithmetic.cross(left, right)
 
     def virtual_rotation(self, tree: Tree) -> Vector | None:
         """delta(pi_B), which is no variation of a vector, where a derivation has given it a meaning."""

@@ -1,11 +1,12 @@
 """The checks of a solution, each by a second route.
 
     finite relations            dF ∧ ω = 0, by exterior algebra in the coordinates of the file
-    Lagrange's equations        from T, V and Q: no step in common with d'Alembert's principle but the positions
+    Lagrange's equations        from T, V and Q: no step in common with d'Alembert's principle but the positions;
+                                d'Alembert's principle, where Lagrange's equations are the method
     virtual displacements       the solved δq put back into A δq = 0
     energy                      dT/dt with the accelerations that the equations give, against the power of the forces
     coordinates                 the equations of the file's coordinates, rewritten in those of a choice
-    reactions                   their virtual work; their values put back into Lagrange's equations
+    reactions                   their virtual work; their values put back into the equations of the other method
 
 All are exact: expressions are evaluated at random states of a random prime field, and solution sets are compared, never
 printed forms. A check that cannot be decided says so and does not count as held.
@@ -21,6 +22,7 @@ import sympy as sp
 from lagrange.classification import Classification
 from lagrange.comparison import System, affine_rows, compare, state, symbols_of
 from lagrange.displacements import Elimination
+from lagrange.dynamics import Method
 from lagrange.equations import EquationsOfMotion
 from lagrange.exact import Point, Surface, has_real_point
 from lagrange.exterior import Form, exterior_derivative, one_form, wedge
@@ -28,6 +30,7 @@ from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.lagrangian import applied_power, kinetic_energy, lagrange_equations
 from lagrange.notation import Slots, t
 from lagrange.potentials import differentiated
+from lagrange.principle import dalembert
 from lagrange.reactions import Reactions
 from lagrange.sampling import agreed
 from lagrange.workless import WorkOfReaction
@@ -161,19 +164,18 @@ def check_displacements(
     return found
 
 
-def check_motion(motion: EquationsOfMotion, reactions: Mapping[str, sp.Symbol]) -> list[Check]:
-    """The checks of one set of equations of motion; `reactions` are the multipliers of the constraints, by name."""
+def check_motion(
+    motion: EquationsOfMotion, reactions: Mapping[str, sp.Symbol], method: Method = Method.DALEMBERT
+) -> list[Check]:
+    """The checks of one set of equations of motion; `reactions` are the multipliers of the constraints, by name.
+
+    method  by what they were derived: the other one is the check
+    """
     configuration = motion.configuration
     multipliers = tuple(reactions[row.name] for row in configuration.rows)
     name = configuration.name
-    found = [
-        Check(
-            "Lagrange's equations give the same motion",
-            _agrees_with_lagrange(motion, multipliers),
-            EXACT,
-            name,
-        )
-    ]
+    other = "Lagrange's equations give" if method is Method.DALEMBERT else "d'Alembert's principle gives"
+    found = [Check(f"{other} the same motion", _agrees_with_other(motion, multipliers, method), EXACT, name)]
     if _conserves_reactions(configuration):
         how = "exact: dT/dt along the motion against the power of the forces"
         found.append(Check("the rate of the energy is the power of the forces", _energy_rate_holds(motion), how, name))
@@ -193,18 +195,22 @@ def check_workless(works: Sequence[WorkOfReaction]) -> list[Check]:
 
 
 def check_reactions(
-    original: Configuration, multipliers: tuple[sp.Symbol, ...], found: Reactions | None
+    original: Configuration,
+    multipliers: tuple[sp.Symbol, ...],
+    found: Reactions | None,
+    method: Method = Method.DALEMBERT,
 ) -> list[Check]:
-    """Reactions and accelerations, put back into Lagrange's equations with multipliers.
+    """Reactions and accelerations, put back into the equations with multipliers that they were not derived from.
 
     original     the system in the file's coordinates, friction included
     multipliers  of its constraints
+    method       by what the reactions were derived
     """
     claims = [] if found is None else _claims(found)
     if found is None or not claims:
         return []
     configuration = found.configuration
-    system = multiplier_system(original, lagrange_equations(original).left, multipliers)
+    system = multiplier_system(original, _left_by_other(original, method), multipliers)
     rule = {s: e for s, e in configuration.substitution.items() if not str(s).endswith("''")}
     known = [e.xreplace(rule) for e in (*system.equations, *system.accelerated_constraints)]
     unknowns = (*original.slots.accelerations, *multipliers)
@@ -216,10 +222,11 @@ def check_reactions(
         return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, unknowns)])
 
     passed = agreed(configuration.states, follow, (*known, *claims))
+    equations = "Lagrange's equations" if method is Method.DALEMBERT else "the equations of d'Alembert's principle"
     what = (
-        "reactions satisfy Lagrange's equations with multipliers"
+        f"reactions satisfy {equations} with multipliers"
         if multipliers
-        else ("accelerations, solved for, satisfy Lagrange's equations")
+        else (f"accelerations, solved for, satisfy {equations}")
     )
     name = f"the {what}"
     return [Check(name, passed, EXACT, configuration.name)]
@@ -234,9 +241,16 @@ def _claims(found: Reactions) -> list[sp.Expr]:
     return claims
 
 
-def _agrees_with_lagrange(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...]) -> bool | None:
+def _left_by_other(configuration: Configuration, method: Method) -> tuple[sp.Expr, ...]:
+    """What equals Σ λ_j a_jk, shape (n,), by the method that was not used."""
+    if method is Method.DALEMBERT:
+        return lagrange_equations(configuration).left
+    return tuple(d.to_sympy() for d in dalembert(configuration).coefficients)
+
+
+def _agrees_with_other(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...], method: Method) -> bool | None:
     configuration = motion.configuration
-    system = multiplier_system(configuration, lagrange_equations(configuration).left, multipliers)
+    system = multiplier_system(configuration, _left_by_other(configuration, method), multipliers)
     result = compare(motion.expressions, system)
     return None if result is None else result.agree
 

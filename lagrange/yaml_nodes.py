@@ -32,15 +32,15 @@ def decode(data: bytes, name: str) -> Source:
     return Source(name, text.replace("\r\n", "\n").replace("\r", "\n"))
 
 
-def parse(source: Source, findings: Findings) -> Mapping:
-    """The mapping that a problem file is. Mistakes that leave the rest readable are noted.
+def parse(source: Source, findings: Findings, what: str = "a problem file", needs: str = _TEMPLATE) -> Mapping:
+    """The mapping that a file is; `needs` says what it has at least. Mistakes that leave the rest readable are noted.
 
     Raises ProblemError with the place where the text is not the YAML that is accepted here.
     """
     if len(source.text) > MAX_BYTES:
         raise ProblemError(_too_large(source.name))
     if not source.text.strip():
-        raise ProblemError(Diagnostic("empty-file", f"{source.name} is empty", help=_TEMPLATE))
+        raise ProblemError(Diagnostic("empty-file", f"{source.name} is empty", help=needs))
     unreadable = unreadable_character(source)
     if unreadable:
         raise ProblemError(unreadable)
@@ -50,10 +50,10 @@ def parse(source: Source, findings: Findings) -> Mapping:
         raise ProblemError(yaml_mistake(source, error)) from None
     if root is None or (isinstance(root, Scalar) and root.is_empty):
         message = f"{source.name} holds nothing but comments"
-        raise ProblemError(Diagnostic("empty-file", message, help=_TEMPLATE))
+        raise ProblemError(Diagnostic("empty-file", message, help=needs))
     if not isinstance(root, Mapping):
-        message = "a problem file is a mapping: lines `key: value`"
-        help_ = "a colon needs a space after it" if isinstance(root, Scalar) and ":" in root.text else _TEMPLATE
+        message = f"{what} is a mapping: lines `key: value`"
+        help_ = "a colon needs a space after it" if isinstance(root, Scalar) and ":" in root.text else needs
         raise ProblemError(Diagnostic("not-a-mapping", message, root.span, help=help_))
     return root
 

@@ -19,6 +19,11 @@ class File:
 
 
 @dataclass(frozen=True)
+class Checked(File):
+    """A problem file whose own answers are checked."""
+
+
+@dataclass(frozen=True)
 class Command:
     """Arguments of `lagsolve`."""
 
@@ -37,6 +42,19 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     # -- expressions -------------------------------------------------------------------------------------------------
     "argument-of-prescribed": ("A coordinate or prescribed motion is a function of t alone.", File(
         "title: Example\ncoordinates: [x]\nfunctions: {u: [t]}\nconstraints: {a: x = u(x)}\n")),
+    "ambiguous-product": ("A run of letters is a product of declared names in several ways; write spaces.", problem(
+        "answers: {equations: ['aba \\cdot x = 0']}", parameters="[a, b, ab, ba]")),
+    "bad-derivative": ("A derivative is written `\\dot{x}`, `\\frac{d^2 x}{dt^2}` or `\\frac{\\partial f}{\\partial x}`.",
+        r"\frac{d^2\theta}{dt} = 0"),
+    "bad-root": ("A root has a whole number as its index.", r"\sqrt[n]{x} = 0"),
+    "bad-subscript": ("An index has letters and digits, and belongs to a letter.", r"(\theta)_1 = 0"),
+    "continued-line": ("In a file, an equation stands on one line, or in an environment of LaTeX.", None),
+    "double-script": ("A letter has one exponent and one subscript; `_{1,2}` has two parts.", r"\theta^2^3 = 0"),
+    "latex-argument": ("What a command takes stands in braces; without them it is one letter or digit.",
+        r"\dot x^23 = 0"),
+    "not-a-vector": ("Bold letters, arrows and hats belong to vectors.", r"\mathbf{x} = 0"),
+    "unknown-command": ("Answers have the commands of mathematics, and nothing is expanded.", r"\ddot{\thet} = 0"),
+    "words-in-equation": ("Words stand beside an equation, not in it.", r"\theta = 0 + \text{a constant} + x"),
     "bad-exponent": ("A superscript is a whole number.", "x⁻ = 0"),
     "bad-number": ("A number has one decimal point.", "1.2.3 = x"),
     "components": ("A vector has two or three components.", problem("gravity: '[1, 2, 3, 4]'")),
@@ -215,7 +233,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unstated-condition": ("These constraints can be met only where one more relation holds. Add it.",
         problem("constraints: {a: x = 0, b: \"x' = y\"}")),
     "not-covered": ("The format allows it, and the program does not do it yet. Exit status 3.", problem(
-        PARTICLE + "find: linearization")),
+        PARTICLE + "unknowns: [F]\nforces: {push: {on: P, vector: F*i}}\nfind: linearization")),
     "several-branches": ("The constraint is satisfied in several ways; a problem is about one of them.", problem(
         "constraints: {wedge: \"x'^2 = l^2*y'^2\"}")),
     "undecided": ("The question could not be settled, and nothing is guessed. Exit status 3.", None),
@@ -225,8 +243,25 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-such-choice": ("The problem has no choice of coordinates of that name.",
         Command(("ex11", "--choice", "angel"))),
     "no-answer": ("Give equations with -e, or in a file.", None),
+    "method-without-motion": ("A note: `--method` chooses how equations of motion are derived, and none are asked for.",
+        Command(("ladder", "--method", "lagrange"))),
     "no-equations": ("The problem asks for no motion.", Command(("check", "ex05", "-e", "x' = 0"))),
+    "reference-contradictory": ("No motion satisfies all of the equations that are given to check answers against.", Checked(
+        "title: Example\ncoordinates: [x]\nequations: [x'' = 1, x'' = 2]\nanswers: {equations: [x'' = 1]}\n")),
+    "reference-coordinates": ("The equations that are given to check answers against are in the coordinates of the file.",
+        Checked("title: Example\nparameters: [l, g]\ncoordinates: [x, y]\nconstraints: {rod: x^2 + y^2 = l^2}\n"
+             "generalized_coordinates: {a: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}\n"
+             "equations: [\"theta'' + g/l*sin(theta) = 0\"]\nanswers: {equations: [x'' = 1]}\n")),
+    "reference-not-linear": ("What answers are checked against are equations of motion.", Checked(
+        "title: Example\ncoordinates: [x]\nequations: [x'^2 = 1]\nanswers: {equations: [x'' = 1]}\n")),
     "too-many-equations": ("An answer has twelve equations at most.",
         Command(("check", "ex11", *("-e", "x = 0") * 13))),
+    "no-submissions": ("Name files, or a folder that has some.", None),
+    "feedback-among-answers": ("The pages need a folder of their own.",
+        Command(("grade", "ex11", ".", "--feedback", "."))),
+    "would-be-lost": ("`--csv` names a file that is something else.", None),
+    "several-answer-files": ("A folder with the submission of one person has one file of answers in YAML.", None),
+    "limits-too-low": ("The problem cannot be solved with the memory that a submission may use.", None),
+    "no-cluster": ("The Dask cluster cannot be reached, or its workers cannot grade.", None),
     "internal": ("A mistake of the program. Please report it with the problem file.", None),
 }  # fmt: skip

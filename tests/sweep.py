@@ -1,4 +1,4 @@
-"""Every shipped problem in every format (`make sweep`).
+"""Every shipped problem in every format (`make sweep`), those of motion by Lagrange's equations too.
 
 The command is run for the JSON: exit status 0, nothing said, every equation in it read back, those of motion found
 equivalent. Then the terminal at three widths, where no line may be wider, and LaTeX, which is compiled where there is a
@@ -30,8 +30,10 @@ from rich.cells import cell_len
 from lagrange.answers import Verdict, check_equations
 from lagrange.derivation import Derivation, Detail
 from lagrange.diagnostics import Fragment, ProblemError
+from lagrange.dynamics import Method
 from lagrange.expressions import read_equation
 from lagrange.loader import load
+from lagrange.problem import Find
 from lagrange.references import Reference, reference_of_solution
 from lagrange.render import html, latex, markdown, pretty
 from lagrange.render import json as json_format
@@ -81,6 +83,8 @@ def main() -> int:
         tally.add(f"{name}: exit status", faults_of_run(result.exit_code, result.stderr))
         tally.attempt(f"{name}: solve", lambda p=path, n=name: rendered(n, p, documents, derivations, tally))
         tally.attempt(f"{name}: json", lambda r=result, p=path: faults_of_json(json.loads(r.stdout), report(load(p))))
+        if Find.MOTION in load(path).find:
+            tally.attempt(f"{name}: by Lagrange", lambda p=path, n=name: by_lagrange(n, p, documents, tally))
     compile_all(documents, tally)
     read_all(derivations, tally)
     open_all(derivations, tally)
@@ -112,6 +116,20 @@ def rendered(
             tally.add(f"{name}: terminal, {width} columns, {detail.name.lower()}", wide)
         documents[f"{name}, {detail.name.lower()}"] = latex.render([(found.derivation, found.notation)], detail=detail)
     return []
+
+
+def by_lagrange(name: str, path: Path, documents: dict[str, str], tally: Tally) -> list[str]:
+    """The same by Lagrange's equations, with everything that is shown at full detail."""
+    found = report(load(path), method=Method.LAGRANGE)
+    reference = reference_of_solution(found.solution)
+    result = json.loads(json_format.render([found]))
+    tally.add(f"{name}: by Lagrange, json", [f for text in equations_in(result) for f in unreadable(text, reference)])
+    for width in WIDTHS:
+        text = pretty.text(found.derivation, found.notation, width, Detail.FULL)
+        wide = [line for line in text.splitlines() if cell_len(line) > width]
+        tally.add(f"{name}: by Lagrange, terminal, {width} columns", wide)
+    documents[f"{name}, by Lagrange"] = latex.render([(found.derivation, found.notation)], detail=Detail.FULL)
+    return [str(d) for d in (*found.shortcomings, *found.notes)]
 
 
 # JSON

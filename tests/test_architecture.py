@@ -20,32 +20,42 @@ LAYERS = {
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
         differentiation trigonometry common_factor textbook""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
-        meaning vector_meaning expressions tidying""",
+        meaning vector_meaning latex_commands latex_layout latex_scanner latex_names latex_atoms latex_functions
+        latex_derivatives latex_brackets latex_input expressions answer_files tidying""",
     "problem files": """nodes yaml_text yaml_mistakes findings symbols frames yaml_composer sections yaml_nodes names
          velocity_polynomials alternatives reduction problem reading declarations undefined_functions reference_frame orientation bodies
         forces constraint_equations answer_key choices
-        particles loader""",
+        particles loader answer_yaml""",
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions combinations candidates first_integrals hidden_relations""",
-    "closed forms": "positivity unit_circle presentation polynomial_roots closed_form solution_sets branching",
-    "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
-        coordinates linear placing rods newton workless principle reactions friction equations comparison constant_inertia dynamics
-        lagrangian quasi_velocities quasi_equations spot verification quasi_verification equilibrium stability static_reactions statics""",
-    "results": "solution references answers reaction_answers equilibrium_comparison equilibrium_answers checking",
-    "derivations": """scene derivation explain explain.words explain.bodies explain.statement explain.nonlinear
-        explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
-        explain.quasi_velocities explain.reactions explain.static_reactions explain.statics explain.checks explain.pictures""",
+    "closed forms": "positivity unit_circle presentation polynomial_roots pencils closed_form solution_sets branching",
+    "a derivation": "scene derivation",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
+    "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
+        coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
+        multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
+        quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
+        statics rest linear_stability linearization linearization_checks""",
+    "results": """solution letters benches edits conventions diagnosis dimensions advice references reference_systems
+        validity recognition answers reaction_answers
+        equilibrium_comparison equilibrium_answers frequency_answers checking grading""",
+    "derivations": """explain explain.words explain.bodies explain.statement explain.nonlinear
+        explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
+        explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions
+        explain.conservation explain.static_reactions explain.statics explain.linearization explain.checks explain.pictures""",
     "pictures": """pictures pictures.floats pictures.poses pictures.views pictures.labels pictures.sketch pictures.shapes
         pictures.marks pictures.systems pictures.curves pictures.loads pictures.measures pictures.configurations
         pictures.free_bodies pictures.illustrated""",
-    "renderers": """render.shown render.breaking render.paragraphs render.tables render.pretty render.ems render.escape
-        render.aligned render.tikz render.latex render.markdown render.style_mathml render.formulas render.svg render.stylesheet render.html""",
-    "reports": "report render.json",
-    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading lagsolve.output
-        lagsolve.main lagsolve.__main__""",
+    "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
+        render.aligned render.letters_of_vectors render.tikz render.latex render.markdown render.style_mathml render.formulas render.svg render.stylesheet render.html""",
+    "reports": "report render.json_linear render.json_motion render.json render.verdict",
+    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading
+        lagsolve.grading lagsolve.grading.child lagsolve.grading.worker lagsolve.grading.pool lagsolve.grading.examining
+        lagsolve.grading.submissions lagsolve.grading.batch lagsolve.grading.rows lagsolve.grading.feedback
+        lagsolve.grading.journal lagsolve.grading.progress lagsolve.grading.cluster lagsolve.grading.order
+        lagsolve.output lagsolve.main lagsolve.__main__""",
 }
 """A module imports only what stands before it."""
 
@@ -57,7 +67,14 @@ FOR_TYPES_ONLY = {
 
 ROOMS = {
     "click": {"lagsolve.main", "lagsolve.group", "lagsolve.output", "lagsolve.status"},
-    "rich": {"lagrange.render.pretty", "lagrange.render.paragraphs", "lagrange.render.tables"},
+    "rich": {
+        "lagrange.render.pretty",
+        "lagrange.render.paragraphs",
+        "lagrange.render.tables",
+        "lagrange.render.matrices",
+        "lagsolve.grading.rows",
+    },
+    "distributed": {"lagsolve.grading.cluster"},
     "yaml": {"lagrange.yaml_composer", "lagrange.yaml_mistakes", "lagrange.yaml_nodes", "lagsolve.library"},
     "sympy": None,
     "mpmath": None,
@@ -196,5 +213,5 @@ def test_the_page_has_each_module_in_its_layer() -> None:
     sections = re.split(r"^\*\*.+?\.\*\*", PAGE, flags=re.MULTILINE)[1:]
     for names, section in zip(LAYERS.values(), sections, strict=True):
         written = [f.removesuffix(".py").replace("/", ".") for f in re.findall(r"`((?:\w+/)*\w+\.py)`", section)]
-        packages = {"lagrange", "explain", "render", "pictures", "lagsolve"}
+        packages = {"lagrange", "explain", "render", "pictures", "lagsolve", "lagsolve.grading"}
         assert set(written) == set(names.split()) - packages

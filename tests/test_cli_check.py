@@ -151,7 +151,7 @@ def test_the_verdict_on_the_answers_of_a_file(answers: str, status: int, verdict
 def test_the_first_verdict_that_applies_counts(equations: Verdict, other: Verdict, status: int) -> None:
     result = CheckedAnswer(AnswerVerdict(equations, ()), (ComparedAnswer("integrable", other),))
     assert result.exit_status == status
-    assert result.as_text().startswith(f"{result.verdict}: ")
+    assert result.headline.startswith(f"{result.verdict}: ")
 
 
 @pytest.mark.usefixtures("here")
@@ -178,3 +178,98 @@ def test_usage(arguments: list[str]) -> None:
     result = run("check", *arguments)
     assert (result.exit_code, result.stdout) == (2, "")
     assert result.stderr
+
+
+TABLE = [  # the LaTeX of the table of answers, with the plain answer that it is
+    (r"\ddot{\theta}+\frac{g}{l}\sin\theta=0", 0),
+    (r"$\ddot\theta = -\frac gl \sin(\theta)$", 0),
+    (r"ml\ddot{\theta}+mg\sin{\theta}=0", 0),
+    (r"\frac{\mathrm{d}^{2}\theta}{\mathrm{d}t^{2}}=-\dfrac{g}{l}\sin\left(\theta(t)\right)", 0),
+    (r"\frac{d}{dt}\left(m l^2\dot\theta\right)+mgl\sin\theta=0", 0),
+    (r"\theta'' + \frac{g}{l}\sin\theta = 0", 0),
+    (r"\ddot\theta = \frac gl \sin\theta", 1),
+    (r"\ddot\theta + \frac gl \cos\theta = 0", 1),
+    (r"\sin^2\theta + \cos^2\theta = 1", 1),
+    (r"\frac{d^2\theta}{dt^2} + \frac{g}{\ell}\sin\theta = 0", 2),
+]
+
+
+@pytest.mark.parametrize(("equation", "status"), TABLE)
+def test_answers_in_latex(equation: str, status: int) -> None:
+    result = run("check", PENDULUM, "-e", equation)
+    assert result.exit_code == status
+    assert "did you mean `l`" in result.stderr or status != 2
+
+
+def test_several_equations_in_one_text() -> None:
+    cases = r"\begin{cases} m\ddot{x} = 2x\lambda_{\text{rod}} \\ m\ddot{y} = mg + 2y\lambda_{\text{rod}} \end{cases}"
+    found = json.loads(run("check", PENDULUM, "-e", cases, "--format", "json").stdout)
+    assert found["verdict"] == "equivalent"
+    assert [e["text"] for e in found["equations"]] == [
+        r"m\ddot{x} = 2x\lambda_{\text{rod}}",
+        r"m\ddot{y} = mg + 2y\lambda_{\text{rod}}",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("a.tex", "\\documentclass{article}\n\\begin{document}\nSo\n\\begin{align}\n  l\\ddot\\theta &= -g\\sin\\theta.\n\\end{align}\n\\end{document}\n"),
+        ("a.md", "# Answer\n\nThe equation is $l\\ddot\\theta = -g\\sin\\theta$, which was to be found.\n"),
+        ("a.md", "Here it is:\n\n```\nl*theta'' = -g*sin(theta)\n```\n"),
+        ("a.txt", "My answer\n\n1) l theta'' = -g sin theta\n"),
+    ],
+)  # fmt: skip
+def test_answer_files_with_prose(here: Path, name: str, text: str) -> None:
+    (here / name).write_text(text, encoding="utf-8")
+    assert run("check", PENDULUM, name).exit_code == 0
+
+
+def test_an_error_in_a_file_has_its_place(here: Path) -> None:
+    (here / "a.md").write_text(
+        "# Answer\n\nWe find $\\ddot\\theta + \\frac{g}{q}\\sin\\theta = 0$.\n", encoding="utf-8"
+    )
+    result = run("check", PENDULUM, "a.md")
+    assert result.exit_code == 2
+    assert "a.md:3:33" in result.stderr
+
+
+def test_the_answers_of_a_file_may_be_in_latex(here: Path) -> None:
+    text = OSCILLATOR + "answers: {equations: ['$$ m\\ddot{x} = -k x $$']}\n"
+    (here / "latex.yaml").write_text(text, encoding="utf-8")
+    assert run("check", "latex.yaml").exit_code == 0
+    (here / "wrong.yaml").write_text(text.replace("ddot", "dot"), encoding="utf-8")
+    assert run("check", "wrong.yaml").exit_code == 1
+    (here / "bad.yaml").write_text(text.replace("ddot", "foo"), encoding="utf-8")
+    assert "unknown-command" in run("check", "bad.yaml").stderr
+
+
+@pytest.mark.parametrize("width", [40, 60, 80, 120])
+def test_an_equation_is_broken_before_its_signs(width: int) -> None:
+    """Not inside brackets, as long as its terms fit; what is said stands under it."""
+    equation = (
+        "(m1 + m2)*l1*phi1'' + m2*l2*phi2''*cos(phi1 - phi2) + m2*l2*phi2'^2*sin(phi1 - phi2) = -(m1 + m2)*g*sin(phi1)"
+    )
+    result = run(
+        "check",
+        "ex18-double-pendulum",
+        "-e",
+        f"phi1'*l1*phi1'' = 0*{'(m1 + m2)*' * 8}g",
+        "-e",
+        equation,
+        env={"COLUMNS": str(width)},
+    )
+    lines = result.stdout.splitlines()
+    assert max(map(len, lines)) <= width
+    begun = next(n for n, line in enumerate(lines) if line.startswith("  ✓ (m1 + m2)"))
+    shown = lines[begun:]
+    assert " ".join(" ".join(shown).split()) == f"✓ {equation}"
+    assert all(line.count("(") == line.count(")") for line in shown)
+    assert all(line.lstrip()[0] in "+-=" for line in shown[1:])
+
+
+@pytest.mark.usefixtures("here")
+def test_how_an_equation_was_read_is_shown_where_it_may_surprise() -> None:
+    shown = run("check", "oscillator.yaml", "-e", "x'' = -k/m x").stdout
+    assert "read as ẍ = −(k/m) x" in shown
+    assert "read as" not in run("check", "oscillator.yaml", "-e", "x'' = -k*x/m").stdout

@@ -51,7 +51,7 @@ def test_both_ways_to_start_it(skate: bytes) -> None:
 
 # What is loaded
 
-LIGHT = "list list+ice -h --help --version show+ex05 grade check+--help solve+--help ex05+--watch ex05+--format+docx"
+LIGHT = "list list+ice -h --help --version show+ex05 grade grade+--help check+--help solve+--help ex05+--watch ex05+--format+docx"
 
 
 @pytest.mark.parametrize("arguments", LIGHT.split())

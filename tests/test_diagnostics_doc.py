@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from conftest import ROOT
-from diagnostic_examples import EXAMPLES, Command, File
+from diagnostic_examples import EXAMPLES, Checked, Command, File
 
 from lagsolve.main import main
 
@@ -65,7 +65,8 @@ def shown(example: str | File | Command, folder: Path) -> str:
         case File(text=text):
             path = folder / "problem.yaml"
             path.write_bytes(text if isinstance(text, bytes) else text.encode())
-            return runner.invoke(main, ["problem.yaml"]).stderr.strip()
+            command = ["check", "problem.yaml"] if isinstance(example, Checked) else ["problem.yaml"]
+            return runner.invoke(main, command).stderr.strip()
 
 
 def short(text: str) -> str:

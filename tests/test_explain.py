@@ -5,10 +5,11 @@ from __future__ import annotations
 import pytest
 from conftest import PROBLEMS
 
-from lagrange.derivation import CheckMark, Derivation, Display, Math, Part, Prose, Ref, Rule, Step, Table
+from lagrange.derivation import CheckMark, Derivation, Detail, Display, Math, Part, Prose, Ref, Rule, Step, Table
 from lagrange.explain.words import in_words, spoken
 from lagrange.loader import load
 from lagrange.notation import Wedge
+from lagrange.render import pretty
 from lagrange.render.mathematics import unicode
 from lagrange.report import names_of, report
 
@@ -57,7 +58,14 @@ def test_references_point_back_to_equations(path: object) -> None:
 def test_steps_come_in_the_order_of_the_textbook(path: object) -> None:
     steps = report(load(path)).derivation.steps  # type: ignore[arg-type]
     order = list(Rule)
-    again = (Rule.GENERALIZED_COORDINATES, Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS)  # one for each choice
+    again = (  # one for each choice
+        Rule.GENERALIZED_COORDINATES,
+        Rule.EQUATIONS_OF_MOTION,
+        Rule.SOLVED_REACTIONS,
+        Rule.CONSERVED,
+        Rule.LINEARIZATION,
+        Rule.QUASI_VELOCITIES,
+    )
     first = [order.index(s.rule) for s in steps if s.rule not in again]
     assert first == sorted(first)
     assert steps[0].rule is Rule.STATEMENT
@@ -169,3 +177,13 @@ def test_statics_and_motion_in_one_derivation_have_labels_of_their_own(problem: 
     labels = [name for kind, name in reading(report(problem(BOTH)).derivation) if kind == "label"]  # type: ignore[operator]
     assert len(labels) == len(set(labels))
     assert {"delta-at-rest-angle-plate", "delta-angle-plate"} <= set(labels)
+
+
+def test_little_detail_is_half_a_screen() -> None:
+    """Classification, degrees of freedom, the final equations; the checks that held are counted."""
+    found = report(load(PROBLEMS / "chapter6" / "ex11-ideal-pendulum.yaml"))
+    text = pretty.text(found.derivation, found.notation, 80, Detail.BRIEF)
+    assert len(text.splitlines()) <= 32
+    assert "l θ̈ + g sin θ = 0" in text
+    assert text.count("✓") == 1
+    assert "checks held" in text

@@ -481,7 +481,7 @@ REFUSED: dict[str, tuple[str, int, str]] = {
     "e^x": ("unknown-symbol", 1, "exp(x)"),
     "q": ("unknown-symbol", 1, "`x`"),
     "E": ("unknown-symbol", 1, "declared are"),
-    "I": ("unknown-symbol", 1, "declared are"),
+    "I": ("unknown-symbol", 1, "did you mean `l`"),
     "arcsin(x)": ("unknown-function", 1, "asin"),
     "ln(x)": ("unknown-function", 1, "log"),
     "tg(x)": ("unknown-function", 1, "tan"),

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 from conftest import PROBLEMS, ROOT
 
+from lagrange.dynamics import Method
 from lagrange.loader import load
 from lagrange.render import html, json, latex, markdown, pretty
 from lagrange.report import Report, report
@@ -18,6 +19,7 @@ from lagrange.report import Report, report
 GOLDEN = ROOT / "tests" / "golden"
 ACTUAL = ROOT / "tests" / "actual"
 SHIPPED = sorted(PROBLEMS.glob("chapter6/*.yaml"))
+BY_LAGRANGE = ("chapter6/ex11-ideal-pendulum", "chapter6/ex17-spherical-pendulum", "motion/rolling-disc")
 
 
 @pytest.fixture(scope="module", params=SHIPPED, ids=lambda p: p.stem)
@@ -47,6 +49,17 @@ def test_output_is_as_it_was(solved: tuple[str, Report, Report], ending: str, re
     compare(f"{name}.{ending}", FORMATS[ending](complete if ending == "json" else printed), request)
 
 
+@pytest.mark.parametrize("ending", ["80.txt", "tex"])
+@pytest.mark.parametrize("name", BY_LAGRANGE)
+def test_output_by_lagranges_equations_is_as_it_was(name: str, ending: str, request: pytest.FixtureRequest) -> None:
+    printed = report(load(PROBLEMS / f"{name}.yaml"), complete=False, method=Method.LAGRANGE)
+    compare(_by_lagrange(name, ending), FORMATS[ending](printed), request)
+
+
+def _by_lagrange(name: str, ending: str) -> str:
+    return f"{name.partition('/')[2]}.lagrange.{ending}"
+
+
 @pytest.mark.parametrize("ending", PAGES)
 @pytest.mark.parametrize("solved", KEPT, ids=lambda p: p.stem, indirect=True)
 def test_pages_are_as_they_were(
@@ -71,5 +84,6 @@ def compare(name: str, actual: str, request: pytest.FixtureRequest) -> None:
 
 def test_no_golden_file_is_left_over() -> None:
     expected = {f"{p.stem}.{ending}" for p in SHIPPED for ending in FORMATS}
+    expected |= {_by_lagrange(name, ending) for name in BY_LAGRANGE for ending in ("80.txt", "tex")}
     expected |= {f"{p.stem}.{ending}" for p in KEPT for ending in PAGES}
     assert {p.name for p in GOLDEN.iterdir() if p.name != "README.md"} == expected

@@ -1,7 +1,8 @@
-"""Every equation that is printed as plain text can be read again, and those that name vectors say what is true."""
+"""Every equation that is printed as plain text or in LaTeX can be read again, and those that name vectors say what is true."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -9,13 +10,19 @@ import sympy as sp
 from conftest import PROBLEMS
 from sweep import equations_in, unreadable
 
-from lagrange.diagnostics import Fragment, ProblemError
+from lagrange.answer_files import equations_in_file
+from lagrange.derivation import Display, Mathematics
+from lagrange.diagnostics import Fragment, ProblemError, Source
 from lagrange.exact import is_zero
 from lagrange.expressions import EquationRead, read_equation
+from lagrange.latex_layout import piece
 from lagrange.loader import load
 from lagrange.notation import differential, t, variation
 from lagrange.references import reference_of_solution
 from lagrange.render.json import as_object
+from lagrange.render.latex import body
+from lagrange.render.mathematics import latex
+from lagrange.render.mathematics import text as plain_text
 from lagrange.report import Report, report
 from lagrange.vectors import Vector
 
@@ -67,6 +74,66 @@ def test_positions_forces_and_differentials_are_what_they_are_called(solved: Rep
         first, *others = text.split(" = ")
         carried = first.startswith("d(r_")
         assert all(holds(f"{first} = {other}", solved, carried) for other in others), text
+
+
+def in_latex(code: str, result: Report) -> EquationRead:
+    whole = Fragment.of(f"{code} = 0")
+    scope = reference_of_solution(result.solution).scope
+    return read_equation(piece(whole, 0, len(whole.text)), scope, latex=True)
+
+
+def differs(side: Mathematics, result: Report) -> str:
+    """What is wrong with one side of an equation, read in LaTeX and as plain text; empty if they mean the same."""
+    code = latex(side, result.notation)
+    try:
+        plain = read(f"{plain_text(side, result.notation)} = 0", result).lhs
+    except ProblemError:
+        return ""  # forms and their products have no text that is read
+    try:
+        found = in_latex(code, result).lhs
+    except ProblemError as error:
+        declared = "d" in result.solution.problem.scope.names() and "`d` is declared" in str(error)
+        return "" if declared else f"{code}: {error}"
+    if isinstance(found, Vector) and isinstance(plain, Vector):
+        return "" if all(is_zero(c) is True for c in (found - plain).components) else code
+    if isinstance(found, Vector) or isinstance(plain, Vector):
+        return code
+    return "" if is_zero(found - plain) is True else code
+
+
+def test_equations_in_latex_mean_the_same(solved: Report) -> None:
+    """Every side of every displayed equation, as it is printed in LaTeX; final equations are among them."""
+    equations = [
+        e
+        for step in solved.derivation.steps
+        for block in step.body
+        if isinstance(block, Display)
+        for e in block.equations
+        if e.relation == "="
+    ]
+    assert len(equations) > 3
+    assert [fault for e in equations for side in e.sides if (fault := differs(side, solved))] == []
+
+
+def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None:
+    """From the LaTeX of the whole derivation, as if it were somebody's answer: rows, labels and line breaks too."""
+    document = body(solved.derivation, solved.notation)
+    boxed = [
+        display
+        for display in re.findall(
+            r"\\begin\{(?:align|equation)\*?\}.*?\\end\{(?:align|equation)\*?\}", document, re.DOTALL
+        )
+        if "boxed" in display or document[: document.index(display)].rstrip().endswith(r"\vspace{-\abovedisplayskip}")
+    ]
+    scope = reference_of_solution(solved.solution).scope
+    for display in boxed:
+        rows = equations_in_file(Source("answer.tex", display), ".tex")
+        assert rows
+        for row in rows:
+            if r"\text{where" not in row.text and row.text.count("=") == 1:
+                read_equation(row, scope, limit=10_000, latex=True)
+    moving = solved.solution.motion is not None
+    assert boxed or not moving
 
 
 DRIVEN = """\

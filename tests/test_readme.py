@@ -38,6 +38,13 @@ def test_commands_run(command: str, folder: Path) -> None:
             assert (folder / f"bead{ending}").read_text(encoding="utf-8").startswith(beginning)
 
 
+@pytest.mark.usefixtures("folder")
+def test_the_diagnosis_is_shown_as_printed() -> None:
+    [(command, shown)] = re.findall(r"```\n\$ (lagsolve check [^\n]*)\n(.*?)```", README, re.DOTALL)
+    result = CliRunner().invoke(main, shlex.split(command)[1:], env={"COLUMNS": "80"})
+    assert (result.exit_code, result.stdout) == (1, shown)
+
+
 def test_the_error_is_shown_as_printed(folder: Path) -> None:
     (folder / "bead.yaml").write_text(BEAD.replace("wire: y =", "wire: thta ="), encoding="utf-8")
     result = CliRunner().invoke(main, ["bead.yaml"])

@@ -91,6 +91,8 @@ SPELLED = [
      r"\frac{\sqrt{2} g}{l} \sin\theta"),
     (b * sin(th) / r, "b*sin(theta)/r", "b sin θ/r", r"\frac{b \sin\theta}{r}"),
     (k * x / m, "k*x/m", "(k/m) x", r"\frac{k}{m} x"),
+    (m * g * cos(alpha) / (M + m * sin(alpha) ** 2), "m*g*cos(alpha)/(M + m*sin(alpha)^2)", "m g cos α/(M + m sin²α)",
+     r"\frac{m g \cos\alpha}{M + m \sin^{2}\alpha}"),
     (D(x) ** 2, "x'^2", "ẋ²", r"\dot{x}^{2}"),
     (D(th1) ** 2, "theta_1'^2", "θ̇₁²", r"\dot{\theta}_{1}^{2}"),
     (x**a, "x^a", "x^a", "x^{a}"),

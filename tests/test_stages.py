@@ -128,7 +128,7 @@ gravity: g*j
 @pytest.mark.parametrize(
     ("more", "what"),
     [
-        ("find: linearization", "linearization"),
+        ("find: linearization\nunknowns: [N]", "small oscillations with unknown forces"),
     ],
 )
 def test_what_is_not_covered_is_refused_and_never_guessed(problem: Read, more: str, what: str) -> None:

@@ -1,4 +1,4 @@
-"""The problems of `textbook_systems` and `body_systems`: what the program derives against a second route, as solution sets.
+"""The problems of `textbook_systems`, `body_systems` and `shipped_systems`: what the program derives against a second route, as solution sets.
 
 At random states on the constraint surface, in numbers of sixty digits, both give the accelerations; so do the equations
 in every choice of coordinates, on every branch, and the reactions where the second route has them.
@@ -16,6 +16,7 @@ import pytest
 import sympy as sp
 import yaml
 from body_systems import BODIES
+from conftest import PROBLEMS
 from mpmath import mp, mpf
 from second_route import (
     AGREED,
@@ -29,6 +30,7 @@ from second_route import (
     solved,
     states,
 )
+from shipped_systems import SHIPPED
 from textbook_systems import SYSTEMS as PARTICLES
 from textbook_systems import Textbook
 
@@ -41,14 +43,18 @@ from lagrange.report import Report, report
 from lagrange.solution import ChoiceSolution
 from lagrange.spot import Spot
 
-SYSTEMS = {**PARTICLES, **BODIES}
+SYSTEMS = {**PARTICLES, **BODIES, **SHIPPED}
 FOLDER = Path(__file__).parent / "systems"
 STATES = 3
 
 
+def path_of(name: str) -> Path:
+    return (PROBLEMS / "motion" if name in SHIPPED else FOLDER) / f"{name}.yaml"
+
+
 @cache
 def solution_of(name: str) -> Report:
-    path = FOLDER / f"{name}.yaml"
+    path = path_of(name)
     return report(read_problem(Source(path.name, path.read_text(encoding="utf-8"))))
 
 
@@ -114,6 +120,14 @@ def agree(one: Mapping[str, mpf], other: Mapping[str, mpf]) -> None:
     assert set(one) <= set(other), f"{set(one) - set(other)} are not determined"
     for n in one:
         assert abs(one[n] - other[n]) < AGREED * (1 + abs(one[n])), f"{n}: {mp.nstr(one[n])} and {mp.nstr(other[n])}"
+
+
+NONLINEAR = {"appell-hamel", "constant-speed", "parallel-skates"}
+"""Problems whose constraints are not linear in the velocities: in `test_nonlinear_constraints`."""
+
+
+def test_every_shipped_problem_of_motion_has_a_second_route() -> None:
+    assert {path.stem for path in (PROBLEMS / "motion").glob("*.yaml")} - NONLINEAR == set(SHIPPED)
 
 
 # -- classification ----------------------------------------------------------------------------------------------------
@@ -237,15 +251,15 @@ def test_most_reactions_are_found() -> None:
 
 
 CHOICES = [
-    (path.stem, choice)
-    for path in sorted(FOLDER.glob("*.yaml"))
-    for choice in yaml.safe_load(path.read_text(encoding="utf-8")).get("generalized_coordinates") or {}
+    (name, choice)
+    for name in sorted(SYSTEMS)
+    for choice in yaml.safe_load(path_of(name).read_text(encoding="utf-8")).get("generalized_coordinates") or {}
 ]
 
 
 def substitution_of_file(name: str, choice: str, configuration: Configuration) -> dict[str, sp.Expr] | None:
     """The substitution as SymPy reads it from the file, old coordinate -> expression; None where there is none."""
-    data = yaml.safe_load((FOLDER / f"{name}.yaml").read_text(encoding="utf-8"))
+    data = yaml.safe_load(path_of(name).read_text(encoding="utf-8"))
     given = data["generalized_coordinates"][choice].get("substitute")
     if given is None:
         return None

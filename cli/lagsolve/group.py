@@ -10,7 +10,6 @@ import click
 from lagsolve.status import BROKEN_PIPE, INTERRUPTED, complain, use_utf8
 
 NOT_YET = {
-    "grade": "grading a folder of answers",
     "new": "writing a commented template",
     "schema": "a JSON Schema of problem files",
 }

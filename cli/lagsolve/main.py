@@ -1,4 +1,4 @@
-"""The command `lagsolve`: solve (the default), check, list, show.
+"""The command `lagsolve`: solve (the default), check, grade, list, show.
 
 The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
 1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.
@@ -15,13 +15,17 @@ from typing import TYPE_CHECKING
 import click
 
 from lagsolve.group import CommandLine
-from lagsolve.status import OK, UNDECIDED, complain, say
+from lagsolve.status import INTERRUPTED, OK, UNDECIDED, complain, say
 
 if TYPE_CHECKING:
+    from lagrange.checking import CheckedAnswer, Examiner
     from lagrange.report import Report
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
+VECTORS = ("bold", "underlined", "arrow")
+SECONDS = click.FloatRange(0, 86_400, min_open=True)
+MEGABYTES = click.IntRange(256)
 
 
 @click.group(
@@ -48,6 +52,7 @@ def main() -> None:
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
 @click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
+@click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
 @click.option("--watch", is_flag=True, hidden=True)
 def solve(
     problems: tuple[str, ...],
@@ -57,22 +62,21 @@ def solve(
     detail: str,
     method: str,
     choice: str | None,
+    vectors: str | None,
     watch: bool,
 ) -> None:
     """Derive and check the equations of each PROBLEM."""
     from lagsolve.output import Destination
 
-    if method != "dalembert":
-        raise click.UsageError(f"--method {method} is not there yet; there is only dalembert")
     if watch:
         raise click.UsageError("--watch is not there yet")
     if problems.count("-") > 1:
         raise click.UsageError("standard input cannot be two problems")
-    destination = Destination.of(format_, output, fragment, detail)
+    destination = Destination.of(format_, output, fragment, detail, vectors)
     destination.spare(problems)
     reports, status = [], OK
     for name in problems:
-        report, outcome = _solved(name, choice, destination.is_complete, several=len(problems) > 1)
+        report, outcome = _solved(name, choice, method, destination.is_complete, several=len(problems) > 1)
         reports.append(report)
         status = max(status, outcome)
     if any(reports):
@@ -80,17 +84,18 @@ def solve(
     sys.exit(status)
 
 
-def _solved(name: str, choice: str | None, complete: bool, several: bool) -> tuple[Report | None, int]:
+def _solved(name: str, choice: str | None, method: str, complete: bool, several: bool) -> tuple[Report | None, int]:
     """What is found, and its exit status. Messages go to standard error, under the name where there are several."""
     heading = f"{name}:\n" if several else ""
     gc.disable()
     try:
+        from lagrange.dynamics import Method
         from lagrange.loader import read_problem
         from lagrange.report import report
         from lagsolve.reading import problem_source
 
         _look_for_garbage_seldom()
-        found = report(read_problem(problem_source(name)), choice, complete=complete)
+        found = report(read_problem(problem_source(name)), choice, complete=complete, method=Method(method))
     except Exception as error:
         return None, complain(error, heading)
     messages = (*found.notes, *found.shortcomings)
@@ -114,29 +119,112 @@ def _look_for_garbage_seldom() -> None:
 @click.argument("answer_file", required=False, metavar="[ANSWER_FILE]")
 @click.option("-e", "--equation", "equations", multiple=True, help="An equation of the answer; may be repeated.")
 @click.option("--format", "format_", type=click.Choice(("pretty", "json")), default="pretty", show_default=True)
-def check(problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str) -> None:
+@click.option("--hint", type=click.IntRange(1, 3), help="How much is said of a wrong equation. Default: 3, all of it.")
+@click.option("--reveal", is_flag=True, help="Print the derived equations too.")
+def check(
+    problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str, hint: int | None, reveal: bool
+) -> None:
     """Compare somebody's equations of motion with the derived ones.
 
-    Give the equations with -e, one each, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input).
+    Give the equations with -e, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input); a .tex or
+    .md file has them in its mathematics. They may be in LaTeX. A file that ends in .yaml answers the other questions
+    too, with the keys of `answers` in a problem file.
     Without either, the answers in the problem file are compared. Exit status: 0 equivalent; 1 wrong, incomplete or
     trivial; 2 unreadable; 3 undecided.
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
     gc.disable()
-    from lagrange.checking import check_answer, check_own_answers
+    from lagrange.checking import Examiner
     from lagrange.loader import read_problem
     from lagsolve.output import write_verdict
-    from lagsolve.reading import answer_fragments, problem_source
+    from lagsolve.reading import problem_source
 
     _look_for_garbage_seldom()
     asked = read_problem(problem_source(problem))
-    given = answer_file is not None or equations
-    result = check_answer(asked, answer_fragments(answer_file, equations)) if given else check_own_answers(asked)
+    examiner = Examiner.of(asked)
+    result = _checked(examiner, answer_file, equations)
+    if hint is not None:
+        result = result.hinted(hint)
     for message in (*asked.notes, *result.messages):
         say(str(message))
-    write_verdict(result, format_)
+    write_verdict(result, asked, format_, examiner.revealed(result) if reveal else ())
     sys.exit(result.exit_status)
+
+
+def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, ...]) -> CheckedAnswer:
+    """The verdict on what is given: equations, a file with all answers, or nothing but the problem file's own."""
+    from lagsolve.reading import answer_fragments
+
+    if answer_file is not None and answer_file.lower().endswith((".yaml", ".yml")):
+        from pathlib import Path
+
+        from lagrange.answer_yaml import read_answers
+        from lagrange.loader import read_source
+
+        answers = read_answers(read_source(Path(answer_file)), examiner.problem)
+        return examiner.check_answers(answers, answer_fragments(None, equations))
+    if answer_file is None and not equations:
+        return examiner.check_own()
+    return examiner.check(answer_fragments(answer_file, equations))
+
+
+@main.command(short_help="Grade a folder of submissions to one PROBLEM.")
+@click.argument("problem", metavar="PROBLEM")
+@click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...")
+@click.option("--csv", metavar="FILE", help="Write the table as CSV; `-` is standard output.")
+@click.option("--feedback", metavar="DIR", help="Write a page of Markdown for each submission.")
+@click.option("--jobs", type=click.IntRange(1), metavar="N", help="Processes on this machine. Default: its cores.")
+@click.option("--timeout", type=SECONDS, default=60.0, show_default=True, metavar="SECONDS", help="For one submission.")
+@click.option("--memory", type=MEGABYTES, default=1024, show_default=True, metavar="MB", help="For one submission.")
+@click.option("--dask", metavar="ADDRESS", help="Grade on the cluster of this scheduler, tcp://host:8786.")
+def grade(
+    problem: str,
+    answers: tuple[str, ...],
+    csv: str | None,
+    feedback: str | None,
+    jobs: int | None,
+    timeout: float,
+    memory: int,
+    dask: str | None,
+) -> None:
+    """Compare many submissions with the derived equations of one PROBLEM.
+
+    ANSWERS are files, or folders in which every file, and every folder with somebody's files, is a submission. A batch
+    that was interrupted goes on where it was when the same command is given again, if it has --csv or --feedback.
+    Exit status: 0 every submission has its verdict; 2 the batch cannot begin; 3 somebody must look at some submissions,
+    which are undecided or exceed the limits.
+    """
+    if not timeout > 0:  # a NaN
+        raise click.UsageError(f"--timeout {timeout} is no number of seconds")
+    if dask is not None and jobs is not None:
+        raise click.UsageError("--jobs is for this machine; the cluster of --dask has its own number of processes")
+    from pathlib import Path
+
+    from lagsolve.grading.order import InterruptedBatchError, Order, graded
+    from lagsolve.grading.pool import available_cores
+    from lagsolve.grading.worker import Limits
+    from lagsolve.output import write_rows
+    from lagsolve.reading import problem_source
+
+    source = problem_source(problem)
+    order = Order(
+        source,
+        answers,
+        Limits(timeout, memory),
+        jobs or available_cores(),
+        dask,
+        Path(csv) if csv not in (None, "-") else None,
+        Path(feedback) if feedback else None,
+        Path(source.name),
+    )
+    try:
+        rows = graded(order)
+    except InterruptedBatchError as interrupted:
+        say(str(interrupted))
+        sys.exit(INTERRUPTED)
+    write_rows(rows, as_csv=csv == "-")
+    sys.exit(UNDECIDED if any(r.verdict == "undecided" for r in rows) else OK)
 
 
 @main.command("list")

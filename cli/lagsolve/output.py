@@ -9,14 +9,16 @@ import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 if TYPE_CHECKING:
     from lagrange.checking import CheckedAnswer
     from lagrange.diagnostics import ProblemError
+    from lagrange.problem import Problem
     from lagrange.report import Report
+    from lagsolve.grading.rows import Row
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
 NARROWEST = 20
@@ -31,9 +33,12 @@ class Destination:
     path: Path | None
     fragment: bool
     detail: str
+    vectors: str = "bold"
 
     @classmethod
-    def of(cls, format_: str | None, output: str | None, fragment: bool, detail: str) -> Destination:
+    def of(
+        cls, format_: str | None, output: str | None, fragment: bool, detail: str, vectors: str | None = None
+    ) -> Destination:
         """Settles the format from the options. Raises a usage error where they do not fit together."""
         path = Path(output) if output not in (None, "-") else None
         if path and path.is_dir():
@@ -45,7 +50,9 @@ class Destination:
         chosen = format_ or by_ending or ("latex" if fragment else "pretty")
         if fragment and chosen != "latex":
             raise click.UsageError("--fragment goes with --format latex")
-        return cls(chosen, path, fragment, detail)
+        if vectors and chosen not in ("latex", "markdown"):
+            raise click.UsageError("--vectors goes with --format latex or markdown")
+        return cls(chosen, path, fragment, detail, vectors or "bold")
 
     @property
     def is_complete(self) -> bool:
@@ -72,6 +79,7 @@ class Destination:
 
     def _text(self, reports: Sequence[Report | None]) -> str:
         from lagrange.derivation import Detail
+        from lagrange.render.letters_of_vectors import Vectors
 
         detail = Detail[self.detail.upper()]
         solved = [(r.derivation, r.notation) for r in reports if r is not None]
@@ -82,11 +90,11 @@ class Destination:
         if self.format == "latex":
             from lagrange.render import latex
 
-            return latex.render(solved, self.fragment, detail)
+            return latex.render(solved, self.fragment, detail, Vectors(self.vectors))
         if self.format == "markdown":
             from lagrange.render import markdown
 
-            return markdown.render(solved, detail)
+            return markdown.render(solved, detail, Vectors(self.vectors))
         if self.format == "html":
             from lagrange.render import html
 
@@ -98,16 +106,24 @@ class Destination:
         return "\n".join(pretty.text(d, n, PIPED, detail) for d, n in solved)
 
 
-def write_verdict(answer: CheckedAnswer, format_: str) -> None:
-    """Prints what is to be said of an answer."""
+def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str, revealed: Sequence[Any] = ()) -> None:
+    """Prints what is to be said of an answer to a problem, and the derived equations that are to be revealed."""
+    from lagrange.render import verdict
+
     if format_ == "json":
         import json
 
-        put(json.dumps(answer.as_json(), ensure_ascii=False, indent=1) + "\n")
-        return
-    width = terminal_width()
-    lines = (wrapped(line, width, "      ") for line in answer.as_text().split("\n"))
-    put("".join(f"{line}\n" for line in lines))
+        put(json.dumps(verdict.as_object(answer, problem, revealed), ensure_ascii=False, indent=1) + "\n")
+    else:
+        put(verdict.text(answer, problem, terminal_width(), revealed))
+
+
+def write_rows(rows: Sequence[Row], as_csv: bool) -> None:
+    """Prints the rows of a batch: the table, or CSV."""
+    from lagsolve.grading.rows import csv_text, table_text
+
+    on_terminal = sys.stdout is not None and sys.stdout.isatty()
+    put(csv_text(rows) if as_csv else table_text(rows, terminal_width(), on_terminal))
 
 
 def table(rows: Sequence[tuple[str, str, str]]) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source, Span
+from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source
 from lagrange.loader import read_source
 from lagrange.yaml_nodes import MAX_BYTES, decode
 from lagsolve import library
@@ -27,20 +27,17 @@ def problem_source(name: str) -> Source:
 
 
 def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragment, ...]:
-    """The equations of an answer: those given one by one, then the lines of a file. Raises ProblemError."""
+    """The equations of an answer: those given one by one, then those in a file, as its ending says.
+
+    Raises ProblemError.
+    """
     fragments = [Fragment.of(text, f"equation {n}") for n, text in enumerate(equations, start=1)]
     if file is not None:
-        fragments += _lines(_standard_input() if file == "-" else read_source(Path(file)))
+        from lagrange.answer_files import equations_in_file
+
+        source = _standard_input() if file == "-" else read_source(Path(file))
+        fragments += equations_in_file(source, Path(file).suffix)
     return tuple(fragments)
-
-
-def _lines(source: Source) -> Iterator[Fragment]:
-    """The lines that are neither empty nor comments; each knows where in its file it stands."""
-    start = 0
-    for line in source.text.split("\n"):
-        if line.strip() and not line.lstrip().startswith("#"):
-            yield Fragment(line, Span(source, start, start + len(line)), start)
-        start += len(line) + 1
 
 
 def _standard_input() -> Source:

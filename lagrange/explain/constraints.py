@@ -300,7 +300,7 @@ def explain_classification(classification: Classification, taken: Collection[str
         *explain_redundant(classification, form_letter(taken)),
         *explain_losses(classification),
     )
-    return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences)),))
+    return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences), paragraph(*sentences[:2])),))
 
 
 def _time(classification: Classification) -> Prose:
@@ -368,4 +368,4 @@ def explain_freedom(classification: Classification) -> Step:
     else:
         sentences.append(prose(f"The configurations that can be reached have dimension {dimension}. "
                                + _difference(n - dimension)))  # fmt: skip
-    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences)),))
+    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences), sentences[0]),))

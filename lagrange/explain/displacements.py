@@ -54,7 +54,8 @@ def _tangent(normals: Sequence[Normal]) -> list[Block]:
             Equation((possible, textbook_form(-n.row.drift) * differential(t)), label=f"normal-possible-{name}"),
             Equation((Dot(gradient, VectorSymbol(f"delta(r_{n.particle})")), sp.S.Zero), label=f"normal-{name}"),
         )
-        where = f"The vector in brackets is the gradient, normal to the surface or curve that {n.particle} is kept on: "
+        which = "The vector in brackets" if isinstance(gradient, sp.Add) else "The first vector"
+        where = f"{which} is the gradient, normal to the surface or curve that {n.particle} is kept on: "
         end = (
             "a virtual displacement is tangent to it as it is at the time, a possible one in general is not."
             if moving

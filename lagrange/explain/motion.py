@@ -22,7 +22,7 @@ from lagrange.derivation import (
     prose,
 )
 from lagrange.displacements import virtual_displacement
-from lagrange.equations import EquationOfMotion, EquationsOfMotion, WithMultipliers
+from lagrange.equations import DalembertMotion, EquationOfMotion, EquationsOfMotion, WithMultipliers
 from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
@@ -33,7 +33,7 @@ from lagrange.problem import Problem
 ZERO = sp.S.Zero
 
 
-def explain_principle(motion: EquationsOfMotion) -> Step:
+def explain_principle(motion: DalembertMotion) -> Step:
     """The principle, the accelerations, and the principle written out."""
     body = [
         _multiplied(motion.configuration),
@@ -81,9 +81,9 @@ def _principle(configuration: Configuration) -> sp.Expr:
     return sp.Add(*terms, *terms_of_bodies(configuration), *terms_of_dampers(configuration), potential)
 
 
-def _accelerations(motion: EquationsOfMotion) -> list[Block]:
+def _accelerations(motion: DalembertMotion) -> list[Block]:
     accelerations = motion.principle.accelerations
-    suffix = _suffix(motion.configuration)
+    suffix = suffix_of(motion.configuration)
     lines = [
         Equation((VectorSymbol(f"r_{name}''"), a), label=f"acceleration{suffix}-{name}")
         for name, a in accelerations.items()
@@ -102,17 +102,18 @@ def _accelerations(motion: EquationsOfMotion) -> list[Block]:
     return [prose(f"{words[0].upper()}{words[1:]} {verb}"), display(*lines, *rates)]
 
 
-def _suffix(configuration: Configuration) -> str:
+def suffix_of(configuration: Configuration) -> str:
+    """What labels in a choice of coordinates end in."""
     return f"-{configuration.name}" if configuration.name else ""
 
 
-def explain_equations(motion: EquationsOfMotion, problem: Problem, multiplied: WithMultipliers | None = None) -> Step:
+def explain_equations(motion: DalembertMotion, problem: Problem, multiplied: WithMultipliers | None = None) -> Step:
     """The equations in the file's own coordinates; `multiplied`: also those with multipliers."""
     body: list[Block] = []
     if motion.configuration.rows:
         body += _with_the_solved(motion)
     body += _conclusion(motion)
-    body += _final(motion, problem)
+    body += final_equations(motion, problem)
     body += _with_multipliers(motion, multiplied)
     title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
     return Step(
@@ -122,10 +123,10 @@ def explain_equations(motion: EquationsOfMotion, problem: Problem, multiplied: W
     )
 
 
-def _with_the_solved(motion: EquationsOfMotion) -> list[Block]:
+def _with_the_solved(motion: DalembertMotion) -> list[Block]:
     """The principle with the dependent displacements put in."""
     configuration = motion.configuration
-    suffix = _suffix(configuration)
+    suffix = suffix_of(configuration)
     solved = [variation(configuration.slots.coordinates[d]) for d in motion.elimination.dependent]
     return [
         prose("With ", *listed(math(d) for d in solved), " put in, ", Ref(f"written-out{suffix}"), " becomes"),
@@ -144,8 +145,8 @@ def _conclusion(motion: EquationsOfMotion) -> list[Block]:
         if len(free) == 1
         else " are independent, so what multiplies each of them vanishes"
     )
-    divided = scaling(motion.equations)
-    return [prose(*listed(free), arbitrary, *((" (", *divided, ")") if divided else ()), ":")]
+    clauses = scaling(motion.equations)
+    return [prose(*listed(free), arbitrary, *((" (", *clauses, ")") if clauses else ()), ":")]
 
 
 def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
@@ -172,10 +173,10 @@ def _distinct(factors: Iterable[sp.Expr]) -> list[sp.Expr]:
     return [f for f in dict.fromkeys(factors) if f != 1]
 
 
-def _final(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
+def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     """The boxed equations, with the constraints that complete them."""
     configuration = motion.configuration
-    suffix = _suffix(configuration)
+    suffix = suffix_of(configuration)
     lines = [Equation((e.expression, ZERO), label=f"motion{suffix}-{e.coordinate.name}") for e in motion.equations]
     lines += [_constraint(configuration, r.name, problem) for r in configuration.rows]
     return [display(*lines, boxed=True, detail=Detail.BRIEF)]
@@ -185,7 +186,7 @@ def _with_multipliers(motion: EquationsOfMotion, multiplied: WithMultipliers | N
     """The equations with multipliers, in which no displacement is eliminated."""
     if multiplied is None:
         return []
-    coordinates, suffix = motion.configuration.slots.coordinates, _suffix(motion.configuration)
+    coordinates, suffix = motion.configuration.slots.coordinates, suffix_of(motion.configuration)
     dependent = listed(math(variation(coordinates[d])) for d in motion.elimination.dependent)
     symbols = listed(math(s) for s in multiplied.multipliers)
     one = len(multiplied.multipliers) == 1
@@ -213,9 +214,9 @@ def _constraint(configuration: Configuration, name: str, problem: Problem) -> Eq
     row = next(r for r in configuration.rows if r.name == name)
     if not configuration.expressed:
         constraint = next(c for c in problem.constraints if c.name == name)
-        return Equation((constraint.lhs, constraint.rhs), label=f"with{_suffix(configuration)}-{name}")
+        return Equation((constraint.lhs, constraint.rhs), label=f"with{suffix_of(configuration)}-{name}")
     shown = row.velocity_form(configuration.slots) if row.finite is None else row.finite
-    return Equation((shown, ZERO), label=f"with{_suffix(configuration)}-{name}")
+    return Equation((shown, ZERO), label=f"with{suffix_of(configuration)}-{name}")
 
 
 def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
@@ -274,7 +275,7 @@ def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
 
 def explain_motion_in_choice(
     coordinates: GeneralizedCoordinates,
-    motion: EquationsOfMotion,
+    motion: DalembertMotion,
     problem: Problem,
     multiplied: WithMultipliers | None = None,
 ) -> Step:
@@ -295,7 +296,7 @@ def explain_motion_in_choice(
     if configuration.rows:
         body += _with_the_solved(motion)
     body += _conclusion(motion)
-    body += _final(motion, problem)
+    body += final_equations(motion, problem)
     body += _with_multipliers(motion, multiplied)
     title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
     return Step(Rule.EQUATIONS_OF_MOTION, f"{title}: {spoken(name)}", tuple(body))

@@ -36,10 +36,10 @@ def explain_newton(
     if newton.bodies is None:
         body += _without_bodies(newton, bool(configuration.rotations))
     else:
-        body.append(paragraph(*(s for r in newton.reactions for s in _nature(r))))
+        body.append(paragraph(*(s for r in newton.reactions for s in nature(r))))
         for b in newton.bodies:
             body += _free_body(b, field_called(configuration))
-        body += _friction(rubbed)
+        body += explain_friction(rubbed)
         body += _law(newton, newton.bodies, at_rest)
         if newton.before is not None and newton.after is not None and not unknown_forces:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
@@ -62,7 +62,7 @@ def _without_bodies(newton: Newton, rigid: bool) -> list[Block]:
     ]  # fmt: skip
 
 
-def _nature(reaction: Reaction) -> list[Prose]:
+def nature(reaction: Reaction) -> list[Prose]:
     """What kind of force keeps a constraint."""
     name = spoken(reaction.name)
     multiplier = math(reaction.multiplier)
@@ -134,7 +134,8 @@ def _with(reactions: Sequence[Reaction]) -> str:
     return f"with the {words}{'s' if len(reactions) > 1 else ''}"
 
 
-def _friction(rubbed: Sequence[Rubbing]) -> list[Block]:
+def explain_friction(rubbed: Sequence[Rubbing]) -> list[Block]:
+    """How large friction is, and when."""
     found: list[Block] = []
     for r in rubbed:
         begin = f"While {r.friction.on} slides, the friction {spoken(r.friction.name)} is "

@@ -31,13 +31,17 @@ from lagrange.quasi_verification import InSpeeds
 ZERO = sp.S.Zero
 
 
-def explain_speeds(found: InSpeeds, problem: Problem, first: bool) -> Step:
-    """The quasi-velocities in one set of coordinates; `first`: the file's own, or the first choice that has them."""
+def explain_speeds(found: InSpeeds, problem: Problem, first: bool, stated: bool = True) -> Step:
+    """The quasi-velocities in one set of coordinates.
+
+    first   whether these are the file's own, or the first choice that has them
+    stated  whether d'Alembert's principle stands on the page
+    """
     quasi, equations = found.velocities, found.equations
     body = [*_definitions(quasi), *_determined(quasi)]
     if equations is not None:
         body += _vectors(equations, problem, first)
-        body += _principle(equations)
+        body += _principle(equations, stated)
         body += _final(equations, found.configuration)
     noun = plural(len(quasi.definitions), "quasi-velocity", "quasi-velocities")
     title = f"Equations of motion in the {noun}" if equations is not None else noun.capitalize()
@@ -123,7 +127,7 @@ def _vectors(equations: QuasiEquations, problem: Problem, first: bool) -> list[B
     return found
 
 
-def _principle(equations: QuasiEquations) -> list[Block]:
+def _principle(equations: QuasiEquations, stated: bool) -> list[Block]:
     """δπ_u, and the principle with them."""
     quasi, suffix = equations.quasi, _suffix(equations.quasi)
     lines = [
@@ -149,7 +153,7 @@ def _principle(equations: QuasiEquations) -> list[Block]:
     return [
         prose(*words),
         display(*lines),
-        prose("With these, d'Alembert's principle ", Ref("principle"), " reads"),
+        prose("With these, d'Alembert's principle ", *((Ref("principle"), " ") if stated else ()), "reads"),
         display(Equation((equations.statement, ZERO), label=f"written-out-in-speeds{suffix}")),
         prose(*listed(free), verb, *((" (", *divided, ")") if divided else ()), ":"),
     ]

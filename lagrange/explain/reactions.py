@@ -7,6 +7,7 @@ import sympy as sp
 from lagrange.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose
 from lagrange.dynamics import Motion
 from lagrange.explain.words import plural, spoken
+from lagrange.multipliers import LagrangeMotion
 from lagrange.newton import Newton
 from lagrange.reactions import Reactions
 
@@ -35,13 +36,16 @@ def explain_reactions(
     lost = [
         r.name for r in newton.reactions if r.name in reactions.multipliers and reactions.multipliers[r.name] is None
     ]
+    equations = "Lagrange's" if isinstance(motion.written, LagrangeMotion) else "Newton's"
     if lines and not long:
-        which = "Newton's equations" if newton.equations is not None else "The equations with multipliers"
+        named = newton.equations is not None or isinstance(motion.written, LagrangeMotion)
+        which = f"{equations} equations" if named else "The equations with multipliers"
         words = f"{which} and the constraints, differentiated until accelerations occur, are linear in "
         what = "accelerations and multipliers; solved for the latter they give"
         body.append(prose(*((words, what) if first else ("In these coordinates the same equations give",))))
     elif lines:
-        which = "Newton's equations" if newton.equations is not None else "these equations"
+        named = newton.equations is not None or isinstance(motion.written, LagrangeMotion)
+        which = f"{equations} equations" if named else "these equations"
         body.append(prose(f"Solved for the multipliers, {which} give long expressions, left out here."))
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))

@@ -16,8 +16,11 @@ from lagrange.problem import Assumption, Coordinate, Friction, Parameter, Proble
 from lagrange.vectors import UNITS, Vector
 
 
-def explain_statement(problem: Problem, configuration: Configuration) -> Step:
-    """Description, symbols, positions, applied forces."""
+def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:
+    """Description, symbols, positions, applied forces.
+
+    with_potential  whether the potential energy of fields and springs is stated here, and not with the weights' later
+    """
     body: list[Block] = []
     if problem.description:
         body.append(prose(problem.description))
@@ -30,7 +33,7 @@ def explain_statement(problem: Problem, configuration: Configuration) -> Step:
     body += triads_of_bodies(problem, configuration)
     body += _abbreviations(problem)
     body += _positions(problem, configuration)
-    body += _forces(configuration, [f for f in problem.forces if isinstance(f, Friction)])
+    body += _forces(configuration, [f for f in problem.forces if isinstance(f, Friction)], with_potential)
     return Step(Rule.STATEMENT, "The system", tuple(body))
 
 
@@ -184,7 +187,7 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
     return found
 
 
-def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list[Block]:
+def _forces(configuration: Configuration, frictions: Sequence[Friction], with_potential: bool) -> list[Block]:
     found: list[Block] = []
     rubbing = {f.name: f.constraint for f in frictions}
     for p in configuration.points:
@@ -220,7 +223,7 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction]) -> list
             found += [prose(f"The force {f.name} on {f.on}, and the point where it acts, are"), display(*lines)]
     found += moments_on(configuration)
     found += explain_links(configuration)
-    if configuration.potential != 0:
+    if configuration.potential != 0 and with_potential:
         of = "" if configuration.springs else " of the given fields"
         found += [
             prose(f"The potential energy{of} is"),

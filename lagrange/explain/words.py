@@ -12,9 +12,9 @@ def spoken(name: str) -> str:
     return name.replace("_", " ").replace(".", " ").strip()
 
 
-def brief(block: Prose) -> Prose:
-    """A paragraph that is shown even where little detail is wanted."""
-    return replace(block, detail=Detail.BRIEF)
+def brief(block: Prose, short: Prose) -> Prose:
+    """A paragraph that is shown even where little detail is wanted, `short` in its place."""
+    return replace(block, detail=Detail.BRIEF, short=short.parts)
 
 
 def plural(number: int, one: str, more: str) -> str:

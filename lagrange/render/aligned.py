@@ -6,13 +6,16 @@ What LaTeX and Markdown share: the one sets the rows in `align`, the other in `a
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from lagrange.derivation import Equation, Mathematics
+import sympy as sp
+
+from lagrange.derivation import Block, Equation, Mathematics
 from lagrange.render.breaking import Breaker, Line
 from lagrange.render.ems import ems
 from lagrange.render.mathematics import Writer
+from lagrange.render.shown import written_out
 
 SHORT = 8.0  # ems of a left side behind which relations are aligned
 ALIGN = "\ue003"
@@ -48,6 +51,32 @@ class Typesetter:
             codes[-1] += rf" \qquad {condition}"
             condition = ""
         return codes, [rf"{ALIGN}\qquad {condition}"] if condition else []
+
+    def matrix(self, name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> tuple[str, float]:
+        """M = (a b; c d), and its width."""
+        cells = [[self.writer.plain(e) for e in row] for row in rows]
+        width = sum(max(ems(row[k]) for row in cells) + 1 for k in range(len(cells[0]))) + 4
+        inner = r" \\ ".join(" & ".join(row) for row in cells)
+        return rf"{self.writer.plain(name)} = \begin{{pmatrix}} {inner} \end{{pmatrix}}", width
+
+    def matrices(
+        self, named: Sequence[tuple[sp.Symbol, Sequence[Sequence[sp.Expr]]]], width: float
+    ) -> Iterator[str | tuple[Block, ...]]:
+        """Lines of matrices side by side; what stands for one that is too wide."""
+        line: list[str] = []
+        used = 0.0
+        for name, rows in named:
+            code, own = self.matrix(name, rows)
+            if line and used + own > width:
+                yield r" ,\qquad ".join(line)
+                line, used = [], 0.0
+            if own > width:
+                yield written_out(name, rows)
+                continue
+            line.append(code)
+            used += own + 2
+        if line:
+            yield r" ,\qquad ".join(line)
 
 
 def at_relations(systems: Sequence[Sequence[str]]) -> bool:

@@ -14,6 +14,8 @@ from html import escape
 from itertools import pairwise
 from xml.etree import ElementTree
 
+import sympy as sp
+
 from lagrange.derivation import Mathematics
 from lagrange.render.mathematics import TEXT, Notation, Writer
 from lagrange.render.pieces import BREAK, END, START, plain
@@ -60,6 +62,16 @@ class Formulas:
         sign = self.writer.style.relation(relation)
         style = ' displaystyle="true"' if displayed else ""
         return "<wbr>".join(_elements((sign if n else "") + code, style) for n, code in enumerate(codes) if n >= first)
+
+    def matrix(self, name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> str | None:
+        """M = (a b; c d); None where it is too wide for a line."""
+        cells = [[self.writer.plain(e) for e in line] for line in rows]
+        if sum(max(width(line[k]) for line in cells) + 1 for k in range(len(cells[0]))) > ROW:
+            return None
+        table = "".join("<mtr>" + "".join(f"<mtd>{cell}</mtd>" for cell in line) + "</mtr>" for line in cells)
+        equals = self.writer.style.relation("=")
+        matrix = f"<mrow><mo>(</mo><mtable>{table}</mtable><mo>)</mo></mrow>"
+        return f'<math displaystyle="true">{self.writer.plain(name)}{equals}{matrix}</math>'
 
     def left(self, side: Mathematics) -> str:
         """A short left side."""

@@ -21,6 +21,7 @@ from lagrange.derivation import (
     Display,
     Equation,
     Math,
+    Matrices,
     Part,
     Picture,
     Prose,
@@ -31,7 +32,7 @@ from lagrange.derivation import (
 from lagrange.render.escape import slug
 from lagrange.render.formulas import Formulas
 from lagrange.render.mathematics import UNICODE, Notation, Writer
-from lagrange.render.shown import shown
+from lagrange.render.shown import shown, written_out
 from lagrange.render.stylesheet import CSS
 from lagrange.render.svg import figure
 
@@ -115,6 +116,8 @@ class _Article:
                 yield from self.table(block)
             case Picture():
                 yield from self.picture(block)
+            case Matrices():
+                yield from self.matrices(block)
 
     def prose(self, parts: Iterable[Part]) -> str:
         """Words and formulas; what closes a phrase stays on the line of the formula before it."""
@@ -171,7 +174,7 @@ class _Article:
         number = self.content.numbers.get(equation.label or "")
         return f"({number})" if number else ""
 
-    # Pictures, tables and checks
+    # Pictures, matrices, tables and checks
 
     def picture(self, block: Picture) -> Iterator[str]:
         scene = block.draw()
@@ -180,6 +183,16 @@ class _Article:
             yield from figure(scene, clean(block.alt), self.in_pictures.plain)
             yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
             yield "</figure>"
+
+    def matrices(self, block: Matrices) -> Iterator[str]:
+        """Those that fit on a line, the others entry by entry."""
+        drawn = [(self.formulas.matrix(name, rows), name, rows) for name, rows in block.named]
+        if any(found is not None for found, *_ in drawn):
+            yield '<div class="scroll">' + " ".join(found for found, *_ in drawn if found is not None) + "</div>"
+        for found, name, rows in drawn:
+            if found is None:
+                for part in written_out(name, rows):
+                    yield from self.block(part)
 
     def table(self, block: Table) -> Iterator[str]:
         header = [self.part(part) for part in block.header]

@@ -12,19 +12,32 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Part, Picture, Prose, Ref, Table, Term
+from lagrange.derivation import (
+    Block,
+    CheckMark,
+    Display,
+    Equation,
+    Math,
+    Matrices,
+    Part,
+    Picture,
+    Prose,
+    Ref,
+    Table,
+    Term,
+)
 from lagrange.displacements import possible_displacement, virtual_displacement
+from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import FormSymbol, Wedge
+from lagrange.render.json_linear import linearized, matrices, matrix
+from lagrange.render.json_motion import by_lagrange, integrals, motion, speeds
 from lagrange.render.mathematics import text
 from lagrange.vectors import Vector
 
 if TYPE_CHECKING:
     from lagrange.constraints import ConstraintAnalysis
-    from lagrange.dynamics import Motion
-    from lagrange.equations import EquationsOfMotion
     from lagrange.equilibrium import Equilibrium
     from lagrange.newton import Newton
-    from lagrange.quasi_verification import InSpeeds
     from lagrange.reactions import Reactions
     from lagrange.report import Report
     from lagrange.solution import ChoiceSolution, Solution
@@ -78,12 +91,20 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _statics(solution.equilibrium, solution.stability, write)
     if solution.law is not None:
         found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
+    if solution.dynamics is not None and isinstance(solution.dynamics.written, LagrangeMotion):
+        found["method"] = "lagrange"
     if solution.dynamics is not None:
-        found |= _motion(solution.dynamics, write)
+        found |= motion(solution.dynamics, write)
+        found |= by_lagrange(solution.dynamics.written, write)
+        found |= matrices(solution.dynamics, write)
     if solution.in_speeds is not None:
-        found["speeds"] = _speeds(solution.in_speeds, write)
+        found["speeds"] = speeds(solution.in_speeds, write)
+    if solution.linearization is not None:
+        found["linearization"] = linearized(solution.linearization, write)
     if solution.dynamics is not None and solution.dynamics.reactions is not None:
         found |= _reactions(solution, solution.dynamics.reactions, write)
+    if solution.conserved is not None:
+        found["conserved"] = integrals(solution.conserved, write)
     if solution.reactions_at_rest is not None:
         found |= _reactions_at_rest(solution.reactions_at_rest, solution.works, found.get("reactions", {}), write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
@@ -142,9 +163,13 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         slots = coordinates.configuration.slots
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
-        found |= _motion(c.dynamics, write)
+        found |= motion(c.dynamics, write)
+        found |= by_lagrange(c.dynamics.written, write)
+        found |= matrices(c.dynamics, write)
     if c.in_speeds is not None:
-        found["speeds"] = _speeds(c.in_speeds, write)
+        found["speeds"] = speeds(c.in_speeds, write)
+    if c.linearization is not None:
+        found["linearization"] = linearized(c.linearization, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
         values = c.dynamics.reactions.multipliers
         tensions = c.dynamics.reactions.tensions
@@ -153,6 +178,8 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
             | ({"tension": write(tensions[name])} if name in tensions else {})
             for name, value in values.items()
         }
+    if c.conserved is not None:
+        found["conserved"] = integrals(c.conserved, write)
     if c.reactions_at_rest is not None:
         found |= _reactions_at_rest(c.reactions_at_rest, (), found.get("reactions", {}), write)
     if c.spot is not None:
@@ -171,13 +198,11 @@ def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
 
 
 def _reactions(solution: Solution, reactions: Reactions, write: Write) -> dict[str, Any]:
-    """Accelerations and reactions; left out where they are too large, or not determined.
+    """The reactions; left out where they are too large, or not determined.
 
     A reaction that is too large in the file's coordinates is given in those of a choice, which is named.
     """
     found: dict[str, Any] = {}
-    if None not in reactions.accelerations.values():
-        found["accelerations"] = {s.name.rstrip("'"): write(v) for s, v in reactions.accelerations.items()}
     if solution.works:
         there = [("", reactions)]
         there += [(c.name, c.dynamics.reactions) for c in solution.choices if c.dynamics and c.dynamics.reactions]
@@ -262,51 +287,6 @@ def _statics(found: Equilibrium, stability: SecondVariation | None, write: Write
     return result
 
 
-def _motion(dynamics: Motion, write: Write) -> dict[str, Any]:
-    """The equations, what must not vanish, and the equations with multipliers where constraints are left."""
-    found: dict[str, Any] = {
-        "equations": _equations(dynamics.written, write),
-        "conditions": _nonzero(dynamics.written.conditions, write),
-    }
-    if dynamics.with_multipliers is not None:
-        found["equations_with_multipliers"] = [
-            f"{write(a)} = {write(b)}" for a, b in dynamics.with_multipliers.equations
-        ]
-    return found
-
-
-def _nonzero(excluded: Sequence[sp.Expr], write: Write) -> list[str]:
-    return [f"{write(e)} ≠ 0" for e in excluded]
-
-
-def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
-    """The equations of motion and the constraints that complete them."""
-    slots = motion.configuration.slots
-    rows = (r.velocity_form(slots) if r.finite is None else r.finite for r in motion.configuration.rows)
-    return [f"{write(e)} = 0" for e in (*motion.expressions, *rows)]
-
-
-def _speeds(found: InSpeeds, write: Write) -> dict[str, Any]:
-    """The quasi-velocities, the kinematic equations, what must not vanish, the equations of motion in them.
-
-    `kinematic` has q' and `rates` u', by name; of too few quasi-velocities, `completed_by` says whose velocities
-    complete them.
-    """
-    quasi, equations = found.velocities, found.equations
-    result: dict[str, Any] = {
-        "definitions": {u.name: write(e) for u, e in quasi.definitions.items()},
-        "kinematic": {v.name.rstrip("'"): write(e) for v, e in quasi.kinematic.items()},
-        "conditions": _nonzero(equations.conditions if equations else quasi.pivots, write),
-    }
-    if quasi.completing:
-        result["completed_by"] = [q.name for q in quasi.completing]
-    if equations is not None:
-        result["equations"] = [f"{write(e)} = 0" for e in equations.expressions]
-        if equations.rates is not None:
-            result["rates"] = {u.name.rstrip("'"): write(value) for u, value in equations.rates.items()}
-    return result
-
-
 def _spot(spot: Spot, write: Write) -> dict[str, Any]:
     return {
         "values": {s.name: _figures(v, write) for s, v in spot.values.items()},
@@ -328,6 +308,8 @@ def _block(block: Block, write: Write) -> dict[str, Any]:
         case Table(header=header, rows=rows):
             cells = [[_sentence((cell,), write) for cell in row] for row in rows]
             return {"table": {"header": [_sentence((h,), write) for h in header], "rows": cells}}
+        case Matrices(named=named):
+            return {"matrices": {name.name: matrix(rows, write) for name, rows in named}}
         case CheckMark(name=name, passed=passed, how=how):
             return {"check": _sentence(name, write), "passed": passed, "how": how}
         case Picture():

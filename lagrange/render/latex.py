@@ -22,6 +22,7 @@ from lagrange.derivation import (
     Equation,
     Math,
     Mathematics,
+    Matrices,
     Part,
     Picture,
     Prose,
@@ -32,6 +33,7 @@ from lagrange.derivation import (
 from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.ems import ems
 from lagrange.render.escape import escape, slug
+from lagrange.render.letters_of_vectors import Vectors
 from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import Shown, shown
 from lagrange.render.tikz import picture
@@ -62,9 +64,11 @@ def render(
     derivations: Sequence[tuple[Derivation, Notation]],
     fragment: bool = False,
     detail: Detail = Detail.STEPS,
+    vectors: Vectors = Vectors.BOLD,
 ) -> str:
     """A document with these derivations, or the fragment that goes into one."""
     bodies = "\n".join(body(derivation, notation, detail) for derivation, notation in derivations)
+    bodies = vectors.written(bodies)
     if fragment:
         return FRAGMENT + bodies
     return f"{PREAMBLE}\n\\begin{{document}}\n\n{bodies}\n\\end{{document}}\n"
@@ -116,6 +120,8 @@ class _Article:
                 yield from self.table(block)
             case Picture():
                 yield from self.picture(block)
+            case Matrices():
+                yield from self.matrices(block)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)
@@ -191,7 +197,7 @@ class _Article:
         codes, below = self.typesetter.rows(equation, width, condition)
         return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *map(_Row, below)]
 
-    # Pictures, tables and checks
+    # Pictures, matrices, tables and checks
 
     def picture(self, block: Picture) -> Iterator[str]:
         scene = block.draw()
@@ -200,6 +206,14 @@ class _Article:
             yield from picture(scene, self.typesetter.writer.plain)
             yield rf"\\[1.5ex] {{\small {self.prose(block.caption)}}}"
             yield r"\end{center}"
+
+    def matrices(self, block: Matrices) -> Iterator[str]:
+        for line in self.typesetter.matrices(block.named, LINE):
+            if isinstance(line, str):
+                yield from (r"\[", f"  {line}", r"\]")
+                continue
+            for part in line:
+                yield from [self.prose(part.parts)] if isinstance(part, Prose) else self.block(part)
 
     def table(self, block: Table) -> Iterator[str]:
         grid = [list(block.header), *(list(row) for row in block.rows)]

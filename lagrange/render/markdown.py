@@ -21,6 +21,7 @@ from lagrange.derivation import (
     Display,
     Equation,
     Math,
+    Matrices,
     Part,
     Prose,
     Ref,
@@ -29,6 +30,7 @@ from lagrange.derivation import (
 )
 from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.escape import escape as tex
+from lagrange.render.letters_of_vectors import Vectors
 from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import shown
 
@@ -52,9 +54,13 @@ _SIGNS = re.compile(r"([\\`*_\[\]<>$|~])")
 _OPENING = re.compile(r"^(\s*\d*)([#+.)-])(?=\s|$)")
 
 
-def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = Detail.STEPS) -> str:
+def render(
+    derivations: Sequence[tuple[Derivation, Notation]],
+    detail: Detail = Detail.STEPS,
+    vectors: Vectors = Vectors.BOLD,
+) -> str:
     """The derivations, one after the other."""
-    return "\n".join(body(derivation, notation, detail) for derivation, notation in derivations)
+    return vectors.written("\n".join(body(derivation, notation, detail) for derivation, notation in derivations))
 
 
 def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS) -> str:
@@ -106,6 +112,13 @@ class _Page:
                 yield self.display(block)
             case Table():
                 yield self.table(block)
+            case Matrices():
+                for line in self.typesetter.matrices(block.named, LINE):
+                    if isinstance(line, str):
+                        yield f"$$\n{dialect(line)}\n$$"
+                    else:
+                        for part in line:
+                            yield from self.block(part)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)

@@ -178,7 +178,10 @@ class Writer:
         front = [f for f in above if f not in last]
         constant = [f for f in front if self._is_plain(f, _STILL)]
         others = [f for f in front if f not in constant]
+        sums = any(isinstance(base, sp.Add) and base.has(sp.sin, sp.cos) for base, _ in below)
         if below and constant and all(self.order.is_constant(base) for base, _ in below):
+            if sums and others and not any(isinstance(base, sp.Add) or self._moves(base) for base, _ in others):
+                return [], front, last  # m g cos α/(M + m sin²α), a coefficient as long would be none
             return [], constant, others + last
         places = [f for f in others if self._is_plain(f, _PLACES)]
         moving = [f for f in others if f not in places]
@@ -186,6 +189,10 @@ class Writer:
         if places and moving and all(letters):
             return constant, places, moving + last
         return [], front, last
+
+    def _moves(self, base: sp.Expr) -> bool:
+        """Whether it is more than a matter of position."""
+        return not self.order.kinds(base) <= {*_PLACES, Kind.TIME}
 
     def _is_plain(self, factor: Factor, kinds: set[Kind]) -> bool:
         """Whether it is a number, a symbol of these kinds, or a sum of such."""

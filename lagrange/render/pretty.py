@@ -26,6 +26,7 @@ from lagrange.derivation import (
     Display,
     Equation,
     Math,
+    Matrices,
     Part,
     Prose,
     Ref,
@@ -35,8 +36,9 @@ from lagrange.derivation import (
 )
 from lagrange.render.breaking import Breaker
 from lagrange.render.mathematics import UNICODE, Notation, Writer
+from lagrange.render.matrices import matrix_lines, side_by_side
 from lagrange.render.paragraphs import Words, fill, pad
-from lagrange.render.shown import Shown, shown
+from lagrange.render.shown import Shown, shown, written_out
 from lagrange.render.tables import Grid, table_lines
 
 WIDEST = 100  # a longer line is hard to read
@@ -129,6 +131,8 @@ class _Page:
                 yield from self.boxed(block, width) if boxed else self.display(block, width)
             case Table():
                 yield from self.table(block, width)
+            case Matrices():
+                yield from self.matrices(block, width)
 
     # Prose
 
@@ -214,7 +218,22 @@ class _Page:
             return [Text.assemble(last, " " * 4, *fill(words, room))]
         return [last, *(Text("  ") + line for line in fill(words, width - 2))]
 
-    # Tables and checks
+    # Matrices, tables and checks
+
+    def matrices(self, block: Matrices, width: int) -> Iterator[Text]:
+        """Those that fit side by side, the others entry by entry."""
+        drawn = []
+        wide = []
+        for name, rows in block.named:
+            lines = matrix_lines(self.writer.plain(name), [[self.writer.plain(e) for e in row] for row in rows])
+            if cell_len(lines[0]) <= width - 2:
+                drawn.append(lines)
+            else:
+                wide.append((name, rows))
+        yield from (Text("  " + line if line else "") for line in side_by_side(drawn, width - 2))
+        for name, rows in wide:
+            for part in written_out(name, rows):
+                yield from self.block(part, width)
 
     def table(self, block: Table, width: int) -> Iterator[Text]:
         grid: Grid = [[self.words([part]) for part in row] for row in (block.header, *block.rows)]

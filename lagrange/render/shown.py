@@ -6,9 +6,12 @@ is replaced by the equation itself.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from lagrange.derivation import Block, Derivation, Detail, Display, Equation, Picture, Step
+import sympy as sp
+
+from lagrange.derivation import Block, CheckMark, Derivation, Detail, Display, Equation, Math, Picture, Prose, Step
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,8 @@ def shown(derivation: Derivation, detail: Detail, first: int = 1, *, pictures: b
     steps = []
     for step in derivation.steps:
         body = tuple(block for block in step.body if block.detail <= detail and _has_place(block, pictures))
+        if detail is Detail.BRIEF:
+            body = tuple(_shortened(body))
         if body:
             steps.append(replace(step, body=body))
     labelled = [e for e in _equations(steps) if e.label is not None]
@@ -38,7 +43,33 @@ def _has_place(block: Block, pictures: bool) -> bool:
     return not isinstance(block, Picture) or (pictures and block.draw() is not None)
 
 
+def _shortened(body: Sequence[Block]) -> Iterator[Block]:
+    """Paragraphs in their short form, the checks that held in one line."""
+    held = [b for b in body if isinstance(b, CheckMark) and b.passed]
+    for block in body:
+        if isinstance(block, Prose) and block.short:
+            yield Prose(block.short, block.detail)
+        elif block not in held:
+            yield block
+        elif block is held[0]:
+            many = len(held)
+            yield block if many == 1 else CheckMark((f"{many} checks held",), True, "")
+
+
 def _equations(steps: tuple[Step, ...] | list[Step]) -> list[Equation]:
     return [
         equation for step in steps for block in step.body if isinstance(block, Display) for equation in block.equations
     ]
+
+
+def written_out(name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> tuple[Block, ...]:
+    """A matrix that is too wide, entry by entry: M_12 = ... for each that is not zero, f_1 = ... of a column."""
+    column = len(rows[0]) == 1 and len(rows) > 1
+    found = tuple(
+        Equation((type(name)(f"{name.name}_{j}{'' if column else k}", real=True), e))
+        for j, row in enumerate(rows, start=1)
+        for k, e in enumerate(row, start=1)
+        if e != 0
+    )
+    others = (Prose(("The other entries of ", Math((name,)), " are zero.")),)
+    return (Display(found), *(others if any(e == 0 for row in rows for e in row) else ()))

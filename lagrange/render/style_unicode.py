@@ -108,7 +108,7 @@ class Unicode(Text):
 
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""
-        if inner.level == Level.ATOM and len(inner.code) < 4:
+        if inner.level == Level.ATOM and len(inner.code) < 8 and "(" not in inner.code:
             return Piece(f"d{inner.code}/dt", Level.DIVISION)
         return Piece(f"d/dt {self.bracketed(inner.code)}", Level.DIVISION)
 

@@ -1,0 +1,1 @@
+"""`lagsolve grade`: many submissions to one problem, each within limits of time and memory."""

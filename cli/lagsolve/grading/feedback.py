@@ -1,0 +1,102 @@
+"""A page of Markdown for the author of a submission: the verdict, equation by equation, and what could not be read.
+
+Everything on it that was handed in stands as code or is escaped: no page can hold a link, a picture or HTML of the
+author's making. The equations asked for are nowhere on it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import unicodedata
+from collections.abc import Iterable, Iterator
+
+from lagrange.answers import EquationVerdict, Verdict
+from lagrange.grading import Graded
+from lagrange.render.markdown import escape
+
+LONGEST_NAME = 80  # of a page, without its ending
+MARKS = {Verdict.EQUIVALENT: "✓", Verdict.WRONG: "✗", Verdict.UNREADABLE: "!", Verdict.UNDECIDED: "?"}
+
+
+def page(problem: str, name: str, graded: Graded) -> str:
+    """The page; `problem` is the title of the problem, `name` what the submission is called."""
+    return "\n".join(_lines(problem, name, graded))
+
+
+def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
+    verdict, _, sentence = graded.headline.partition(": ")
+    yield f"# {prose(problem)}"
+    yield f"\nSubmission: {code(name)}"
+    yield f"\n**{verdict.capitalize()}**{': ' if sentence else ''}{prose(sentence)}."
+    if graded.right is not None and graded.required is not None and graded.required > max(1, graded.right):
+        verb = "is" if graded.right == 1 else "are"
+        yield f"\n{graded.right} of the {graded.required} independent equations asked for {verb} right."
+    if graded.others:
+        yield "\n## Question by question\n"
+        for question, found, diagnosis in graded.others:
+            said = f" ({diagnosis})" if diagnosis else ""
+            yield f"- {MARKS.get(found, '·')} {prose(question.replace('_', ' '))}: {found.value}{prose(said)}"
+    if graded.equations:
+        yield "\n## Equation by equation\n"
+        for equation in graded.equations:
+            yield from _of_equation(equation)
+    if graded.messages:
+        yield "\n## How it was read"
+        for message in graded.messages:
+            yield f"\n{block(message)}"
+    yield ""
+
+
+def _of_equation(equation: EquationVerdict) -> Iterator[str]:
+    mark = MARKS.get(equation.verdict, "·")
+    yield f"- {mark} {code(equation.text)}: {equation.verdict.value}"
+    said = (*((equation.diagnosis,) if equation.diagnosis else ()), *equation.remarks)
+    for sentence in said:
+        yield f"  - {prose(sentence)}"
+
+
+def prose(text: str) -> str:
+    """Text in which nothing but `names in backticks` is marked up."""
+    parts = re.split(r"(`[^`]+`)", " ".join(text.split()))
+    return "".join(code(p[1:-1]) if n % 2 else escape(p) for n, p in enumerate(parts))
+
+
+def code(text: str) -> str:
+    """Text as code in a line."""
+    text = " ".join(text.split())
+    fence = "`" * (_longest_run(text) + 1)
+    pad = " " if not text or "`" in (text[0], text[-1]) else ""
+    return f"{fence}{pad}{text or '(nothing)'}{pad}{fence}"
+
+
+def block(text: str) -> str:
+    """Text as a block of code."""
+    fence = "`" * max(3, _longest_run(text) + 1)
+    return f"{fence}text\n{text}\n{fence}"
+
+
+def _longest_run(text: str) -> int:
+    return max((len(run) for run in re.findall("`+", text)), default=0)
+
+
+def page_names(names: Iterable[str]) -> dict[str, str]:
+    """submission -> name of its page: its own name where that is a plain one; no two alike, in whatever case."""
+    found: dict[str, str] = {}
+    taken: set[str] = set()
+    for name in names:
+        plain = _plain(name)
+        if plain != name or plain.casefold() in taken:
+            plain = f"{plain}-{hashlib.sha256(name.encode('utf-8', 'surrogatepass')).hexdigest()[:12]}"
+        taken.add(plain.casefold())
+        found[name] = f"{plain}.md"
+    return found
+
+
+def _plain(name: str) -> str:
+    """Letters, digits and the harmless marks of a name; nothing that a system or a shell could mistake."""
+    text = unicodedata.normalize("NFC", name)
+    kept = "".join(c if c.isalnum() or c in "._- " else "_" for c in text).strip(" .-_") or "_"
+    while len(kept.encode()) > LONGEST_NAME:
+        kept = kept[:-1]
+    return kept.rstrip(" .")

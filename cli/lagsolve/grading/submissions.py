@@ -1,0 +1,162 @@
+"""What was handed in: the files and folders that the command line names, found and read without trust.
+
+Every file of a folder is a submission, and so is every folder in it: somebody's files, whose equations together are the
+answer. Deeper folders are not looked into, hidden files not at all. Links are not followed, and nothing is opened that
+is not a regular file, or is larger than an answer can be. A name can hold any character but those that end it; it is
+shown with what cannot be seen written out, `\\x1b`.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+import unicodedata
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import islice
+from pathlib import Path
+
+from lagrange.diagnostics import Diagnostic, ProblemError
+from lagrange.grading import Submission
+from lagrange.yaml_nodes import MAX_BYTES
+
+ENDINGS = ("", ".txt", ".md", ".tex", ".yaml", ".yml")
+"""Of the files in somebody's folder, those that are an answer. A file that stands alone may end as it likes."""
+
+KINDS = {
+    stat.S_IFLNK: "is a link, which is not followed",
+    stat.S_IFIFO: "is a pipe, which is not opened",
+    stat.S_IFSOCK: "is a socket, which is not opened",
+    stat.S_IFDIR: "is a folder",
+}
+MOST_FILES = 50
+HIDDEN = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
+
+
+class RefusedError(Exception):
+    """A submission that is not read. The message completes `it ...`."""
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A submission that has not been read yet.
+
+    name  what it is called, unlike any other of the batch; it may be shown as it stands
+    """
+
+    name: str
+    path: Path
+
+    def read(self) -> Submission:
+        """Its files. Raises RefusedError."""
+        try:
+            if _is_folder(self.path):
+                return self._of_folder()
+            return Submission(self.name, ((shown(self.path.name), _content(self.path, MAX_BYTES)),))
+        except OSError as error:
+            raise RefusedError(f"cannot be read: {error.strerror}") from None
+
+    def _of_folder(self) -> Submission:
+        names = sorted(islice(_names(self.path), MOST_FILES + 1))
+        if len(names) > MOST_FILES:
+            raise RefusedError(f"has more than {MOST_FILES} files")
+        answers = [n for n in names if Path(n).suffix.lower() in ENDINGS and not _is_folder(self.path / n)]
+        others = [n for n in names if n not in answers]
+        if not answers:
+            raise RefusedError(f"has no answer in it: a file that ends with {' '.join(e for e in ENDINGS if e)}")
+        files: list[tuple[str, bytes]] = []
+        room = MAX_BYTES
+        for name in answers:
+            try:
+                content = _content(self.path / name, room)
+            except RefusedError as error:
+                raise RefusedError(f"has a file {shown(name)} that {error}") from None
+            room -= len(content)
+            files.append((shown(name), content))
+        notes = (f"not looked into: {', '.join(map(shown, others))}",) if others else ()
+        return Submission(self.name, tuple(files), notes)
+
+
+def entries(named: Sequence[str], not_these: Sequence[Path]) -> list[Entry]:
+    """The submissions that a command line names, sorted; `not_these` are files and folders of the grading itself.
+
+    Raises ProblemError where something does not exist, or where there are none.
+    """
+    own = {real for p in not_these for real in (os.path.realpath(p), _place(p))}
+    found: dict[str, tuple[str, str]] = {}  # where it is: its short name, and the long one
+    for name in named:
+        for path in _members(name):
+            if (place := _place(path)) not in own:
+                found.setdefault(place, (path.name, os.path.normpath(path)))
+    if not found:
+        message = f"there is no submission in {', '.join(map(shown, named))}"
+        help_ = "name a folder in which every file, or every folder, is a submission"
+        raise ProblemError(Diagnostic("no-submissions", message, help=help_))
+    times = Counter(name for name, _ in found.values())
+    listed = [Entry(shown(n if times[n] == 1 else path), Path(place)) for place, (n, path) in found.items()]
+    return sorted(listed, key=lambda e: e.name)
+
+
+def _place(path: Path) -> str:
+    """Where something is, links in the way followed but not the last one."""
+    return os.path.join(os.path.realpath(path.parent), path.name)
+
+
+def _is_folder(path: Path) -> bool:
+    return stat.S_ISDIR(os.lstat(path).st_mode)
+
+
+def _members(name: str) -> Iterator[Path]:
+    """The submissions that one argument names: those in a folder, or a file. A link stands for itself."""
+    path = Path(name)
+    try:
+        if not _is_folder(path):
+            yield path
+            return
+        inside = sorted(_names(path))
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        message = f"{shown(name)} cannot be read: {reason}"
+        raise ProblemError(Diagnostic("unreadable-file", message, help="name files or folders of answers")) from None
+    yield from (path / n for n in inside)
+
+
+def _names(folder: Path) -> Iterator[str]:
+    """What is in a folder, apart from what is hidden."""
+    with os.scandir(folder) as found:
+        yield from (e.name for e in found if not e.name.startswith("."))
+
+
+def _content(path: Path, room: int) -> bytes:
+    """The bytes of a regular file. Raises RefusedError where it is no such file, or has more bytes than that."""
+    before = os.lstat(path)
+    if not stat.S_ISREG(before.st_mode):
+        raise RefusedError(KINDS.get(stat.S_IFMT(before.st_mode), "is a device, which is not opened"))
+    if before.st_size > room:
+        raise RefusedError(f"has {before.st_size:,} bytes; {MAX_BYTES:,} are the most that is read")
+    flags = os.O_RDONLY | sum(getattr(os, f, 0) for f in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"))
+    with open(os.open(path, flags), "rb") as file:
+        now = os.fstat(file.fileno())
+        if (now.st_dev, now.st_ino) != (before.st_dev, before.st_ino):
+            raise RefusedError("was replaced while it was read")
+        content = file.read(room + 1)
+    if len(content) > room:
+        raise RefusedError(f"has more than {MAX_BYTES:,} bytes, which are the most that is read")
+    return content
+
+
+def shown(name: str) -> str:
+    """A name as text that can be printed, in which what cannot be seen is written out. Two names stay two."""
+    return "".join(_visible(c) for c in name)
+
+
+def _visible(char: str) -> str:
+    if char == "\\":
+        return "\\\\"
+    if unicodedata.category(char) not in HIDDEN:
+        return char
+    code = ord(char)
+    if 0xDC80 <= code <= 0xDCFF:  # a byte that is no text
+        return f"\\x{code - 0xDC00:02x}"
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"

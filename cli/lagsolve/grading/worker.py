@@ -1,0 +1,165 @@
+"""A process that carries out one call after another and is stopped when a call exceeds its limits.
+
+`multiprocessing` is not used: its pools end with a worker that is killed, and its processes may not be started from
+within the workers of a cluster. A worker is a fresh interpreter with this process's module path, so that it may be
+started at any moment from any thread, and it has a session of its own, so that Ctrl-C at a terminal does not reach it.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from lagsolve.grading.child import read_frame, write_frame
+
+T = TypeVar("T")
+
+PROGRAM = "import sys; sys.path[:] = {path!r}; from lagsolve.grading.child import main; main()"
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What one call may take: seconds of the clock, and megabytes of address space of its process."""
+
+    seconds: float
+    megabytes: int
+
+
+class StoppedError(Exception):
+    """A call that came to no result. The message completes `it ...`."""
+
+
+class TimeLimitError(StoppedError):
+    """A call was stopped because it took too long."""
+
+
+class MemoryLimitError(StoppedError):
+    """A call was given up for want of memory."""
+
+
+class LostError(StoppedError):
+    """The process ended during a call: somebody killed it, or it crashed."""
+
+
+class FailedError(StoppedError):
+    """A call raised an exception."""
+
+
+class SetupError(Exception):
+    """What a process does first cannot be done within the limits: no call will succeed."""
+
+
+class Worker:
+    """One process. It belongs to one thread at a time.
+
+    idle  seconds without work after which the process ends by itself; 0: never
+    """
+
+    def __init__(self, limits: Limits, idle: float = 0) -> None:
+        self.limits = limits
+        self._idle, self._last = idle, time.monotonic()
+        self._lock = threading.Lock()
+        self._number = 0  # of calls that are done
+        self._seconds = limits.seconds  # of the call that is going on
+        self._expired = False
+        self._process = subprocess.Popen(
+            [sys.executable, "-P", "-c", PROGRAM.format(path=sys.path)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=None if os.environ.get("LAGSOLVE_DEBUG") else subprocess.DEVNULL,
+            start_new_session=True,
+        )
+        self._send((limits.megabytes, idle))
+
+    @property
+    def pid(self) -> int:
+        """The number of the process."""
+        return self._process.pid
+
+    @property
+    def is_fresh(self) -> bool:
+        """Whether the process still waits for work."""
+        rested = self._idle and time.monotonic() - self._last > self._idle / 2
+        return not rested and self._process.poll() is None
+
+    def prepare(self, setup: Callable[[], object], seconds: float) -> None:
+        """A call before any other, with a limit of its own. Raises SetupError, or LostError."""
+        try:
+            self.call(setup, seconds=seconds)
+        except LostError:
+            raise
+        except StoppedError as error:
+            raise SetupError(str(error)) from error
+
+    def call(self, function: Callable[..., T], *arguments: Any, seconds: float | None = None) -> T:
+        """What the function returns in the process, within the limits or within another number of seconds.
+
+        Raises StoppedError; after any but FailedError the process is gone.
+        """
+        self._seconds = seconds = self.limits.seconds if seconds is None else seconds
+        watch = threading.Timer(seconds, self._expire, (self._number,))
+        watch.daemon = True
+        watch.start()
+        try:
+            self._send((function, arguments, seconds))
+            outcome, result = self._received()
+        finally:
+            watch.cancel()
+            with self._lock:
+                self._number += 1
+        self._last = time.monotonic()
+        if outcome == "returned":
+            return result  # type: ignore[no-any-return]
+        if outcome == "raised":
+            raise FailedError(": ".join(result))
+        self.stop()
+        raise MemoryLimitError(f"needs more than {self.limits.megabytes:,} MB of memory")
+
+    def _expire(self, number: int) -> None:
+        """Stops the call of that number, if it is still going on."""
+        with self._lock:
+            if number == self._number:
+                self._expired = True
+                self._process.kill()
+
+    def _send(self, content: object) -> None:
+        assert self._process.stdin is not None
+        try:
+            write_frame(self._process.stdin, content)
+        except (OSError, ValueError):
+            raise self._lost() from None
+
+    def _received(self) -> Any:
+        assert self._process.stdout is not None
+        try:
+            return read_frame(self._process.stdout)
+        except (EOFError, OSError, ValueError):  # ValueError: `stop` has closed it
+            raise self._lost() from None
+
+    def _lost(self) -> StoppedError:
+        """Why the process does not answer."""
+        self.stop()
+        status = self._process.returncode
+        by_system = hasattr(signal, "SIGXCPU") and status == -signal.SIGXCPU
+        if self._expired or by_system:
+            return TimeLimitError(f"takes longer than {self._seconds:g} s")
+        how = f"was ended by signal {-status}" if status < 0 else f"ended with status {status}"
+        return LostError(f"has lost its process, which {how}")
+
+    def stop(self) -> None:
+        """Ends the process. It may be called from any thread, and more than once."""
+        self._process.kill()
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                try:
+                    stream.close()
+                except (OSError, ValueError):
+                    continue  # what was not sent is of no interest

@@ -1,0 +1,66 @@
+"""How many wrong answers are explained, and how fast: `make bench`, or `python tests/bench/diagnosis.py`.
+
+The table of tests/test_diagnosis.py, and every term's sign, factor, omission and function in the equations of every
+shipped problem of motion. Explained: one change is named that makes the equation right; rightly: it is the one that was made.
+"""
+
+from __future__ import annotations
+
+import statistics
+import sys
+import time
+from collections import Counter
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+
+from mutations import best_system, mutations
+from test_diagnosis import TABLE, system
+from test_mutations import MOTION
+
+from lagrange.comparison import Standing, compare
+from lagrange.diagnosis import diagnosed
+from lagrange.diagnostics import Fragment
+from lagrange.references import read_answer
+
+
+def main() -> None:
+    """Prints the shares and the times."""
+    seconds: list[float] = []
+    right = asked = 0
+    for key, equation, slip, *_ in TABLE:
+        if slip is None:
+            continue
+        [candidate] = system(key).candidates
+        wrong = candidate.read(read_answer(Fragment.of(equation), system(key).scope).components[0])
+        started = time.perf_counter()
+        change = diagnosed(wrong, candidate.system)
+        seconds.append(time.perf_counter() - started)
+        asked += 1
+        right += change is not None and change.slip is slip
+    print(f"the table: {right} of {asked} explained rightly; median {1000 * statistics.median(seconds):.0f} ms")
+    counts: Counter[tuple[str, str]] = Counter()
+    seconds = []
+    for path in MOTION:
+        found = best_system(path)
+        for m in mutations(found[0]) if found else ():
+            assert found is not None
+            result = compare([m.equation], found[1].system)
+            if result is None or result.standings[0] is not Standing.CONTRADICTS:
+                continue
+            started = time.perf_counter()
+            change = diagnosed(m.equation, found[1].system)
+            seconds.append(time.perf_counter() - started)
+            said = "none" if change is None or change.slip is None else "true" if change.slip is m.slip else "other"
+            counts[m.slip.name.lower(), said] += 1
+    total = sum(counts.values())
+    true, other = (sum(n for (_, said), n in counts.items() if said == what) for what in ("true", "other"))
+    print(f"mutations of shipped problems: {total}; explained {true + other} ({(true + other) / total:.1%}), "
+          f"by the change that was made {true} ({true / total:.1%})")  # fmt: skip
+    for slip in sorted({slip for slip, _ in counts}):
+        print(f"    {slip:10}" + "".join(f"{what} {counts[slip, what]:5}   " for what in ("true", "other", "none")))
+    print(f"    a diagnosis: median {1000 * statistics.median(seconds):.0f} ms, longest {max(seconds):.2f} s")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,406 @@
+"""What is said of wrong equations: the one change, the group of terms, dimensions, other conventions.
+
+Every row is an answer with one slip in it and the words that name the slip. That an equation is wrong, and that the
+change makes it right, is not the table's to say: it is decided by solving both systems for the accelerations.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+import sympy as sp
+from click.testing import CliRunner
+from test_answers_table import GIVEN
+
+from lagrange.answers import Verdict, check_equations
+from lagrange.checking import reference
+from lagrange.conventions import Turn, other_convention
+from lagrange.diagnosis import Group, diagnosed
+from lagrange.diagnostics import Fragment, Source
+from lagrange.dimensions import dimension_of_unit, mismatch, written
+from lagrange.edits import Slip
+from lagrange.loader import read_problem
+from lagrange.references import Reference, read_answer
+from lagsolve.main import main
+
+SYSTEMS = {
+    **GIVEN,
+    "double": (
+        "a, b",
+        "m1, m2, l1, l2, g",
+        [
+            "(m1+m2)*l1*a'' + m2*l2*b''*cos(a-b) + m2*l2*b'^2*sin(a-b) + (m1+m2)*g*sin(a) = 0",
+            "l2*b'' + l1*a''*cos(a-b) - l1*a'^2*sin(a-b) + g*sin(b) = 0",
+        ],
+    ),
+    "spring": (
+        "r, theta",
+        "m, k, l, g",
+        [
+            "m*r'' - m*r*theta'^2 + k*(r - l) - m*g*cos(theta) = 0",
+            "r*theta'' + 2*r'*theta' + g*sin(theta) = 0",
+        ],
+    ),
+    "damped": ("x", "m, c, k, F, omega", ["m*x'' + c*x' + k*x = F*cos(omega*t)"]),
+    "coupled": ("x, y", "m, k, c", ["m*x'' + k*x + c*(x - y) = 0", "m*y'' + k*y + c*(y - x) = 0"]),
+    "rolling": ("s", "m, I, R, g, alpha", ["(m + I/R^2)*s'' = m*g*sin(alpha)"]),
+    "hoop": ("theta", "R, g, omega", ["R*theta'' - R*omega^2*sin(theta)*cos(theta) + g*sin(theta) = 0"]),
+    "ladder": ("theta", "l, g", ["2*l*theta'' - 3*g*cos(theta)/2 = 0"]),
+    "sphere": (
+        "theta, phi",
+        "l, g",
+        [
+            "l*theta'' - l*phi'^2*sin(theta)*cos(theta) + g*sin(theta) = 0",
+            "phi''*sin(theta) + 2*phi'*theta'*cos(theta) = 0",
+        ],
+    ),
+}
+
+# system, equation, slip, group, words of the advice
+TABLE = [
+    ("pendulum", "l*theta'' = g*sin(theta)", Slip.SIGN, "force", "the sign of the term g*sin(theta)"),
+    ("pendulum", "theta'' + (g/l)*cos(theta) = 0", Slip.FUNCTION, "force", "g*sin(theta)/l in place of g*cos(theta)/l"),
+    ("pendulum", "theta'' + (l/g)*sin(theta) = 0", Slip.INVERTED, "force", "g/l and not l/g"),
+    ("pendulum", "theta'' + (g/l)*theta = 0", Slip.SMALL_ANGLE, "force", "the angle is not small"),
+    ("pendulum", "theta'' + g*sin(theta) = 0", Slip.FACTOR, "force", "divided by l"),
+    ("pendulum", "2*theta'' + (g/l)*sin(theta) = 0", Slip.FACTOR, "inertia", "a factor 2 too many"),
+    ("pendulum", "theta'' = 0", Slip.MISSING, "force", "g*sin(theta)/l is missing"),
+    ("pendulum", "theta'' + 9.81/l*sin(theta) = 0", Slip.NUMBER, "force", "9.81 stands where g is asked for"),
+    ("pendulum", "theta'' + 10*sin(theta)/l = 0", Slip.NUMBER, "force", "10 stands where g is asked for"),
+    ("pendulum", "0.33*theta'' + g*sin(theta)/(3*l) = 0", Slip.NUMBER, "inertia", "0.33 is not 1/3"),
+    (
+        "pendulum",
+        "theta'' + theta' + g/l*sin(theta) = 0",
+        Slip.EXTRA,
+        "velocity",
+        "the term theta' does not belong there",
+    ),
+    ("pendulum", "m*theta'' + m*g*l*sin(theta) = 0", Slip.FACTOR, "force", "l"),
+    ("pendulum", "theta' + g/l*sin(theta) = 0", Slip.DOT, "velocity", "theta'' in place of theta'"),
+    ("pendulum", "theta'' + g/l*sin(2*theta) = 0", Slip.ANGLE, "force", "g*sin(theta)/l in place of g*sin(2*theta)/l"),
+    ("pendulum", "theta'' + g/l*tan(theta) = 0", Slip.FUNCTION, "force", "g*sin(theta)/l in place of g*tan(theta)/l"),
+    (
+        "pendulum",
+        "theta'' + g/(2*l)*sin(theta) = 0",
+        Slip.FACTOR,
+        "force",
+        "g*sin(theta)/l in place of g*sin(theta)/(2*l)",
+    ),
+    (
+        "spherical",
+        "theta'' + sin(theta)*cos(theta)*phi'^2 + g/l*sin(theta)=0",
+        Slip.SIGN,
+        "velocity",
+        "the sign of the term",
+    ),
+    ("spherical", "phi''*sin(theta) + theta'*phi'*cos(theta)=0", Slip.FACTOR, "velocity", "a factor 2 is missing"),
+    ("spherical", "theta'' + g/l*sin(theta)=0", Slip.MISSING, "velocity", "is missing"),
+    (
+        "spherical",
+        "theta'' - sin(theta)*cos(theta)*phi'^2 - g/l*sin(theta)=0",
+        Slip.SIGN,
+        "force",
+        "the sign of the term",
+    ),
+    ("spherical", "theta'' - sin(theta)*cos(theta)*phi' + g/l*sin(theta)=0", Slip.POWER, "velocity", "phi'"),
+    ("spherical", "theta'' - sin(theta)*cos(theta)*theta'^2 + g/l*sin(theta)=0", Slip.COORDINATE, "velocity", "phi'^2"),
+    ("spherical", "theta'' - sin(theta)^2*phi'^2 + g/l*sin(theta)=0", Slip.FUNCTION, "velocity", "cos(theta)"),
+    ("spherical", "phi''*sin(theta) - 2*theta'*phi'*cos(theta)=0", Slip.SIGN, "velocity", "the sign of the term"),
+    ("spherical", "phi''*sin(theta) + 2*theta'*phi'*sin(theta)=0", Slip.FUNCTION, "velocity", "cos(theta)"),
+    ("spherical", "phi''*sin(theta) = 0", Slip.MISSING, "velocity", "2*theta'*phi'*cos(theta) is missing"),
+    ("atwoodI", "x'' = (m1-m2)*g/(m1+m2)", Slip.MISSING, "inertia", "is missing"),
+    ("atwoodI", "(m1+m2+I/R^2)*x'' = (m1+m2)*g", Slip.SIGN, "force", "the sign of the term m2*g"),
+    ("atwoodI", "(m1+m2+I/R)*x'' = (m1-m2)*g", Slip.FACTOR, "inertia", "divided by R"),
+    ("atwoodI", "(m1+m2+I/R^2)*x'' = m1*g", Slip.MISSING, "force", "m2*g is missing"),
+    ("atwoodI", "(m1+m2+I/R^2)*x'' = (m2-m1)*g", None, None, "x were measured the other way"),
+    ("beadwire", "m*r'' + m*omega^2*r = 0", Slip.SIGN, "force", "the sign of the term"),
+    ("beadwire", "r'' = omega*r", Slip.FACTOR, "force", "omega"),
+    ("beadwire", "r'' = 0", Slip.MISSING, "force", "-omega^2*r is missing"),
+    ("cart", "M*x'' + m*l*theta''*cos(theta) - m*l*theta'^2*sin(theta)=0", Slip.MISSING, "inertia", "m*x'' is missing"),
+    ("cart", "(M+m)*x'' + m*l*theta''*cos(theta) = 0", Slip.MISSING, "velocity", "is missing"),
+    ("cart", "(M+m)*x'' + m*l*theta'' - m*l*theta'^2*sin(theta) = 0", Slip.SMALL_ANGLE, "inertia", "cos(theta)"),
+    (
+        "cart",
+        "(M+m)*x'' + m*l*theta''*sin(theta) - m*l*theta'^2*sin(theta) = 0",
+        Slip.FUNCTION,
+        "inertia",
+        "cos(theta)",
+    ),
+    ("cart", "(M+m)*x'' + m*l*theta''*cos(theta) + m*l*theta'^2*sin(theta) = 0", Slip.SIGN, "velocity", "the sign"),
+    (
+        "cart",
+        "l*theta'' - x''*cos(theta) + g*sin(theta) = 0",
+        Slip.SIGN,
+        "inertia",
+        "the sign of the term x''*cos(theta)",
+    ),
+    ("cart", "l*theta'' + g*sin(theta) = 0", Slip.MISSING, "inertia", "x''*cos(theta) is missing"),
+    ("kepler", "r'' - r*phi'^2 = k/(m*r^2)", Slip.SIGN, "force", "the sign of the term k/(m*r^2)"),
+    ("kepler", "r'' - r*phi'^2 = -k/(m*r)", Slip.FACTOR, "force", "divided by r"),
+    ("kepler", "r'' = -k/(m*r^2)", Slip.MISSING, "velocity", "is missing"),
+    ("kepler", "r*phi'' + r'*phi' = 0", Slip.FACTOR, "velocity", "a factor 2 is missing"),
+    ("kepler", "r'' - r*phi'^2 = -k/r^2", Slip.FACTOR, "force", "divided by m"),
+    ("kepler", "r'' - r^2*phi'^2 = -k/(m*r^2)", Slip.FACTOR, "velocity", "divided by r"),
+    ("incl", "s'' = g*cos(alpha)", Slip.FUNCTION, "force", "g*sin(alpha) in place of g*cos(alpha)"),
+    ("incl", "s'' = g", Slip.FACTOR, "force", "sin(alpha)"),
+    ("incl", "s'' = g*alpha", Slip.SMALL_ANGLE, "force", "sin(alpha)"),
+    (
+        "double",
+        "l2*b'' + l1*a''*cos(a-b) + l1*a'^2*sin(a-b) + g*sin(b) = 0",
+        Slip.SIGN,
+        "velocity",
+        "the sign of the term",
+    ),
+    ("double", "l2*b'' + l1*a''*cos(a+b) - l1*a'^2*sin(a-b) + g*sin(b) = 0", Slip.ANGLE, "inertia", "cos(a - b)"),
+    ("double", "l2*b'' + l1*a''*cos(a-b) - l1*a'^2*sin(a-b) + g*sin(a) = 0", Slip.COORDINATE, "force", "g*sin(b)"),
+    ("double", "l2*b'' + l1*a''*cos(a-b) - l2*a'^2*sin(a-b) + g*sin(b) = 0", Slip.PARAMETER, "velocity", "l1*a'^2"),
+    ("double", "l2*b'' + l1*a'' - l1*a'^2*sin(a-b) + g*sin(b) = 0", Slip.SMALL_ANGLE, "inertia", "cos(a - b)"),
+    ("double", "l2*b'' + l1*a''*cos(a-b) + g*sin(b) = 0", Slip.MISSING, "velocity", "is missing"),
+    (
+        "double",
+        "m1*l1*a'' + m2*l2*b''*cos(a-b) + m2*l2*b'^2*sin(a-b) + (m1+m2)*g*sin(a) = 0",
+        Slip.MISSING,
+        "inertia",
+        "m2*l1*a'' is missing",
+    ),
+    (
+        "double",
+        "(m1+m2)*l1*a'' + m2*l2*b''*cos(a-b) + m2*l2*b'^2*sin(a-b) + m1*g*sin(a) = 0",
+        Slip.MISSING,
+        "force",
+        "is missing",
+    ),
+    (
+        "double",
+        "(m1+m2)*l1*a'' + m2*l2*b''*cos(a-b) + m2*l2*b'*sin(a-b) + (m1+m2)*g*sin(a) = 0",
+        Slip.POWER,
+        "velocity",
+        "b'",
+    ),
+    (
+        "double",
+        "(m1+m2)*l1*a'' + m2*l2*b''*sin(a-b) + m2*l2*b'^2*sin(a-b) + (m1+m2)*g*sin(a) = 0",
+        Slip.FUNCTION,
+        "inertia",
+        "cos(a - b)",
+    ),
+    ("spring", "m*r'' - m*r*theta'^2 + k*r - m*g*cos(theta) = 0", Slip.MISSING, "force", "-k*l is missing"),
+    ("spring", "m*r'' - m*r*theta'^2 - k*(r - l) - m*g*cos(theta) = 0", None, None, "terms without velocities"),
+    ("spring", "m*r'' + k*(r - l) - m*g*cos(theta) = 0", Slip.MISSING, "velocity", "is missing"),
+    ("spring", "m*r'' - m*r*theta'^2 + k*(r - l) - m*g*sin(theta) = 0", Slip.FUNCTION, "force", "cos(theta)"),
+    ("spring", "r*theta'' + r'*theta' + g*sin(theta) = 0", Slip.FACTOR, "velocity", "a factor 2 is missing"),
+    ("spring", "r*theta'' + 2*r'*theta' + g/r*sin(theta) = 0", Slip.FACTOR, "force", "r"),
+    ("spring", "r*theta'' + 2*r'*theta'^2 + g*sin(theta) = 0", Slip.POWER, "velocity", "theta'"),
+    ("damped", "m*x'' - c*x' + k*x = F*cos(omega*t)", Slip.SIGN, "velocity", "the sign of the term c*x'"),
+    ("damped", "m*x'' + c*x' + k*x = 0", Slip.MISSING, "force", "is missing"),
+    (
+        "damped",
+        "m*x'' + c*x' + k*x = F*sin(omega*t)",
+        Slip.FUNCTION,
+        "force",
+        "F*cos(omega*t) in place of F*sin(omega*t)",
+    ),
+    ("damped", "m*x'' + c*x + k*x = F*cos(omega*t)", Slip.DOT, "force", "c*x' in place of c*x"),
+    ("damped", "m*x'' + c*x' + k*x^2 = F*cos(omega*t)", Slip.FACTOR, "force", "divided by x"),
+    ("damped", "x'' + c*x' + k*x/m = F/m*cos(omega*t)", Slip.FACTOR, "velocity", "divided by m"),
+    ("coupled", "m*x'' + k*x + c*(x + y) = 0", Slip.SIGN, "force", "the sign of the term c*y"),
+    ("coupled", "m*x'' + k*x + c*x = 0", Slip.MISSING, "force", "-c*y is missing"),
+    ("coupled", "m*x'' + k*x - c*y = 0", Slip.MISSING, "force", "c*x is missing"),
+    ("rolling", "m*s'' = m*g*sin(alpha)", Slip.MISSING, "inertia", "I*s''/R^2 is missing"),
+    ("rolling", "(m + I)*s'' = m*g*sin(alpha)", Slip.FACTOR, "inertia", "divided by R^2"),
+    ("rolling", "(m + I/R^2)*s'' = m*g*cos(alpha)", Slip.FUNCTION, "force", "sin(alpha)"),
+    ("hoop", "R*theta'' + R*omega^2*sin(theta)*cos(theta) + g*sin(theta) = 0", Slip.SIGN, "force", "the sign"),
+    ("hoop", "R*theta'' - omega^2*sin(theta)*cos(theta) + g*sin(theta) = 0", Slip.FACTOR, "force", "R"),
+    ("hoop", "R*theta'' - R*omega^2*sin(theta) + g*sin(theta) = 0", Slip.FACTOR, "force", "cos(theta)"),
+    ("hoop", "R*theta'' + g*sin(theta) = 0", Slip.MISSING, "force", "is missing"),
+    ("ladder", "4*l*theta'' = 3*g*sin(theta)", Slip.FUNCTION, "force", "3*g*cos(theta)"),
+    ("ladder", "4*l*theta'' = 3*g", Slip.SMALL_ANGLE, "force", "cos(theta)"),
+    ("ladder", "l*theta'' = 3*g*cos(theta)", Slip.FACTOR, "force", "a factor 4 too many"),
+    ("sphere", "l*theta'' - l*phi'^2*cos(theta) + g*sin(theta) = 0", Slip.FACTOR, "velocity", "sin(theta)"),
+    ("sphere", "l*theta'' - l*phi'^2*sin(theta)*cos(theta) + g*cos(theta) = 0", Slip.FUNCTION, "force", "g*sin(theta)"),
+]
+
+
+@cache
+def system(key: str) -> Reference:
+    coordinates, parameters, equations = SYSTEMS[key]
+    text = f"title: T\nparameters: [{parameters}]\ncoordinates: [{coordinates}]\nequations: {equations}\n"
+    return reference(read_problem(Source("problem.yaml", text)))
+
+
+@pytest.mark.parametrize(("key", "equation", "slip", "group", "words"), TABLE, ids=[r[1] for r in TABLE])
+def test_the_table(key: str, equation: str, slip: Slip | None, group: str | None, words: str) -> None:
+    found = check_equations([Fragment.of(equation)], system(key))
+    assert found.equations[0].verdict is Verdict.WRONG
+    assert words in found.equations[0].diagnosis
+    [candidate] = system(key).candidates
+    change = diagnosed(
+        candidate.read(read_answer(Fragment.of(equation), system(key).scope).components[0]), candidate.system
+    )
+    if slip is not None:
+        assert change is not None
+        assert change.slip is slip
+        assert change.group is Group(group)
+
+
+@pytest.mark.parametrize(
+    ("key", "equation"), [r[:2] for r in TABLE if r[2] is not None], ids=[r[1] for r in TABLE if r[2]]
+)
+def test_the_change_makes_the_equation_right(key: str, equation: str) -> None:
+    """By solving: with the accelerations that the system gives, the changed equation is zero at rational states."""
+    [candidate] = system(key).candidates
+    wrong = candidate.read(read_answer(Fragment.of(equation), system(key).scope).components[0])
+    change = diagnosed(wrong, candidate.system)
+    assert change is not None
+    right = wrong * change.times - (change.term or 0) + (change.right or 0)
+    accelerations = candidate.configuration.slots.accelerations
+    solved = sp.solve(candidate.system.equations, accelerations, dict=True)[0]
+    for e, zero in ((right, True), (wrong, False)):
+        symbols = sorted(e.xreplace(solved).free_symbols, key=str)
+        values = {s: sp.Rational(n + 3, 2 * n + 5) for n, s in enumerate(symbols)}
+        value = sp.sympify(e.xreplace(solved).xreplace(values)).evalf(40)
+        assert bool(abs(value) < 1e-30) is zero
+
+
+@pytest.mark.parametrize(
+    ("key", "equations", "coordinate", "turn"),
+    [
+        ("pendulum", ["l*theta'' = g*sin(theta)"], "theta", Turn.OPPOSITE),
+        ("pendulum", ["l*theta'' + g*cos(theta) = 0"], "theta", Turn.RIGHT_ANGLE),
+        ("pendulum", ["l*theta'' = g*cos(theta)"], "theta", Turn.RIGHT_ANGLE),
+        ("atwoodI", ["(m1+m2+I/R^2)*x'' = (m2-m1)*g"], "x", Turn.REVERSED),
+        (
+            "cart",
+            [
+                "(M+m)*x'' - m*l*theta''*cos(theta) + m*l*theta'^2*sin(theta)=0",
+                "l*theta'' - x''*cos(theta) + g*sin(theta) = 0",
+            ],
+            "x",
+            Turn.REVERSED,
+        ),
+    ],
+)
+def test_other_conventions(key: str, equations: list[str], coordinate: str, turn: Turn) -> None:
+    found = check_equations([Fragment.of(e) for e in equations], system(key))
+    assert found.verdict is Verdict.WRONG
+    assert f"it would be right if {coordinate} were measured {turn.value}" in found.equations[0].diagnosis
+    [candidate] = system(key).candidates
+    read = [candidate.read(read_answer(Fragment.of(e), system(key).scope).components[0]) for e in equations]
+    convention = other_convention(read, candidate.system)
+    assert convention is not None
+    assert convention.turn is turn
+
+
+def test_no_convention_makes_up_for_a_slip() -> None:
+    found = check_equations([Fragment.of("l*theta'' = 2*g*sin(theta)")], system("pendulum"))
+    assert "measured" not in found.equations[0].diagnosis
+
+
+def test_several_slips_are_not_explained_away() -> None:
+    found = check_equations([Fragment.of("3*theta'' + theta'^2 = m*g*cos(theta)^2")], system("pendulum"))
+    assert "one change" not in found.equations[0].diagnosis
+
+
+UNITS = "{m: {unit: kg}, l: {unit: m}, g: {unit: m/s^2}}"
+
+
+@cache
+def measured(equations: str = "[\"m*l^2*theta'' + m*g*l*sin(theta) = 0\"]") -> Reference:
+    text = f"title: T\nparameters: {UNITS}\ncoordinates: [theta]\nequations: {equations}\n"
+    return reference(read_problem(Source("problem.yaml", text)))
+
+
+@pytest.mark.parametrize(
+    ("equation", "words"),
+    [
+        ("theta'' + g*sin(theta) = 0", "g*sin(theta) is in m/s^2, theta'' in 1/s^2"),
+        ("m*l*theta'' + g*sin(theta) = 0", "m*l*theta'' is in kg m/s^2, g*sin(theta) in m/s^2"),
+        ("theta'' + g/l*sin(l*theta) = 0", "l*theta is in m"),
+    ],
+)
+def test_dimensions_are_named_first(equation: str, words: str) -> None:
+    found = check_equations([Fragment.of(equation)], measured()).equations[0]
+    assert words in found.diagnosis
+    assert "one change" not in found.diagnosis or found.diagnosis.index(words) < found.diagnosis.index("one change")
+    assert "dimension" in found.hints[1]
+    assert "m/s" not in found.hints[1]
+
+
+def test_nothing_is_said_of_dimensions_that_the_file_itself_gets_wrong() -> None:
+    wrong = measured("[\"m*l*theta'' + m*g*l*sin(theta) = 0\"]")
+    assert (
+        "dimension" not in check_equations([Fragment.of("theta'' + g/l*sin(theta) = 0")], wrong).equations[0].diagnosis
+    )
+
+
+def test_nothing_is_said_where_a_unit_is_missing() -> None:
+    assert (
+        "dimension"
+        not in check_equations([Fragment.of("theta'' + g*sin(theta) = 0")], system("pendulum")).equations[0].diagnosis
+    )
+
+
+@pytest.mark.parametrize(
+    ("unit", "same"),
+    [
+        ("N", "kg m/s^2"), ("J", "N m"), ("W", "J/s"), ("N/m", "kg/s^2"), ("N s/m", "kg/s"), ("kg·m²", "kg m^2"),
+        ("rad/s", "1/s"), ("Hz", "1/s"), ("m s^-2", "m/s^2"), ("kg*m", "kg m"), ("Pa", "N/m^2"), ("1/(s)", "1/s"),
+    ],
+)  # fmt: skip
+def test_units(unit: str, same: str) -> None:
+    assert dimension_of_unit(unit) is not None
+    assert dimension_of_unit(unit) == dimension_of_unit(same)
+
+
+@pytest.mark.parametrize("unit", ["furlong", "m/", "m//s", "kg^x", "m^"])
+def test_what_is_no_unit_is_unknown(unit: str) -> None:
+    assert dimension_of_unit(unit) is None
+
+
+def test_units_are_written() -> None:
+    assert [written(dimension_of_unit(u)) for u in ("N", "1", "rad/s", "m/(s)", "N s/m")] == [
+        "kg m/s^2",
+        "1",
+        "1/s",
+        "m/s",
+        "kg/s",
+    ]
+
+
+def test_a_sum_inside_a_term_is_looked_into() -> None:
+    m, l, x = sp.symbols("m l x", positive=True)
+    found = mismatch([x * (m + l)], {m: "kg", l: "m", x: "1"})
+    assert found is not None
+    assert {found.term, found.other} == {m, l}
+
+
+# Hints
+
+
+def said(*arguments: str) -> str:
+    return CliRunner().invoke(main, ["check", "ex11-ideal-pendulum", *arguments], env={"COLUMNS": "200"}).stdout
+
+
+def test_hints_go_from_the_vague_to_the_frank() -> None:
+    one, two, three = (said("-e", "theta'' = 0", "--hint", str(n)) for n in (1, 2, 3))
+    assert "force" not in one
+    assert "a force term" in two
+    assert "sin(" not in two
+    assert "g*sin(theta)/l is missing" in three
+    assert three == said("-e", "theta'' = 0")
+
+
+@pytest.mark.parametrize("arguments", [("--hint", "1"), ("--hint", "2"), (), ("--format", "json")])
+@pytest.mark.parametrize("equation", ["theta'' = 0", "theta''^2 = 3", "x'' = 0", "theta'' = g*sin(theta)", "1 = 0"])
+def test_the_equation_asked_for_is_never_shown_unasked(equation: str, arguments: tuple[str, ...]) -> None:
+    shown = said("-e", equation, *arguments)
+    assert "l*theta'' + g*sin(theta)" not in shown
+    assert "x*y''" not in shown
+
+
+def test_it_is_shown_when_asked_for() -> None:
+    assert "the derived equations:\n  l*theta'' + g*sin(theta) = 0\n" in said("-e", "theta'' = 0", "--reveal")
+    assert '"reference": [\n  "l*theta\'\' + g*sin(theta) = 0"\n ]' in said(
+        "-e", "theta'' = 0", "--reveal", "--format", "json"
+    )
