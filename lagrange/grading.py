@@ -18,7 +18,8 @@ from time import perf_counter
 from lagrange.answer_files import equations_in_file
 from lagrange.answer_yaml import read_answers
 from lagrange.answers import EXIT_STATUS, WHAT_IT_IS, EquationVerdict, Verdict, check_equations
-from lagrange.checking import CheckedAnswer, Examiner
+from lagrange.checked import CheckedAnswer
+from lagrange.checking import Examiner
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.problem import Answers
 from lagrange.recognition import Kind

@@ -1,8 +1,9 @@
 r"""Where the equations stand in a piece of LaTeX: between `$`, in environments, in rows that `\\` ends.
 
 An equation is a run of characters of the text, found by its marks and not rewritten, so that every place in it stays
-what it is. A row that begins with `=`, or has none, continues the row before it. Labels and numbers, punctuation
-and words beside an equation are left out. One pass over the text finds the marks, and everything else is about them.
+what it is. A row that begins with `=`, or with a sign and has none, continues the row before it. Labels and numbers,
+punctuation and words beside an equation are left out. One pass over the text finds the marks, and everything else is
+about them.
 """
 
 from __future__ import annotations
@@ -160,17 +161,25 @@ def has_equation(marks: Sequence[Mark], region: Region) -> bool:
 
 def rows(fragment: Fragment, marks: Sequence[Mark], region: Region) -> list[LatexFragment]:
     """The equations in one part of a text."""
-    trim = _Trim(fragment.text, marks[region.first : region.last])
+    text, trim = fragment.text, _Trim(fragment.text, marks[region.first : region.last])
+    cut = [(*trim.both(start, end), equals) for start, end, equals in _cut(marks, region)]
+    parts = [(start, end, equals) for start, end, equals in cut if start < end]
     found: list[tuple[int, int, bool]] = []
-    for start, end, equals in _cut(marks, region):
-        start, end = trim.both(start, end)
-        if start >= end:
-            continue
-        if found and (fragment.text[start] == "=" or not equals or not found[-1][2]):
+    for n, (start, end, equals) in enumerate(parts):
+        if found and (not found[-1][2] or _continues(text, *found[-1][:2], parts[n:])):
             found[-1] = (found[-1][0], end, found[-1][2] or equals)
         else:
             found.append((start, end, equals))
     return [piece(fragment, start, end) for start, end, _ in found]
+
+
+def _continues(text: str, begun: int, ended: int, parts: Sequence[tuple[int, int, bool]]) -> bool:
+    """Whether the first of the parts continues an equation that stands before it and has its `=`."""
+    start, _, equals = parts[0]
+    if text[start] == "=" or text.count("(", begun, ended) > text.count(")", begun, ended):
+        return True
+    begins_another = any(has for _, _, has in parts) and text[start] not in "+-*/−"
+    return not equals and not begins_another
 
 
 def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool]]:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.answers import Verdict
-from lagrange.checking import ComparedAnswer, compared_answers
+from lagrange.checked import ComparedAnswer
+from lagrange.checking import compared_answers
 from lagrange.conservation import Conserved
 from lagrange.derivation import Derivation, Step
 from lagrange.diagnostics import Diagnostic

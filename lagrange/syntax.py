@@ -171,7 +171,9 @@ class Parser(AtomParser):
         role, inside = self._role(name.text), self._single_inside()
         if role in (Role.COORDINATE, Role.PRESCRIBED) and inside == "t":
             self._step(3)
-        elif role is Role.PRESCRIBED:
+        elif role is Role.PRESCRIBED and not (
+            inside is None and "\\" in self.fragment.text
+        ):  # in LaTeX products have no sign
             message = f"`{name.text}` is a function of `t` alone"
             help_ = f"write `{name.text}` or `{name.text}(t)`; a product is written `{name.text}*(...)`"
             raise self._mistake("argument-of-prescribed", message, self._here, help_)

@@ -40,7 +40,7 @@ LAYERS = {
         statics rest linear_stability linearization linearization_checks""",
     "results": """solution letters benches edits conventions diagnosis dimensions advice references reference_systems
         validity recognition answers reaction_answers
-        equilibrium_comparison equilibrium_answers frequency_answers checking grading""",
+        equilibrium_comparison equilibrium_answers frequency_answers checked checking grading""",
     "derivations": """explain explain.words explain.bodies explain.statement explain.nonlinear
         explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
         explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions

@@ -382,7 +382,7 @@ MISTAKES = [RuntimeError("boom\nbang"), RecursionError(), MemoryError(), ZeroDiv
     [
         ([SKATE], "lagrange.report.report"),
         ([SKATE], "lagrange.render.pretty.coloured"),
-        (["check", SKATE], "lagrange.checking.check_own_answers"),
+        (["check", SKATE], "lagrange.checking.Examiner.check_own"),
         (["list"], "lagsolve.library.containing"),
         (["show", SKATE], "lagsolve.library.path_of"),
     ],

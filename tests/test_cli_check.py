@@ -50,7 +50,7 @@ def test_verdicts_and_exit_statuses(equations: list[str], verdict: str, status: 
 
 def test_undecided_is_status_3(monkeypatch: pytest.MonkeyPatch) -> None:
     verdict = AnswerVerdict(Verdict.UNDECIDED, (EquationVerdict(RIGHT, Verdict.UNDECIDED, "who knows"),))
-    monkeypatch.setattr("lagrange.checking.check_answer", lambda *_: CheckedAnswer(verdict))
+    monkeypatch.setattr("lagrange.checking.Examiner.check", lambda *_: CheckedAnswer(verdict))
     result = run("check", PENDULUM, "-e", RIGHT)
     assert result.exit_code == 3
     assert result.stdout.startswith("undecided: ")

@@ -6,6 +6,7 @@ change makes it right, is not the table's to say: it is decided by solving both 
 
 from __future__ import annotations
 
+import re
 from functools import cache
 
 import pytest
@@ -379,7 +380,9 @@ def test_a_sum_inside_a_term_is_looked_into() -> None:
 
 
 def said(*arguments: str) -> str:
-    return CliRunner().invoke(main, ["check", "ex11-ideal-pendulum", *arguments], env={"COLUMNS": "200"}).stdout
+    """What is printed, its long lines put together again."""
+    shown = CliRunner().invoke(main, ["check", "ex11-ideal-pendulum", *arguments], env={"COLUMNS": "200"}).stdout
+    return re.sub(r"\n {6}(?! )", " ", shown)
 
 
 def test_hints_go_from_the_vague_to_the_frank() -> None:

@@ -286,7 +286,7 @@ def test_references_point_back_and_steps_come_in_order(name: str) -> None:
     three = (Rule.ENERGIES, Rule.LAGRANGE, Rule.EQUATIONS_OF_MOTION)
     assert [r for r in rules if r in three] == list(three) * several
     assert all(s.title and s.body for s in derivation.steps)
-    assert not any("d'Alembert" in words(s) for s in derivation.steps)
+    assert not any("d'Alembert" in words(s) for s in derivation.steps if s.rule is not Rule.QUASI_VELOCITIES)
 
 
 @pytest.mark.parametrize("name", PATHS)

@@ -18,7 +18,8 @@ from lagsolve.group import CommandLine
 from lagsolve.status import INTERRUPTED, OK, UNDECIDED, complain, say
 
 if TYPE_CHECKING:
-    from lagrange.checking import CheckedAnswer, Examiner
+    from lagrange.checked import CheckedAnswer
+    from lagrange.checking import Examiner
     from lagrange.report import Report
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")

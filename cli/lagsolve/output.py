@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 if TYPE_CHECKING:
-    from lagrange.checking import CheckedAnswer
+    from lagrange.checked import CheckedAnswer
     from lagrange.diagnostics import ProblemError
     from lagrange.problem import Problem
     from lagrange.report import Report

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from lagrange.answers import EquationVerdict, Verdict
-from lagrange.checking import CheckedAnswer
+from lagrange.checked import CheckedAnswer
 from lagrange.problem import Problem
 from lagrange.render.kinds import Notation
 from lagrange.render.mathematics import text as plain
