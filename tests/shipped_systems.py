@@ -335,6 +335,73 @@ def gyrocompass() -> tuple[Route, ...]:
     return (newton_euler("theta psi", [rotor]),)
 
 
+def double_pendulum() -> tuple[Route, ...]:
+    """The Lagrangian that books print."""
+    a, b = moving("theta1 theta2")
+    m, l, g = constants("m l g")
+    kinetic = m * l**2 * (d(a) ** 2 + d(b) ** 2 / 2 + d(a) * d(b) * cos(a - b))
+    return (lagrange("theta1 theta2", kinetic, -m * g * l * (2 * cos(a) + cos(b))),)
+
+
+def coupled_pendulums() -> tuple[Route, ...]:
+    a, b = moving("theta1 theta2")
+    m, l, g, c, apart = constants("m l g c a")
+    length = sqrt((apart + l * sin(b) - l * sin(a)) ** 2 + l**2 * (cos(b) - cos(a)) ** 2)
+    potential = c * (length - apart) ** 2 / 2 - m * g * l * (cos(a) + cos(b))
+    return (lagrange("theta1 theta2", m * l**2 * (d(a) ** 2 + d(b) ** 2) / 2, potential),)
+
+
+def bead_on_rotating_hoop() -> tuple[Route, ...]:
+    x, y, z = moving("x y z")
+    m, radius, turn, g = constants("m R Omega g")
+    hoop = {"sphere": x**2 + y**2 + z**2 - radius**2, "plane": x * sin(turn * t) - y * cos(turn * t)}
+    return (newton("x y z", [(m, (x, y, z), (0, 0, -m * g))], hoop),)
+
+
+def triatomic_molecule() -> tuple[Route, ...]:
+    x1, x2, x3 = moving("x1 x2 x3")
+    m, big, c, b = constants("m M c b")
+    kinetic = (m * d(x1) ** 2 + big * d(x2) ** 2 + m * d(x3) ** 2) / 2
+    return (lagrange("x1 x2 x3", kinetic, c * ((x2 - x1 - b) ** 2 + (x3 - x2 - b) ** 2) / 2),)
+
+
+def euler_rigid_body() -> tuple[Route, ...]:
+    phi, theta, psi = moving("phi theta psi")
+    turned = rotation("z", phi) * rotation("x", theta) * rotation("z", psi)
+    body = Rigid(sp.S.Zero, (0, 0, 0), turned, constants("A B C"))
+    return (newton_euler("phi theta psi", [body]),)
+
+
+def two_wheeled_carriage() -> tuple[Route, ...]:
+    names = "x y theta phi_1 phi_2"
+    x, y, theta, left, right = moving(names)
+    big, m, inertia, about, across, a, b, radius, one, two = constants("M m I K J a b R tau_1 tau_2")
+    s, n = sp.Matrix([cos(theta), sin(theta), 0]), sp.Matrix([-sin(theta), cos(theta), 0])
+    axle = sp.Matrix([x, y, 0])
+    frame = flat(big, tuple(axle + a * s)[:2], inertia, theta, moment=tuple(-(one + two) * n))
+    wheels = [
+        Rigid(m, tuple(axle + side * b * n), rotation("z", theta) * rotation("y", turned), (across, about, across),
+              moment=tuple(torque * n))
+        for side, turned, torque in ((1, left, one), (-1, right, two))
+    ]  # fmt: skip
+    ahead = d(x) * cos(theta) + d(y) * sin(theta)
+    rolling = {
+        "sideways": d(y) * cos(theta) - d(x) * sin(theta),
+        "left_wheel": ahead - b * d(theta) - radius * d(left),
+        "right_wheel": ahead + b * d(theta) - radius * d(right),
+    }
+    return (newton_euler(names, [frame, *wheels], kinematic=rolling),)
+
+
+def aircraft() -> tuple[Route, ...]:
+    names = "x y z psi theta phi"
+    x, y, z, psi, theta, phi = moving(names)
+    m, a, b, c, g, push = constants("m A B C g F")
+    turned = rotation("z", psi) * rotation("y", theta) * rotation("x", phi)
+    force = push * turned[:, 0] + sp.Matrix([0, 0, m * g])
+    return (newton_euler(names, [Rigid(m, (x, y, z), turned, (a, b, c), force=tuple(force))]),)
+
+
 def of_bodies(name: str) -> Callable[[], tuple[Route, ...]]:
     """The routes that `body_systems` has for the same problem."""
     return bodies.BODIES[name].routes
@@ -343,6 +410,15 @@ def of_bodies(name: str) -> Callable[[], tuple[Route, ...]]:
 ROLLING = ("rolling.1", "rolling.2")
 
 SHIPPED: dict[str, Textbook] = {
+    "aircraft": Textbook(aircraft, HOLONOMIC, 6, 0),
+    "bead-on-rotating-hoop": Textbook(bead_on_rotating_hoop, RHEONOMIC, 1, 2),
+    "coupled-pendulums": Textbook(coupled_pendulums, HOLONOMIC, 2, 0),
+    "double-pendulum-small-oscillations": Textbook(double_pendulum, HOLONOMIC, 2, 0),
+    "euler-rigid-body": Textbook(euler_rigid_body, HOLONOMIC, 3, 0),
+    "triatomic-molecule": Textbook(triatomic_molecule, HOLONOMIC, 3, 0),
+    "two-wheeled-carriage": Textbook(
+        two_wheeled_carriage, NONHOLONOMIC, 2, 1, ("sideways", "left_wheel", "right_wheel")
+    ),
     "ball-in-a-pipe": Textbook(ball_in_a_pipe, NONHOLONOMIC, 3, 0, ("round", "upward")),
     "ball-on-turntable": Textbook(
         of_bodies("ball_on_turntable"), "nonholonomic scleronomic acatastatic", 3, 0, ROLLING
