@@ -191,6 +191,20 @@ class WideMathML(MathML):
         below = self.bracketed(denominator.code) if denominator.level <= Level.PRODUCT else denominator.code
         return Piece(f"{START}{above}{BREAK}<mo>/</mo>{below}{END}", Level.DIVISION)
 
+    def power(self, base: str, exponent: Piece) -> Piece:
+        """A power of a long bracket: its exponent is that of the closing sign."""
+        if BREAK not in base or not base.endswith("</mo>"):
+            return super().power(base, exponent)
+        at = base.rindex("<mo")
+        return Piece(f"{base[:at]}<msup>{base[at:]}{row(exponent.code)}</msup>", Level.POWER, tight=True)
+
+    def absolute(self, inner: Piece) -> Piece:
+        """An absolute value whose bars have a fixed size."""
+        if BREAK not in inner.code:
+            return super().absolute(inner)
+        size = ' minsize="2.4em" maxsize="2.4em"' if is_tall(inner.code) else ' stretchy="false"'
+        return Piece(f'<mo form="prefix"{size}>|</mo>{inner.code}<mo form="postfix"{size}>|</mo>')
+
     def root(self, inner: Piece) -> Piece:
         """A power 1/2 where the root is long."""
         if BREAK not in inner.code:

@@ -41,7 +41,7 @@ mover > mo { font-size: 1.15em; }
 .condition { text-indent: 0; padding-left: 1em; display: inline-block; }
 .number { color: var(--quiet); font-variant-numeric: tabular-nums; }
 .result { border: 1px solid var(--accent); border-radius: 4px; background: var(--box); padding: .6rem .8rem .6rem 0; }
-.scroll { margin: .8rem 0; }
+.scroll { margin: .8rem 0; overflow-x: auto; overflow-y: hidden; }
 table { border-collapse: collapse; margin-left: 1.6rem; font-size: .98em; }
 th, td { text-align: left; padding: .25rem .9rem .25rem 0; vertical-align: baseline; font-weight: normal; }
 thead th { border-bottom: 1px solid var(--ink); color: var(--quiet); }
