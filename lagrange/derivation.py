@@ -6,7 +6,7 @@ Stages make steps, renderers format them; neither knows the other. A label is an
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum, StrEnum
 from typing import TypeAlias
 
@@ -139,7 +139,7 @@ class Picture:
     alt      what is in it, in words
     """
 
-    draw: Callable[[], Scene | None]
+    draw: Callable[[], Scene | None] = field(compare=False)
     caption: tuple[Part, ...]
     alt: str
     detail: Detail = Detail.STEPS

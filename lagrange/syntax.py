@@ -171,9 +171,7 @@ class Parser(AtomParser):
         role, inside = self._role(name.text), self._single_inside()
         if role in (Role.COORDINATE, Role.PRESCRIBED) and inside == "t":
             self._step(3)
-        elif role is Role.PRESCRIBED and not (
-            inside is None and "\\" in self.fragment.text
-        ):  # in LaTeX products have no sign
+        elif role is Role.PRESCRIBED and not self._is_product_in_latex():
             message = f"`{name.text}` is a function of `t` alone"
             help_ = f"write `{name.text}` or `{name.text}(t)`; a product is written `{name.text}*(...)`"
             raise self._mistake("argument-of-prescribed", message, self._here, help_)
@@ -181,6 +179,10 @@ class Parser(AtomParser):
             written = self._text(tree.start, self._last_end)
             help_ = "a symbol before a parenthesis multiplies"
             self._read_as(tree.start, self._ahead(2).end, f"{written}*{inside}", help_)
+
+    def _is_product_in_latex(self) -> bool:
+        r"""Whether more than one thing stands in the parentheses, in LaTeX: `l (\ddot{l} + g)`, no sign being usual."""
+        return "\\" in self.fragment.text and self._ahead(2).text != ")"
 
     def _single_inside(self) -> str:
         """`t` or a number, if that alone stands in the parentheses that open here."""
