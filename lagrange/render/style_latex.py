@@ -143,6 +143,12 @@ class WideLatex(Latex):
             return Piece(f"{above} / {below}", Level.DIVISION)
         return Piece(f"{START}{above}{BREAK} / {below}{END}", Level.DIVISION)
 
+    def absolute(self, inner: Piece) -> Piece:
+        """An absolute value whose bars have a fixed size, so that it can be broken."""
+        if BREAK not in inner.code or not is_tall(inner.code):
+            return super().absolute(inner)
+        return Piece(rf"\biggl\lvert {inner.code} \biggr\rvert")
+
     def root(self, inner: Piece) -> Piece:
         """A power 1/2 where the root is long."""
         if len(inner.code) < LONG:
