@@ -26,7 +26,7 @@ LINE = 11.5
 """Ems of a piece: what a phone shows beside the number of an equation."""
 SHORT = 2.8
 """Ems of a left side behind which relations are aligned."""
-ROW = 34.0
+ROW = 28.0
 """Ems of an equation that is left as it is, with fractions and brackets of their full size."""
 _TOKENS = re.compile(f"([{START}{BREAK}{END}])")
 _OPERATORS = "+−=≠≤≥<>≡≈→∝∧"
