@@ -92,8 +92,8 @@ class AnswerVerdict:
     notes: tuple[Diagnostic, ...] = ()
 
 
-def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerVerdict:
-    """The verdict on equations of motion."""
+def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnosing: bool = True) -> AnswerVerdict:
+    """The verdict on equations of motion; `diagnosing`: also what would make the wrong ones right."""
     answer = separated(answer)
     if not answer:
         raise ProblemError(
@@ -110,7 +110,7 @@ def check_equations(answer: Sequence[Fragment], reference: Reference) -> AnswerV
     if not attempts:
         return _mixed(readings, errors, notes)
     best = max(attempts, key=lambda a: a.quality)
-    found = _with_reasons(best, readings, reference)
+    found = _with_reasons(best, readings, reference, diagnosing)
     equations = tuple(replace(e, sides=r.surprising) for e, r in zip(found.equations, readings, strict=True))
     return replace(found, equations=equations, unreadable=errors, notes=notes)
 
@@ -257,7 +257,9 @@ _DERIVATIVE = {
 }
 
 
-def _with_reasons(attempt: _Attempt, readings: Sequence[Reading], reference: Reference) -> AnswerVerdict:
+def _with_reasons(
+    attempt: _Attempt, readings: Sequence[Reading], reference: Reference, diagnosing: bool
+) -> AnswerVerdict:
     """What is wrong with the wrong equations, and where the right ones say less than they should."""
     verdict = attempt.verdict
     if not attempt.components:
@@ -266,15 +268,16 @@ def _with_reasons(attempt: _Attempt, readings: Sequence[Reading], reference: Ref
     equations = list(verdict.equations)
     following = []
     advisor = Advisor(system.configuration.slots)
-    turned = _convention(attempt, system)
+    turned = _convention(attempt, system) if diagnosing else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
         if bad:
             equation, linear = bad[0][0], bad[0][1] is not Standing.NOT_LINEAR
             kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
-            change = diagnosed(equation, system) if kind in _TO_BE_DIAGNOSED else None
-            units = reference.mismatch(readings[n]) if kind in _TO_BE_DIAGNOSED else None
+            asked = diagnosing and kind in _TO_BE_DIAGNOSED
+            change = diagnosed(equation, system) if asked else None
+            units = reference.mismatch(readings[n]) if asked else None
             hints = advisor.hints(why, change, units, turned, readings[n].sides)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS:
