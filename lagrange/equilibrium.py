@@ -102,6 +102,18 @@ class Equilibrium:
         return (*(c.expression for c in self.conditions), *self.configuration.finite_constraints)
 
     @property
+    def needs_multipliers(self) -> bool:
+        """Whether dividing by pivots may lose equilibria: one of them vanishes there, or no other was found."""
+        pivots = self.elimination.pivots
+        if not self.multipliers or not pivots or not self.elimination.independent:
+            return False
+        points = [p for b in self.branches for p in b.points]
+        if not points:
+            coordinates = set(self.configuration.slots.coordinates)
+            return any(p.free_symbols & coordinates for p in pivots)
+        return any(is_zero(pivot.xreplace(at)) is not False for pivot in pivots for at in points)
+
+    @property
     def exists(self) -> bool | None:
         """Whether there is an equilibrium in these coordinates; None where that is not known."""
         if self.solution.solved:

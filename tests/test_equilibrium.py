@@ -11,8 +11,10 @@ from conftest import PROBLEMS
 
 from lagrange.answers import Verdict
 from lagrange.checking import CheckedAnswer, check_answer, check_own_answers
+from lagrange.derivation import Display
 from lagrange.diagnostics import Fragment, ProblemError, Source
 from lagrange.equilibrium import Equilibrium
+from lagrange.explain.statics import explain_virtual_work
 from lagrange.loader import load, read_problem
 from lagrange.problem import Problem
 from lagrange.render.json import as_object
@@ -134,6 +136,40 @@ def test_a_pivot_loses_no_equilibrium() -> None:
     solution = solve(read(PENDULUM))
     assert sp.Symbol("x", real=True) in solution.elimination.pivots
     assert len(relations(solution.equilibrium)) == 2
+
+
+ON_THE_CUT = """
+title: A bead on the circle that a plane cuts out of a sphere
+parameters: [m, g, a]
+coordinates: [x, y, z]
+particles: {A: {mass: m, position: x*i + y*j + z*k}}
+constraints: {ball: x^2 + y^2 + z^2 = a^2, cut: x + y = z}
+gravity: -g*k
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize("text", [PENDULUM, ON_THE_CUT], ids=["one constraint", "two constraints"])
+def test_conditions_that_are_shown_hold_where_a_pivot_vanishes(text: str) -> None:
+    """With some multipliers every equation that the page states holds at every solution that it gives."""
+    solution = solve(read(text))
+    found = solution.equilibrium
+    assert found is not None
+    assert len(found.branches) == 2
+    shown = [
+        e.sides[0]
+        for block in explain_virtual_work(found, None).body
+        if isinstance(block, Display)
+        for e in block.equations
+        if e.label is not None and e.label.startswith("condition-")
+    ]
+    numbers = sorted({s for e in shown for s in e.free_symbols if s.name.startswith("lambda_")}, key=str)
+    assert len(numbers) == len(found.configuration.rows)
+    for b in found.branches:
+        for at in b.points:
+            there = [e.xreplace(at) for e in shown]
+            assert len(there) > len(numbers)
+            assert len(sp.linsolve(there, numbers)) == 1
 
 
 def test_several_degrees_of_freedom() -> None:

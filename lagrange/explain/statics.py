@@ -13,7 +13,7 @@ from lagrange.equilibrium import Equilibrium
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
 from lagrange.kinematics import Configuration
-from lagrange.notation import Dot, VectorSymbol, variation
+from lagrange.notation import Dot, VectorSymbol, multiplier, variation
 from lagrange.positivity import Condition
 from lagrange.solution_sets import Branch
 from lagrange.stability import SecondVariation, Stability, Verdict
@@ -96,7 +96,7 @@ def _with_the_solved(found: Equilibrium) -> list[Block]:
     """The virtual work with the dependent displacements put in."""
     configuration, suffix = found.configuration, _suffix(found.configuration)
     solved = [variation(configuration.slots.coordinates[d]) for d in found.elimination.dependent]
-    if not found.elimination.independent:
+    if not found.elimination.independent or found.needs_multipliers:
         return []
     return [
         prose("With ", *listed(math(d) for d in solved), " put in, ", Ref(f"work-written-out{suffix}"), " becomes"),
@@ -112,6 +112,8 @@ def _conclusion(found: Equilibrium) -> list[Block]:
         return [prose("No displacement is free: the constraints alone determine the position.")]
     if not found.conditions:
         return [prose("The virtual work vanishes whatever the position is.")]
+    if found.needs_multipliers:
+        return _with_multipliers(found)
     arbitrary = (
         " is arbitrary, so what multiplies it vanishes"
         if len(free) == 1
@@ -125,9 +127,48 @@ def _conclusion(found: Equilibrium) -> list[Block]:
     if divided:
         steps.append(("dividing by ", *listed(dict.fromkeys(divided)), ", which is not zero"))
     dividing = (" (", *steps[0], *((" and ", *steps[1]) if len(steps) > 1 else ()), ")") if steps else ()
+    return [prose(*listed(free), arbitrary, *dividing, ":"), _shown(found)]
+
+
+def _with_multipliers(found: Equilibrium) -> list[Block]:
+    """The constraints added with multipliers, where dividing by a pivot could lose an equilibrium."""
+    slots = found.configuration.slots
+    rows = [r for r in found.configuration.rows if not r.is_identity]
+    numbers = [multiplier(r.name.replace(".", "_")) for r in rows]
+    added = (n * virtual_displacement(r, slots) for n, r in zip(numbers, rows, strict=True))
+    put_in = listed(math(variation(slots.coordinates[d])) for d in found.elimination.dependent)
+    divisors = listed(math(p) for p in found.elimination.pivots)
+    one = len(rows) == 1
+    return [
+        prose(
+            "To express ", *put_in, " by the other displacements one divides by ", *divisors, ", which may vanish at "
+            "an equilibrium. So that no position is lost, ",
+            "the constraint is added with a number " if one else "the constraints are added with numbers ",
+            *listed(math(n) for n in numbers), " instead: the virtual work vanishes in every virtual displacement "
+            "exactly where, for some ", "value of it," if one else "values of them,",
+        ),
+        display(Equation((sp.Add(found.work.statement, *added), ZERO),
+                         label=f"work-with-multipliers{_suffix(found.configuration)}")),
+        prose("whatever ", *listed(math(variation(q)) for q in slots.coordinates), " are, that is, where"),
+        _shown(found),
+    ]  # fmt: skip
+
+
+def _stated(found: Equilibrium) -> list[tuple[str, sp.Expr]]:
+    """Label and left side of each condition, as it is shown."""
     suffix = _suffix(found.configuration)
-    lines = (Equation((c.expression, ZERO), label=f"condition{suffix}-{c.coordinate.name}") for c in found.conditions)
-    return [prose(*listed(free), arbitrary, *dividing, ":"), display(*lines)]
+    if not found.needs_multipliers:
+        return [(f"condition{suffix}-{c.coordinate.name}", c.expression) for c in found.conditions]
+    rows = [r for r in found.configuration.rows if not r.is_identity]
+    stated = (
+        (q, sp.Add(force, *(multiplier(r.name.replace(".", "_")) * r.coefficients[k] for r in rows)))
+        for k, (q, force) in enumerate(zip(found.configuration.slots.coordinates, found.work.forces, strict=True))
+    )
+    return [(f"condition{suffix}-{q.name}", e) for q, e in stated if e != 0]
+
+
+def _shown(found: Equilibrium) -> Block:
+    return display(*(Equation((e, ZERO), label=label) for label, e in _stated(found)))
 
 
 def _results(found: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Iterator[Block]:
@@ -158,7 +199,7 @@ def _results(found: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Iterator[
 
 def _none(found: Equilibrium, radicands: Sequence[sp.Expr]) -> Iterator[Block]:
     """That there is no equilibrium."""
-    names = listed(Ref(f"condition{_suffix(found.configuration)}-{c.coordinate.name}") for c in found.conditions)
+    names = listed(Ref(label) for label, _ in _stated(found))
     start: tuple[Part, ...] = ("No real position satisfies ", *names, ": there is no equilibrium")
     if radicands:
         start = (*start, " in these coordinates, which serve where ",
@@ -181,7 +222,7 @@ def _introduction(found: Equilibrium) -> Block:
 
 
 def _splits(found: Equilibrium) -> bool:
-    return any(sp.factor_terms(c.expression).is_Mul for c in found.conditions)
+    return any(sp.factor_terms(e).is_Mul for _, e in _stated(found))
 
 
 def _conditions(b: Branch) -> tuple[Part, ...]:
