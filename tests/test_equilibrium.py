@@ -11,7 +11,7 @@ from conftest import PROBLEMS
 
 from lagrange.answers import Verdict
 from lagrange.checking import CheckedAnswer, check_answer, check_own_answers
-from lagrange.derivation import Display
+from lagrange.derivation import Display, Rule
 from lagrange.diagnostics import Fragment, ProblemError, Source
 from lagrange.equilibrium import Equilibrium
 from lagrange.explain.statics import explain_virtual_work
@@ -489,6 +489,14 @@ def test_motion_and_equilibrium() -> None:
     assert solution.equilibrium is not None
     assert verdict(problem, "theta = 0 or theta = pi").verdict is EQUIVALENT
     assert verdict(problem, "l*theta'' + g*sin(theta) = 0").verdict is EQUIVALENT
+
+
+def test_no_reactions_are_found_where_there_are_none() -> None:
+    text = BEAD + "find: [motion, equilibrium]\n"
+    problem = read(text.replace("forces:", "particles: {P: {mass: a, position: b*sin(theta)*i}}\nforces:"))
+    steps = report(problem).derivation.steps
+    assert any(step.rule is Rule.EQUILIBRIUM for step in steps)
+    assert not any(step.rule is Rule.SOLVED_REACTIONS for step in steps)
 
 
 def solution_of(text: str) -> Solution:

@@ -15,7 +15,7 @@ from lagrange.static_reactions import ReactionsAtRest, StaticReactions
 
 def explain_reactions_at_rest(found: StaticReactions, newton: Newton) -> Step | None:
     """The multipliers and tensions at every branch of equilibria; None where there is nothing to show."""
-    if not found.at:
+    if not found.at or not (newton.reactions or found.configuration.rows):
         return None
     name = found.configuration.name
     suffix = f"-{name}" if name else ""
