@@ -117,6 +117,14 @@ def test_formulas_have_nothing_that_markdown_would_take(derivation, notation):
         assert not re.search("[<>]", code)
 
 
+@pytest.mark.parametrize("name", ["coupled-pendulums", "bead-on-rotating-hoop"])
+def test_formulas_in_a_line_do_not_touch(name):
+    """`$a$$b$` is read as the beginning of a displayed formula."""
+    found = report(load(PROBLEMS / "motion" / f"{name}.yaml"))
+    lines = markdown.render([(found.derivation, found.notation)], Detail.FULL).splitlines()
+    assert not [line for line in lines if "$$" in line and line.strip() != "$$"]
+
+
 def test_a_long_condition_has_no_dollars():
     condition = ("where ", math(x, y, relation="<"), " holds")
     assert body(display(Equation((x, y), condition=condition))) == "\n".join(

@@ -175,7 +175,7 @@ def _characteristic(n: int, s: SmallOscillations, found: Linearization, detail: 
         yield prose("The equation for the frequencies is too long to be written down.", detail=detail)
         return
     gyroscopic = s.system.kind is Kind.GYROSCOPIC
-    wave = ("exp(i" if gyroscopic else "cos(", math(unknown), math(TIME), ")")
+    wave = ("exp(i " if gyroscopic else "cos(", math(unknown), " ", math(TIME), ")")
     closed = all(f.square is not None for f in s.frequencies)
     if len(s.free) > 1 and c.count_ops() <= LONGEST:
         yield prose("Put proportional to ", *wave, f"{amplitude}, they have a solution if", detail=detail)
@@ -205,23 +205,17 @@ def _not_closed(s: SmallOscillations) -> str:
 
 
 def _mode(f: Frequency, s: SmallOscillations, found: Linearization) -> tuple[Part, ...]:
-    """`with ξ_1 : ξ_2 = 1 : √2`."""
+    """`with ξ_1 : ξ_2 as 1 : √2`."""
     if not f.modes or len(s.free) == 1:
         return ("twice",) if f.multiplicity == 2 else ()
-    words: list[Part] = ["with "]
-    for j, k in enumerate(s.free):
-        words += [" : "] * bool(j) + [math(found.displacements[k])]
-    for n, mode in enumerate(f.modes):
-        words.append(" = " if n == 0 else " and ")
-        for j, a in enumerate(mode):
-            words += [" : "] * bool(j) + [math(a)]
-    return tuple(words)
+    modes = (math(*mode, relation=":") for mode in f.modes)
+    return ("with ", math(*(found.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
 
 
 def _damped(n: int, s: SmallOscillations, found: Linearization) -> Iterator[Block]:
     """With damping: the characteristic equation for p; for one coordinate what is known of it."""
     p, c = s.unknown, s.characteristic
-    wave = ("exp(", math(p), math(TIME), ")")
+    wave = ("exp(", math(p), " ", math(TIME), ")")
     if c is not None and c.count_ops() <= LONGEST:
         yield prose("Proportional to ", *wave, plural(len(s.free), ", it has", ", they have"), " a solution if")
         yield display(Equation((c, ZERO), label=_label(found, "exponents", n)))
