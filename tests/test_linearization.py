@@ -16,9 +16,11 @@ import sympy as sp
 from mpmath import cos, diff, matrix, mp, mpc, mpf, polyroots, sin, sqrt
 
 from lagrange.checking import compared_answers
+from lagrange.derivation import Display
 from lagrange.diagnostics import NotCoveredError, Source
 from lagrange.linearization import Linearization, SmallOscillations
 from lagrange.loader import read_problem
+from lagrange.report import report
 from lagrange.solution import Solution, solve
 from lagrange.stability import Verdict
 
@@ -627,3 +629,29 @@ def test_equilibria_of_the_motion_in_answers() -> None:
         text = stated.replace("Omega^2", "Omega") if wrong else stated
         [answer] = compared_answers(solved(HOOP, f"find: linearization\nanswers: {{equilibrium: {text}}}"))
         assert (answer.verdict.value == "equivalent") != wrong
+
+
+SPRUNG_CART = """
+title: Cart with a spring and a pendulum
+parameters: [M, m, g, l, c]
+coordinates: [x, theta]
+particles:
+  A: {mass: M, position: x*i}
+  B: {mass: m, position: r_A + l*sin(theta)*i - l*cos(theta)*j}
+forces: {pull: {potential: c*x^2/2}}
+gravity: -g*j
+find: [motion, linearization]
+"""
+
+
+def test_a_long_mode_has_lines_of_its_own() -> None:
+    """−ω² (M + m) ξ₁ − ω² m l ξ₂ + c ξ₁ = 0 holds for what each pair of lines says."""
+    steps = report(read_problem(Source("cart", SPRUNG_CART))).derivation.steps
+    displays = (b for step in steps for b in step.body if isinstance(b, Display))
+    roots = next(d for d in displays if any(str(e.sides[0]).startswith("omega_1") for e in d.equations))
+    assert [str(e.sides[0]) for e in roots.equations] == ["omega_1**2", "xi_2/xi_1", "omega_2**2", "xi_2/xi_1"]
+    M, m, g, l, c = sp.symbols("M m g l c", positive=True)
+    values = {M: 3, m: 2, g: 10, l: sp.Rational(1, 2), c: 7}
+    for square, ratio in zip(roots.equations[::2], roots.equations[1::2], strict=True):
+        w, r = (e.sides[1].subs(values) for e in (square, ratio))
+        assert sp.radsimp(sp.expand(-w * 5 - w * r + 7)) == 0

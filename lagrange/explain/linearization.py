@@ -33,6 +33,8 @@ from lagrange.stability import Verdict
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
+LONGEST_BESIDE = 15
+"""Operations of a mode that still stands behind its frequency."""
 LONGEST = 120
 """Operations of conditions, or of a characteristic equation, that are still shown."""
 
@@ -189,7 +191,9 @@ def _characteristic(n: int, s: SmallOscillations, found: Linearization, detail: 
         if f.square is not None:
             omega = sp.Symbol(f"{unknown.name}_{k}", real=True) if several else unknown
             label = _label(found, f"omega-{k}", n)
-            lines.append(Equation((omega**2, f.square), label=label, condition=_mode(f, s, found)))
+            ratios = _long_ratios(f, s, found)
+            lines.append(Equation((omega**2, f.square), label=label, condition=() if ratios else _mode(f, s, found)))
+            lines += ratios
         elif len(s.frequencies) > 1:
             lines.append(Equation((s.remaining(f), ZERO)))
     if lines:
@@ -210,6 +214,14 @@ def _mode(f: Frequency, s: SmallOscillations, found: Linearization) -> tuple[Par
         return ("twice",) if f.multiplicity == 2 else ()
     modes = (math(*mode, relation=":") for mode in f.modes)
     return ("with ", math(*(found.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
+
+
+def _long_ratios(f: Frequency, s: SmallOscillations, found: Linearization) -> list[Equation]:
+    """ξ_2/ξ_1 = ..., for a mode too long to stand behind its frequency, where it could not be broken."""
+    if len(f.modes) != 1 or f.modes[0][0] != 1 or sum(a.count_ops() for a in f.modes[0]) <= LONGEST_BESIDE:
+        return []
+    first, *others = (found.displacements[k] for k in s.free)
+    return [Equation((q / first, a)) for q, a in zip(others, f.modes[0][1:], strict=True)]
 
 
 def _damped(n: int, s: SmallOscillations, found: Linearization) -> Iterator[Block]:
