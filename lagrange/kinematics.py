@@ -21,7 +21,7 @@ import sympy as sp
 
 from lagrange.exact import Surface
 from lagrange.links import Damped, Stretched, damper_in, dampers_in, spring_in, stretched_springs
-from lagrange.notation import Slots, prime
+from lagrange.notation import Slots, multiplier, prime
 from lagrange.problem import AppliedForce, AppliedMoment, Potential, Problem
 from lagrange.rigid_bodies import Rotation, rotation_in, rotation_of
 from lagrange.textbook import textbook_form
@@ -60,6 +60,11 @@ class Row:
     def form(self) -> tuple[sp.Expr, ...]:
         """The coefficients of all differentials, dt among them, shape (n + 1,)."""
         return (*self.coefficients, self.drift)
+
+    @property
+    def multiplier(self) -> sp.Symbol:
+        """λ with the constraint's name, that of the component C.x without its point."""
+        return multiplier(self.name.replace(".", "_"))
 
     @property
     def is_identity(self) -> bool:

@@ -21,7 +21,6 @@ import sympy as sp
 
 from lagrange.kinematics import Configuration, MassPoint, Row
 from lagrange.linear import tidy_quotient
-from lagrange.notation import multiplier
 from lagrange.placing import Forces, Freedom, Placed, form_as_forces, left_out, placed_freely
 from lagrange.problem import Constraint
 from lagrange.rods import Rod, recognised_rod
@@ -291,7 +290,7 @@ def _reaction(
     if rod is None:
         return Reaction(constraint, row, given, directions, others, moments=acts.moments)
     directions = _along(rod, directions)
-    own = multiplier(row.name.replace(".", "_"))
+    own = row.multiplier
     if given != own and own.name not in taken:
         return Reaction(constraint, row, own, directions, others, rod, given, named=True)
     tension = sp.Symbol(f"T_{row.name}", real=True)

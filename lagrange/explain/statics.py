@@ -13,7 +13,7 @@ from lagrange.equilibrium import Equilibrium
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
 from lagrange.kinematics import Configuration
-from lagrange.notation import Dot, VectorSymbol, multiplier, variation
+from lagrange.notation import Dot, VectorSymbol, variation
 from lagrange.positivity import Condition
 from lagrange.solution_sets import Branch
 from lagrange.stability import SecondVariation, Stability, Verdict
@@ -134,7 +134,7 @@ def _with_multipliers(found: Equilibrium) -> list[Block]:
     """The constraints added with multipliers, where dividing by a pivot could lose an equilibrium."""
     slots = found.configuration.slots
     rows = [r for r in found.configuration.rows if not r.is_identity]
-    numbers = [multiplier(r.name.replace(".", "_")) for r in rows]
+    numbers = [r.multiplier for r in rows]
     added = (n * virtual_displacement(r, slots) for n, r in zip(numbers, rows, strict=True))
     put_in = listed(math(variation(slots.coordinates[d])) for d in found.elimination.dependent)
     divisors = listed(math(p) for p in found.elimination.pivots)
@@ -161,7 +161,7 @@ def _stated(found: Equilibrium) -> list[tuple[str, sp.Expr]]:
         return [(f"condition{suffix}-{c.coordinate.name}", c.expression) for c in found.conditions]
     rows = [r for r in found.configuration.rows if not r.is_identity]
     stated = (
-        (q, sp.Add(force, *(multiplier(r.name.replace(".", "_")) * r.coefficients[k] for r in rows)))
+        (q, sp.Add(force, *(r.multiplier * r.coefficients[k] for r in rows)))
         for k, (q, force) in enumerate(zip(found.configuration.slots.coordinates, found.work.forces, strict=True))
     )
     return [(f"condition{suffix}-{q.name}", e) for q, e in stated if e != 0]
