@@ -17,7 +17,7 @@ import sympy as sp
 
 from lagrange.notation import base
 from lagrange.polynomials import common_number
-from lagrange.terms import Factors, Term, common_powers, multiply, sum_of
+from lagrange.terms import Exponent, Factors, Term, common_powers, exponent_of, multiply, sum_of
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Factor:
     """
 
     number: sp.Rational
-    powers: tuple[tuple[sp.Expr, sp.Rational], ...]
+    powers: tuple[tuple[sp.Expr, Exponent], ...]
 
     @property
     def parameters(self) -> sp.Expr:
@@ -97,7 +97,7 @@ def common_factor(expression: sp.Expr) -> Factor:
     leading = [d for d in powers if any(map(is_acceleration, d))] or powers
     common = common_powers(powers)
     for factor in dict.fromkeys(f for d in leading for f in d):
-        common[factor] = min(common.get(factor, sp.S.Zero), *(d.get(factor, sp.S.Zero) for d in leading))
+        common[factor] = min(common.get(factor, 0), *(d.get(factor, 0) for d in leading))
     number = common_number(term.number for term in terms)
     return Factor(sp.Rational(number), tuple((f, e) for f, e in common.items() if e and not (e > 0 and is_slot(f))))
 
@@ -112,14 +112,14 @@ def as_term(product: sp.Expr) -> Term:
         below, exponent = factor.as_base_exp()
         if isinstance(factor, sp.exp):
             exponent, angle = factor.exp.as_coeff_Mul()
-            multiply(powers, sp.exp(angle), exponent)
+            multiply(powers, sp.exp(angle), exponent_of(exponent))
         elif not exponent.is_Rational:
-            multiply(powers, factor, sp.S.One)
+            multiply(powers, factor, 1)
         elif isinstance(below, sp.tan):
-            multiply(powers, sp.sin(below.args[0]), exponent)
-            multiply(powers, sp.cos(below.args[0]), -exponent)
+            multiply(powers, sp.sin(below.args[0]), exponent_of(exponent))
+            multiply(powers, sp.cos(below.args[0]), -exponent_of(exponent))
         else:
-            multiply(powers, below, exponent)
+            multiply(powers, below, exponent_of(exponent))
     powers.pop(sp.S.One, None)
     return Term(Fraction(int(number.p), int(number.q)), powers)
 

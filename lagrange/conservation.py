@@ -28,6 +28,7 @@ from lagrange.exact import DivisionByZeroError, Point
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.noether import Kind, Symmetry, candidates, symmetries
 from lagrange.sampling import agreed
+from lagrange.terms import Exponent
 from lagrange.textbook import Textbook, textbook_form
 from lagrange.trigonometry import Element
 from lagrange.verification import Check, displacement_basis, with_accelerations
@@ -371,12 +372,12 @@ class _Search:
 
 def _denominators(column: Sequence[sp.Expr]) -> list[sp.Expr]:
     """What the entries of a column are divided by: sin θ in cos θ/sin θ."""
-    found: dict[sp.Expr, sp.Expr] = {}
+    found: dict[sp.Expr, Exponent] = {}
     for e in column:
         for term in sp.Add.make_args(e):
             for factor, exponent in as_term(term).factors.items():
                 if exponent < 0:
-                    found[factor] = max(found.get(factor, sp.S.Zero), -exponent)
+                    found[factor] = max(found.get(factor, 0), -exponent)
     return [f**e for f, e in found.items()]
 
 

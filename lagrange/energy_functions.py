@@ -26,7 +26,7 @@ from lagrange.conservative import are_true_coordinates, dot, is_constant_force, 
 from lagrange.kinematics import Configuration
 from lagrange.notation import Slots, base, t
 from lagrange.packing import unpack
-from lagrange.terms import Term, common_powers, divided, multiplied, sum_of
+from lagrange.terms import Exponent, Term, common_powers, divided, multiplied, sum_of
 from lagrange.textbook import Textbook
 from lagrange.trigonometry import Element, Ring
 
@@ -205,7 +205,7 @@ def _moves(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
 
 def _gathered(e: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
     """Terms that have the same constants but for the sign as one product with a bracket."""
-    groups: dict[tuple[Fraction, frozenset[tuple[sp.Expr, sp.Rational]]], list[Term]] = {}
+    groups: dict[tuple[Fraction, frozenset[tuple[sp.Expr, Exponent]]], list[Term]] = {}
     for summand in sp.Add.make_args(e):
         term = as_term(summand)
         constants = frozenset((f, n) for f, n in term.factors.items() if not _moves(f, moving))
@@ -220,7 +220,7 @@ def _gathered(e: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
         first = terms[0].number / number
         sign = sign if sum(term.number for term in terms) else int(first)
         rest = sum_of(Term(sign * term.number / number, divided(term.factors, common)) for term in terms)
-        found.append(Term(sign * number, multiplied(common, {rest: sp.S.One})).to_sympy())
+        found.append(Term(sign * number, multiplied(common, {rest: 1})).to_sympy())
     return sp.Add(*found)
 
 

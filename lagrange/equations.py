@@ -17,13 +17,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
 from lagrange.balance import Balance
 from lagrange.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
 from lagrange.displacements import Elimination
-from lagrange.exact import NoPointError, UnsupportedError
+from lagrange.exact import NoPointError, Point, UnsupportedError
 from lagrange.kinematics import Configuration
 from lagrange.notation import prime, variation
 from lagrange.principle import Principle
@@ -153,12 +154,15 @@ def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
     """
     configuration = result.configuration
     slots = configuration.slots
-    matrix = [[e.diff(a) for a in slots.accelerations] for e in result.expressions]
-    matrix += [list(row.coefficients) for row in configuration.rows]
+    forms = [row.coefficients for row in configuration.rows]
+
+    def idle_motions(point: Point) -> list[list[Any]]:
+        inertia = point.affine(result.expressions, slots.accelerations)
+        assert inertia is not None
+        return point.nullspace([*(r[:-1] for r in inertia), *point.matrix(forms)], len(slots.coordinates))
+
     try:
-        kernels = configuration.states.sampled(
-            lambda p: p.nullspace([p.values(row) for row in matrix], len(slots.coordinates)), 2
-        )
+        kernels = configuration.states.sampled(idle_motions, 2)
     except (NoPointError, UnsupportedError):
         raise UndecidedError("whether every coordinate has inertia", span) from None
     kernel = min(kernels, key=len)

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import lru_cache
 
 import sympy as sp
 from sympy.core.symbol import Str
@@ -189,31 +190,43 @@ def derivative(expression: sp.Expr, rate: Callable[[sp.Symbol], sp.Expr]) -> sp.
     def of(e: sp.Basic) -> sp.Expr:
         found = known.get(e)
         if found is None:
-            found = known[e] = chain(e)
+            found = known[e] = _by_chain_rule(e, of, rate)
         return found
 
-    def chain(e: sp.Basic) -> sp.Expr:
-        if e.is_Symbol:
-            return rate(e)
-        if not e.args:
-            return sp.S.Zero
-        if e.is_Add:
-            return sp.Add(*(of(a) for a in e.args))
-        rates = [(k, of(a)) for k, a in enumerate(e.args) if isinstance(a, sp.Expr)]
-        changing = [(k, r) for k, r in rates if r != 0]
-        if not changing:
-            return sp.S.Zero
-        if e.is_Mul:
-            return sp.Add(*(sp.Mul(*e.args[:k], r, *e.args[k + 1 :]) for k, r in changing))
-        if e.is_Pow and changing[-1][0] == 0:
-            return e.exp * e.base ** (e.exp - 1) * changing[0][1]
-        if isinstance(e, Unspecified):
-            return sp.Add(*(e.partial(k - 3) * r for k, r in changing))
-        if isinstance(e, sp.Function):
-            return sp.Add(*(e.fdiff(k + 1) * r for k, r in changing))
-        return sp.Add(*(e.diff(s) * rate(s) for s in sorted(e.free_symbols, key=lambda s: s.name)))
-
     return of(expression)
+
+
+@lru_cache(maxsize=1 << 15)
+def partial(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
+    """∂/∂symbol. Parts of expressions that occur again, as positions along a chain do, are differentiated once."""
+    return _by_chain_rule(
+        expression, lambda e: partial(e, symbol), lambda s: sp.S.One if s == symbol else sp.S.Zero
+    )
+
+
+def _by_chain_rule(
+    e: sp.Basic, of: Callable[[sp.Basic], sp.Expr], rate: Callable[[sp.Symbol], sp.Expr]
+) -> sp.Expr:
+    """One step down: the derivative from those of the arguments, which `of` gives."""
+    if e.is_Symbol:
+        return rate(e)
+    if not e.args:
+        return sp.S.Zero
+    if e.is_Add:
+        return sp.Add(*(r for a in e.args if (r := of(a)) is not sp.S.Zero))
+    rates = [(k, of(a)) for k, a in enumerate(e.args) if isinstance(a, sp.Expr)]
+    changing = [(k, r) for k, r in rates if r != 0]
+    if not changing:
+        return sp.S.Zero
+    if e.is_Mul:
+        return sp.Add(*(sp.Mul(*e.args[:k], r, *e.args[k + 1 :]) for k, r in changing))
+    if e.is_Pow and changing[-1][0] == 0:
+        return e.exp * e.base ** (e.exp - 1) * changing[0][1]
+    if isinstance(e, Unspecified):
+        return sp.Add(*(e.partial(k - 3) * r for k, r in changing))
+    if isinstance(e, sp.Function):
+        return sp.Add(*(e.fdiff(k + 1) * r for k, r in changing))
+    return sp.Add(*(e.diff(s) * rate(s) for s in sorted(e.free_symbols, key=lambda s: s.name)))
 
 
 class Inert(sp.Expr):

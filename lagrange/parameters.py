@@ -13,6 +13,7 @@ from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
 from itertools import combinations
+from math import floor
 
 import sympy as sp
 
@@ -65,8 +66,8 @@ class Parameters:
                 multiply(factors, expression, unit * exponent)
         number = Fraction(1)
         for root in [f for f in factors if f.is_Integer]:  # 2^(-1/2) is √2/2
-            whole = int(sp.floor(factors[root]))
-            multiply(factors, root, sp.Integer(-whole))
+            whole = floor(factors[root])
+            multiply(factors, root, -whole)
             number *= Fraction(int(root)) ** whole
         return Term(number, factors)
 
@@ -77,10 +78,10 @@ class Parameters:
             generator = self._basis.generators[index]
             if generator.radical and generator.base is not None:
                 number, rest = number_apart(self._write(generator.base))
-                unit = sp.Rational(1, generator.order)
+                unit = Fraction(1, generator.order)
                 written = {e: unit for e in (number, rest) if e != 1}
             else:
-                written = {generator.expression: sp.S.One}
+                written = {generator.expression: 1}
             self._written[index] = written
         return written
 
@@ -93,7 +94,7 @@ class Parameters:
         sign, factors = (1, [(primitive, 1)]) if len(primitive) > LONGEST else factorization(primitive, known)
         for factor, exponent in factors:
             turned, oriented = (1, factor) if factor in known else self._oriented(factor)
-            power = {sum_of(self._grouped(oriented)): sp.Integer(exponent)}
+            power: Factors = {sum_of(self._grouped(oriented)): exponent}
             term = term * Term(Fraction(turned**exponent), power)
         return Term(term.number * sign, term.factors)
 

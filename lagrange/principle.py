@@ -17,7 +17,7 @@ import sympy as sp
 
 from lagrange.balance import Balance
 from lagrange.kinematics import Configuration
-from lagrange.notation import variation
+from lagrange.notation import partial, variation
 from lagrange.textbook import Textbook
 from lagrange.trigonometry import Element, Ring
 from lagrange.vectors import Vector
@@ -73,8 +73,8 @@ def generalized_forces(configuration: Configuration, ring: Ring) -> tuple[Elemen
             moved = centres[load.on].partials[k] if load.on in turning else load.point.partial(q)
             work.append(_dot(load.vector, moved, ring))
         work += [_dot(moments[name], r.partials[k], ring) for name, r in turning.items()]
-        resistance = [ring.from_sympy(d.pull) * ring.from_sympy(d.distance.diff(q)) for d in configuration.dampers]
-        found.append(ring.total(work) - ring.total(resistance) - ring.from_sympy(configuration.potential.diff(q)))
+        resistance = [ring.from_sympy(d.pull) * ring.from_sympy(partial(d.distance, q)) for d in configuration.dampers]
+        found.append(ring.total(work) - ring.total(resistance) - ring.from_sympy(partial(configuration.potential, q)))
     return tuple(found)
 
 

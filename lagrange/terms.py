@@ -13,7 +13,8 @@ from lagrange.polynomials import common_number, factorization
 
 LONGEST = 24  # a longer sum is not factored
 
-Factors = dict[sp.Expr, sp.Rational]  # what is multiplied -> exponent
+Exponent = int | Fraction  # Python's numbers: SymPy's are ten times as slow to add and compare
+Factors = dict[sp.Expr, Exponent]  # what is multiplied -> exponent
 
 
 @dataclass(frozen=True)
@@ -26,7 +27,7 @@ class Term:
     def to_sympy(self) -> sp.Expr:
         """The product; sin w/cos w is written tan w."""
         factors = with_tangents(self.factors)
-        powers = [f if e is sp.S.One else f**e for f, e in factors.items()]
+        powers = [f if e == 1 else f ** sp.Rational(e) for f, e in factors.items()]
         if self.number == 1:
             return powers[0] if len(powers) == 1 else sp.Mul(*powers)
         return sp.Mul(sp.Rational(self.number.numerator, self.number.denominator), *powers)
@@ -39,9 +40,14 @@ class Term:
         return Term(self.number * other.number, multiplied(self.factors, other.factors))
 
 
-def multiply(factors: Factors, factor: sp.Expr, exponent: sp.Rational) -> None:
+def exponent_of(number: sp.Rational) -> Exponent:
+    """SymPy's number as Python's."""
+    return int(number.p) if number.q == 1 else Fraction(int(number.p), int(number.q))
+
+
+def multiply(factors: Factors, factor: sp.Expr, exponent: Exponent) -> None:
     """One more power, into a dictionary of powers."""
-    total = factors.get(factor, sp.S.Zero) + exponent
+    total = factors.get(factor, 0) + exponent
     if total:
         factors[factor] = total
     else:
@@ -65,7 +71,7 @@ def common_powers(dictionaries: list[Factors]) -> Factors:
     """The powers that all have in common; of negative ones the least negative, if all are negative."""
     common: Factors = {}
     for factor in dictionaries[0]:
-        exponents = [d.get(factor, sp.S.Zero) for d in dictionaries]
+        exponents = [d.get(factor, 0) for d in dictionaries]
         if min(exponents) > 0:
             common[factor] = min(exponents)
         elif max(exponents) < 0:
@@ -75,12 +81,14 @@ def common_powers(dictionaries: list[Factors]) -> Factors:
 
 def with_tangents(factors: Factors) -> Factors:
     """sin w/cos w written as tan w."""
+    if all(e > 0 for e in factors.values()):
+        return factors
     found = dict(factors)
     for cosine, below in factors.items():
-        if isinstance(cosine, sp.cos) and below.is_Integer and below < 0:
+        if below < 0 and below.denominator == 1 and isinstance(cosine, sp.cos):
             sine = sp.sin(cosine.args[0])
-            above = factors.get(sine, sp.S.Zero)
-            if above.is_Integer and above > 0:
+            above = factors.get(sine, 0)
+            if above > 0 and above.denominator == 1:
                 power = min(above, -below)
                 for factor, e in ((sine, -power), (cosine, power), (sp.tan(cosine.args[0]), power)):
                     multiply(found, factor, e)
@@ -102,7 +110,7 @@ def sum_of(terms: Iterable[Term]) -> sp.Expr:
 def factored_sum(terms: list[Term]) -> Term | None:
     """A sum without common factors as a product, if that takes fewer operations."""
     exponents = [e for term in terms for e in term.factors.values()]
-    if not 2 < len(terms) <= LONGEST or not all(e.is_Integer and e > 0 for e in exponents):
+    if not 2 < len(terms) <= LONGEST or not all(e > 0 and e.denominator == 1 for e in exponents):
         return None
     factors = list(dict.fromkeys(f for term in terms for f in term.factors))
     places = {f: i for i, f in enumerate(factors)}
@@ -112,10 +120,10 @@ def factored_sum(terms: list[Term]) -> Term | None:
         return None
     product = Term(Fraction(sign), {})
     for p, exponent in found:
-        members = [Term(c, {factors[i]: sp.Integer(e) for i, e in unpack(m)}) for m, c in p.items()]
+        members = [Term(c, {factors[i]: e for i, e in unpack(m)}) for m, c in p.items()]
         turned = _sign(members)
         total = sum_of(term.scaled(Fraction(turned)) for term in members)
-        product = product * Term(Fraction(turned**exponent), {total: sp.Integer(exponent)})
+        product = product * Term(Fraction(turned**exponent), {total: exponent})
     return product
 
 

@@ -28,7 +28,7 @@ from lagrange.packing import unpack
 from lagrange.parameters import Parameters
 from lagrange.polynomials import Polynomial, common_number
 from lagrange.products import Atom
-from lagrange.terms import Factors, Term, common_powers, divided, factored_sum, multiplied, sum_of
+from lagrange.terms import Exponent, Factors, Term, common_powers, divided, factored_sum, multiplied, sum_of
 from lagrange.trigonometry import Ring
 
 __all__ = ["Factor", "Textbook", "common_factor", "normalised", "textbook_form"]
@@ -62,6 +62,8 @@ class Textbook:
         self._merge = merge
         self._parameters = Parameters(ring, self.form)
         self._atoms: dict[Atom, tuple[int, sp.Expr]] = {}
+        self._sums: dict[object, list[Part]] = {}
+        self._rows: dict[object, list[Part]] = {}
 
     def form(self, expression: sp.Expr | Element) -> sp.Expr:
         """The textbook form."""
@@ -77,6 +79,13 @@ class Textbook:
         return sp.Add(*summands)
 
     def _parts(self, element: Element) -> list[Part]:
+        """The products of what contains no displacement: D_k is written in the principle, and again as an equation."""
+        parts = self._sums.get(element.key)
+        if parts is None:
+            parts = self._sums[element.key] = self._split(element)
+        return parts
+
+    def _split(self, element: Element) -> list[Part]:
         places = [i for i, g in enumerate(self.ring.generators) if self._is_dynamic(g.expression)]
         parts = []
         for monomial, coefficient in element.by_exponents(places).items():
@@ -99,11 +108,15 @@ class Textbook:
         return expression in self._unknowns or base(expression) != expression
 
     def _row(self, coefficient: Element) -> list[Part]:
-        """The coefficient of one dynamic monomial, as one product."""
-        numerator, denominator = as_fraction(coefficient)
-        waves = self._waves(numerator).items()
-        parts = [self._part(self._parameters.factored(p), powers) for powers, p in waves]
-        return [self._over(bracket(parts, factored=True) if len(parts) > 1 else parts[0], denominator)]
+        """The coefficient of one dynamic monomial, as one product; θ1'' and θ2'' often have the same."""
+        row = self._rows.get(coefficient.key)
+        if row is None:
+            numerator, denominator = as_fraction(coefficient)
+            waves = self._waves(numerator).items()
+            parts = [self._part(self._parameters.factored(p), powers) for powers, p in waves]
+            row = [self._over(bracket(parts, factored=True) if len(parts) > 1 else parts[0], denominator)]
+            self._rows[coefficient.key] = row
+        return row
 
     def _forces(self, coefficient: Element) -> list[Part]:
         """What contains nothing dynamic, as a sum."""
@@ -130,11 +143,12 @@ class Textbook:
         return waves
 
     def _part(self, term: Term, powers: Powers) -> Part:
-        number, shape = term.number, {}
+        number = term.number
+        shape: Factors = {}
         for atom, exponent in powers:
             sign, expression = self._atom(atom)
             number *= sign**exponent
-            shape[expression] = sp.Integer(exponent)
+            shape[expression] = exponent
         return Part(number, term.factors, shape)
 
     def _atom(self, atom: Atom) -> tuple[int, sp.Expr]:
@@ -168,7 +182,7 @@ def bracket(parts: list[Part], factored: bool = False, leading: Collection[sp.Sy
     terms = [Term(p.number * sign, multiplied(p.scale, p.shape)) for p in rest]
     total = factored_sum(terms) if factored else None
     if total is None:
-        total = Term(Fraction(1), {sum_of(terms): sp.S.One})
+        total = Term(Fraction(1), {sum_of(terms): 1})
     return Part(number * sign * total.number, scale, multiplied(shape, total.factors))
 
 
@@ -188,7 +202,7 @@ def bracket_sign(parts: list[Part], leading: Collection[sp.Symbol] = ()) -> int:
 
 def merged(parts: list[Part]) -> list[Part]:
     """The products that differ in number and shape only, as one each."""
-    classes: dict[frozenset[tuple[sp.Expr, sp.Rational]], list[Part]] = {}
+    classes: dict[frozenset[tuple[sp.Expr, Exponent]], list[Part]] = {}
     for part in parts:
         classes.setdefault(frozenset(part.scale.items()), []).append(part)
     joined = []

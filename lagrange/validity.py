@@ -212,14 +212,14 @@ class _Validity:
         """The factors of what is no product itself, in textbook form where that is not long."""
         measure = self.measures.of(e)
         if e.is_Symbol or measure.widest > _LONGEST or measure.size > 4 * _LONGEST_NAMED:
-            return {e: sp.S.One}
+            return {e: 1}
         form = textbook_form(e)
         if form == 0 or not form.is_Add:
             return {_signed(f): p for f, p in as_term(form).factors.items()}
         terms = [as_term(summand).factors for summand in form.args]
         shared = common_powers(terms)
         _, rest = number_apart(sp.Add(*(sp.Mul(s, *(f**-p for f, p in shared.items())) for s in form.args)))
-        return multiplied(shared, {_signed(rest): sp.S.One})
+        return multiplied(shared, {_signed(rest): 1})
 
     def _below(self, e: sp.Expr) -> Iterator[sp.Expr]:
         """What an expression, as it is written, divides by."""

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from lagrange.notation import Slots, UnitVector, derivative, prime, t
+from lagrange.notation import Slots, UnitVector, derivative, partial, prime, t
 
 Components = tuple[sp.Expr, sp.Expr, sp.Expr]
 
@@ -127,7 +127,7 @@ class Vector:
 
     def partial(self, symbol: sp.Symbol) -> Vector:
         """The partial derivative by a coordinate: the components change, and the triad turns."""
-        changed = self.map(lambda c: c.diff(symbol))
+        changed = self.map(lambda c: partial(c, symbol))
         for q, w in self.triad.turning:
             if q == symbol:
                 changed = changed + Vector(_cross(w, self.components), self.triad)
