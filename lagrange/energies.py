@@ -26,12 +26,12 @@ from lagrange.kinematics import Configuration, Load, MassPoint
 from lagrange.lagrangian import (
     is_constant,
     kinetic_energy,
-    partial,
     quasi_term,
     share_of_load,
     share_of_moments,
     velocity_of,
 )
+from lagrange.notation import partial
 from lagrange.rigid_bodies import Rotation
 from lagrange.textbook import Textbook, common_factor
 from lagrange.trigonometry import Element, Ring

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -98,11 +99,18 @@ def equations_with_multipliers(principle: Balance, multipliers: Mapping[str, sp.
 class DalembertMotion(EquationsOfMotion):
     """The equations from d'Alembert's principle.
 
-    reduced  Σ over the independent δq: the principle with the dependent ones put in, in textbook form
+    independent  shape (f,): what multiplies each independent δq
     """
 
     principle: Principle
-    reduced: sp.Expr
+    independent: tuple[Element, ...]
+
+    @cached_property
+    def reduced(self) -> sp.Expr:
+        """Σ over the independent δq: the principle with the dependent ones put in, in textbook form."""
+        coordinates = self.configuration.slots.coordinates
+        free = [variation(coordinates[k]) for k in self.elimination.independent]
+        return self.principle.written(free, self.independent)
 
 
 def equations_of_motion(principle: Principle, elimination: Elimination) -> DalembertMotion:
@@ -110,13 +118,9 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Dalem
     configuration = principle.configuration
     coordinates = configuration.slots.coordinates
     coefficients = of_independent(principle.coefficients, principle.ring, elimination)
-    ring, textbook = principle.ring, principle.textbook
-    displacements = [ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
-    reduced = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
-    equations = tuple(
-        divided(textbook, coordinates[k], d) for k, d in zip(elimination.independent, coefficients, strict=True)
-    )
-    return DalembertMotion(configuration, principle, elimination, equations, textbook.form(reduced))
+    pairs = zip(elimination.independent, coefficients, strict=True)
+    equations = tuple(divided(principle.textbook, coordinates[k], d) for k, d in pairs)
+    return DalembertMotion(configuration, principle, elimination, equations, tuple(coefficients))
 
 
 def of_independent(d: Sequence[Element], ring: Ring, elimination: Elimination) -> list[Element]:

@@ -24,7 +24,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from lagrange.kinematics import Configuration, Load, MassPoint
-from lagrange.notation import Slots, base, derivative, t
+from lagrange.notation import Slots, base, partial, t
 from lagrange.rigid_bodies import Rotation
 from lagrange.vectors import Components, Vector
 
@@ -104,11 +104,6 @@ def quasi_term(rotation: Rotation, coordinate: sp.Symbol, velocity: sp.Symbol, s
     return sp.Add(*(moment * w * (part.dot(e) - partial(w, coordinate)) for moment, w, e in bending))
 
 
-def partial(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """∂/∂symbol."""
-    return derivative(expression, lambda s: sp.S.One if s == symbol else sp.S.Zero)
-
-
 def is_constant(load: Load, configuration: Configuration) -> bool:
     """Whether a force has the potential −F·r: it is constant, and acts at a particle or mass centre."""
     slots = configuration.slots
@@ -127,7 +122,7 @@ def _arm(load: Load, configuration: Configuration) -> Vector:
 
 def share_of_load(load: Load, velocity: sp.Symbol, configuration: Configuration) -> sp.Expr:
     """F·∂v/∂q_k', the force's share of Q_k."""
-    return load.vector.fixed().dot(_rate_at(load, configuration).map(lambda c: c.diff(velocity)))
+    return load.vector.fixed().dot(_rate_at(load, configuration).map(lambda c: partial(c, velocity)))
 
 
 def _rate_at(load: Load, configuration: Configuration) -> Vector:
@@ -145,7 +140,9 @@ def _rate_at(load: Load, configuration: Configuration) -> Vector:
 def share_of_moments(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
     """M·∂ω/∂q_k'."""
     spins = {r.name: angular_velocity(r, configuration.slots) for r in configuration.rotations}
-    return sp.Add(*(m.vector.fixed().dot(spins[m.on].map(lambda c: c.diff(velocity))) for m in configuration.torques))
+    return sp.Add(
+        *(m.vector.fixed().dot(spins[m.on].map(lambda c: partial(c, velocity))) for m in configuration.torques)
+    )
 
 
 def _of_springs(configuration: Configuration, coordinate: sp.Symbol) -> sp.Expr:

@@ -199,14 +199,10 @@ def derivative(expression: sp.Expr, rate: Callable[[sp.Symbol], sp.Expr]) -> sp.
 @lru_cache(maxsize=1 << 15)
 def partial(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
     """∂/∂symbol. Parts of expressions that occur again, as positions along a chain do, are differentiated once."""
-    return _by_chain_rule(
-        expression, lambda e: partial(e, symbol), lambda s: sp.S.One if s == symbol else sp.S.Zero
-    )
+    return _by_chain_rule(expression, lambda e: partial(e, symbol), lambda s: sp.S.One if s == symbol else sp.S.Zero)
 
 
-def _by_chain_rule(
-    e: sp.Basic, of: Callable[[sp.Basic], sp.Expr], rate: Callable[[sp.Symbol], sp.Expr]
-) -> sp.Expr:
+def _by_chain_rule(e: sp.Basic, of: Callable[[sp.Basic], sp.Expr], rate: Callable[[sp.Symbol], sp.Expr]) -> sp.Expr:
     """One step down: the derivative from those of the arguments, which `of` gives."""
     if e.is_Symbol:
         return rate(e)

@@ -10,8 +10,9 @@ otherwise A δq = 0 binds them. Everything is built in the ring of Fourier sums,
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import sympy as sp
 
@@ -25,16 +26,30 @@ from lagrange.vectors import Vector
 
 @dataclass(frozen=True)
 class Principle(Balance):
-    """D'Alembert's principle in the coordinates of a configuration.
+    """D'Alembert's principle in the coordinates of a configuration; what is only shown is written when asked for."""
 
-    statement     Σ D_k δq_k, in textbook form
-    accelerations of the particles and mass centres, by name, in textbook form
-    momentum_rates dH/dt of the bodies, by name, in textbook form
-    """
+    @cached_property
+    def statement(self) -> sp.Expr:
+        """Σ D_k δq_k, in textbook form."""
+        return self.written([variation(q) for q in self.configuration.slots.coordinates], self.coefficients)
 
-    statement: sp.Expr
-    accelerations: Mapping[str, Vector]
-    momentum_rates: Mapping[str, Vector]
+    @cached_property
+    def accelerations(self) -> Mapping[str, Vector]:
+        """Of the particles and mass centres, by name, in textbook form."""
+        moving = (p for p in self.configuration.points if p.mass != 0 and not self.configuration.is_pinned(p))
+        return {p.name: p.acceleration.map(self.textbook.form) for p in moving}
+
+    @cached_property
+    def momentum_rates(self) -> Mapping[str, Vector]:
+        """dH/dt of the bodies, by name, in textbook form."""
+        turning = (r for r in self.configuration.rotations if r.has_inertia)
+        return {r.name: r.momentum_rate.map(self.textbook.form) for r in turning}
+
+    def written(self, displacements: Iterable[sp.Symbol], coefficients: Iterable[Element]) -> sp.Expr:
+        """Σ coefficient · δq, in textbook form."""
+        ring = self.ring
+        terms = (d * ring.from_sympy(v) for d, v in zip(coefficients, displacements, strict=True))
+        return self.textbook.form(ring.total(terms))
 
 
 def dalembert(configuration: Configuration) -> Principle:
@@ -43,20 +58,10 @@ def dalembert(configuration: Configuration) -> Principle:
     textbook = Textbook(ring)
     forces = generalized_forces(configuration, ring)
     inertia = _inertia(configuration, ring)
-    coefficients = tuple(i - q for i, q in zip(inertia, forces, strict=True))
-    displacements = [ring.from_sympy(variation(q)) for q in configuration.slots.coordinates]
-    statement = ring.total(d * v for d, v in zip(coefficients, displacements, strict=True))
     return Principle(
         configuration=configuration,
-        coefficients=coefficients,
+        coefficients=tuple(i - q for i, q in zip(inertia, forces, strict=True)),
         forces=tuple(textbook.form(q) for q in forces),
-        statement=textbook.form(statement),
-        accelerations={
-            p.name: p.acceleration.map(textbook.form)
-            for p in configuration.points
-            if p.mass != 0 and not configuration.is_pinned(p)
-        },
-        momentum_rates={r.name: r.momentum_rate.map(textbook.form) for r in configuration.rotations if r.has_inertia},
         textbook=textbook,
     )
 
@@ -85,13 +90,13 @@ def _inertia(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
         if p.mass == 0:
             continue
         mass = ring.from_sympy(p.mass)
-        for k, partial in enumerate(p.partials):
-            if not partial.is_zero:
-                total[k] = total[k] + mass * _dot(p.acceleration, partial, ring)
+        for k, moved in enumerate(p.partials):
+            if not moved.is_zero:
+                total[k] = total[k] + mass * _dot(p.acceleration, moved, ring)
     for r in configuration.rotations:
-        for k, partial in enumerate(r.partials):
-            if not partial.is_zero:
-                total[k] = total[k] + _dot(r.momentum_rate, partial, ring)
+        for k, turned in enumerate(r.partials):
+            if not turned.is_zero:
+                total[k] = total[k] + _dot(r.momentum_rate, turned, ring)
     return tuple(total)
 
 

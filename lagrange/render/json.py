@@ -31,7 +31,7 @@ from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import FormSymbol, Wedge
 from lagrange.render.json_linear import linearized, matrices, matrix
 from lagrange.render.json_motion import by_lagrange, integrals, motion, speeds
-from lagrange.render.mathematics import text
+from lagrange.render.mathematics import TEXT, Writer
 from lagrange.vectors import Vector
 
 if TYPE_CHECKING:
@@ -61,10 +61,7 @@ def as_object(report: Report) -> dict[str, Any]:
     """One report as the object of version 1."""
     solution, notation = report.solution, report.notation
     problem, classification = solution.problem, solution.classification
-
-    def write(expression: Any) -> str:
-        return text(expression, notation)
-
+    write = Writer(TEXT, notation).plain
     found: dict[str, Any] = {
         "version": VERSION,
         "problem": {"title": problem.title, "source": problem.source},

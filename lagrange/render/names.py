@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from dataclasses import dataclass
+from functools import lru_cache
 
 # name: (letter, LaTeX). Capitals that look Latin have no LaTeX command.
 GREEK: dict[str, tuple[str, str]] = {
@@ -97,6 +98,7 @@ class Name:
     primes: int
 
     @classmethod
+    @lru_cache(maxsize=1 << 12)
     def of(cls, name: str) -> Name:
         """Takes a name apart."""
         if operated := _OPERATED.match(name):

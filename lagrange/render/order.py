@@ -80,6 +80,9 @@ class Order:
         self.notation = notation
         self._kinds: dict[sp.Basic, frozenset[Kind]] = {}
         self._signatures: dict[sp.Basic, str] = {}
+        self._symbol_places: dict[sp.Basic, frozenset[Place]] = {}
+        self._term_degrees: dict[sp.Expr, Degrees] = {}
+        self._factor_keys: dict[tuple[Factor, bool], Key] = {}
 
     def kinds(self, expression: sp.Basic) -> frozenset[Kind]:
         """The kinds of symbols that occur."""
@@ -106,6 +109,12 @@ class Order:
 
     def _factor_key(self, factor: Factor, open_ended: bool) -> Key:
         """`open_ended`: whether there is a function, behind which a force would look like its argument."""
+        key = self._factor_keys.get((factor, open_ended))
+        if key is None:
+            key = self._factor_keys[factor, open_ended] = self._new_factor_key(factor, open_ended)
+        return key
+
+    def _new_factor_key(self, factor: Factor, open_ended: bool) -> Key:
         base, exponent = factor
         if isinstance(base, sp.Symbol) and (exponent.is_Integer or not exponent.is_Rational):
             return self._symbol_key(base, open_ended)
@@ -215,6 +224,12 @@ class Order:
 
     def _degrees(self, term: sp.Expr) -> Degrees:
         """How often each coordinate, velocity, ... is a factor; of a bracket, what its first term has."""
+        degrees = self._term_degrees.get(term)
+        if degrees is None:
+            degrees = self._term_degrees[term] = self._new_degrees(term)
+        return degrees
+
+    def _new_degrees(self, term: sp.Expr) -> Degrees:
         degrees: Degrees = {kind: {} for kind in Kind}
         for base, exponent in factors(term):
             if isinstance(base, sp.Symbol):
@@ -230,8 +245,18 @@ class Order:
 
     def _places(self, expression: sp.Basic) -> tuple[Place, ...]:
         """The places of the coordinates that occur, whatever their derivative."""
-        symbols = (s for s in expression.free_symbols if self.notation.kind(s) in MOVING)
-        return tuple(sorted({self.notation.place(s.name) for s in symbols}))
+        return tuple(sorted(self._unsorted_places(expression)))
+
+    def _unsorted_places(self, expression: sp.Basic) -> frozenset[Place]:
+        found = self._symbol_places.get(expression)
+        if found is None:
+            if isinstance(expression, sp.Symbol):
+                moves = self.notation.kind(expression) in MOVING
+                found = frozenset({self.notation.place(expression.name)} if moves else ())
+            else:
+                found = frozenset().union(*(self._unsorted_places(a) for a in expression.args))
+            self._symbol_places[expression] = found
+        return found
 
     def _vector_place(self, symbol: sp.Symbol) -> Key:
         """i, j, k; then e_r, e_theta, ... in the order of the coordinates; then e1_B, e2_B, ..."""
