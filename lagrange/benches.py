@@ -15,6 +15,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.comparison import System, affine_rows, state, symbols_of
+from lagrange.elimination import RowSpace
 from lagrange.exact import DivisionByZeroError, InadmissibleError, Point
 
 _STATES = 2
@@ -22,41 +23,31 @@ _STATES = 2
 
 @dataclass(frozen=True)
 class Bench:
-    """One state, with the derived equations in echelon form.
+    """One state.
 
     moving    the point, with velocities that satisfy the constraints
     unknowns  the multipliers and accelerations
+    derived   the rows of the derived equations there
     """
 
     moving: Point
     unknowns: tuple[sp.Symbol, ...]
-    echelon: list[list[Any]]
-    pivots: list[int]
+    derived: RowSpace
 
     def residue(self, term: sp.Expr) -> list[Any] | None:
         """What is left of a term modulo the derived equations; None where it is not affine in the unknowns."""
         try:
             if term.free_symbols.isdisjoint(self.unknowns):
-                return self.reduced([*self.no_unknowns, self.moving.value(term)])
+                return self.derived.residue([*self.no_unknowns, self.moving.value(term)])
             rows = self.moving.affine([term], self.unknowns)
         except (InadmissibleError, DivisionByZeroError):
             return None
-        return None if rows is None else self.reduced(rows[0])
+        return None if rows is None else self.derived.residue(rows[0])
 
     @cached_property
     def no_unknowns(self) -> list[Any]:
         """The coefficients of a term without unknowns."""
         return [self.moving.number(0)] * len(self.unknowns)
-
-    def reduced(self, row: Sequence[Any]) -> list[Any]:
-        """A row modulo the derived equations."""
-        reduce = self.moving.arithmetic.reduce
-        left = list(row)
-        for known, pivot in zip(self.echelon, self.pivots, strict=False):
-            c = left[pivot]
-            if c != 0:
-                left = [reduce(a - c * b) for a, b in zip(left, known, strict=True)]
-        return left
 
     def vanishes(self, row: Iterable[Any]) -> bool:
         """Whether a row is zero."""
@@ -92,8 +83,7 @@ def benches(equations: Sequence[sp.Expr], system: System) -> list[Bench]:
 
     def at(point: Point) -> Bench:
         moving = state(point, configuration, symbols)
-        echelon, pivots = moving.row_reduced(affine_rows(moving, derived, unknowns))
-        return Bench(moving, unknowns, echelon, pivots)
+        return Bench(moving, unknowns, RowSpace(moving.arithmetic, affine_rows(moving, derived, unknowns)))
 
     return configuration.states.sampled(at, _STATES)
 

@@ -20,6 +20,7 @@ from typing import Any
 
 import sympy as sp
 
+from lagrange.elimination import Row, RowSpace
 from lagrange.exact import Point
 from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.sampling import agreed
@@ -129,7 +130,7 @@ def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Se
     unknowns = (*free, *system.multipliers, *system.configuration.slots.accelerations)
     derived = affine_rows(moving, (*system.accelerated_constraints, *system.equations), unknowns)
     constraints, known = derived[: len(system.accelerated_constraints)], derived
-    rank = moving.rank(known)
+    spaces = _Spaces(moving, constraints, known)
     rows: list[list[Any]] = []
     standings = []
     for e in answer:
@@ -139,9 +140,9 @@ def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Se
             rows.append([moving.number(0)] * (len(unknowns) + 1))
             continue
         row = affine[0]
-        standings.append(_standing(moving, row, known, rank, constraints, rows, len(free)))
+        standings.append(spaces.standing(row, len(free)))
         rows.append(row)
-    _judge_free(moving, standings, rows, known, rank, len(free))
+    _judge_free(moving, standings, rows, spaces.known, len(free))
     good = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]
     wanted = _rank_without(moving, known, eliminated)
     reached = _rank_without(moving, [*constraints, *good], eliminated)
@@ -151,25 +152,25 @@ def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Se
 _COUNTED = (Standing.FOLLOWS, Standing.CONSTRAINT, Standing.REDUNDANT)
 
 
-def _standing(
-    point: Point,
-    row: list[Any],
-    known: list[list[Any]],
-    rank: int,
-    constraints: list[list[Any]],
-    before: list[list[Any]],
-    free: int,
-) -> Standing:
-    vanishes = point.arithmetic.vanishes
-    if any(not vanishes(x) for x in row[:free]):
-        return Standing.FOLLOWS  # judged together with the others, once the free unknowns are eliminated
-    if point.rank([*known, row]) > rank:
-        return Standing.CONTRADICTS
-    if point.rank([*constraints, row]) == point.rank(constraints):
-        return Standing.CONSTRAINT
-    if point.rank([*constraints, *before, row]) == point.rank([*constraints, *before]):
-        return Standing.REDUNDANT
-    return Standing.FOLLOWS
+class _Spaces:
+    """What the derived rows span, what the constraints do, and these with the rows of the answer so far."""
+
+    def __init__(self, point: Point, constraints: Sequence[Row], known: Sequence[Row]) -> None:
+        self._vanishes = point.arithmetic.vanishes
+        self.known = RowSpace(point.arithmetic, known)
+        self._constraints = RowSpace(point.arithmetic, constraints)
+        self._said = RowSpace(point.arithmetic, constraints)
+
+    def standing(self, row: Row, free: int) -> Standing:
+        """Of one row of an answer, and what it adds to those before."""
+        adds = self._said.add(row)
+        if any(not self._vanishes(x) for x in row[:free]):
+            return Standing.FOLLOWS  # judged together with the others, once the free unknowns are eliminated
+        if row not in self.known:
+            return Standing.CONTRADICTS
+        if row in self._constraints:
+            return Standing.CONSTRAINT
+        return Standing.FOLLOWS if adds else Standing.REDUNDANT
 
 
 def _rank_without(point: Point, rows: list[list[Any]], eliminated: int) -> int:
@@ -182,8 +183,7 @@ def _judge_free(
     point: Point,
     standings: list[Standing],
     rows: list[list[Any]],
-    known: list[list[Any]],
-    rank: int,
+    known: RowSpace,
     free: int,
 ) -> None:
     """Equations with free unknowns contradict the system where what is left after eliminating them does."""
@@ -199,7 +199,7 @@ def _judge_free(
             point.arithmetic.reduce(sum(c * r[k] for c, r in zip(combination, chosen, strict=True)))
             for k in range(len(chosen[0]))
         ]
-        if point.rank([*known, row]) > rank:
+        if row not in known:
             for n, c in zip(using, combination, strict=True):
                 if not point.arithmetic.vanishes(c):
                     standings[n] = Standing.CONTRADICTS

@@ -7,7 +7,7 @@ zero by a guess.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any, Protocol
 
 Row = list[Any]
@@ -60,6 +60,45 @@ def row_reduced(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> tuple[
         if len(pivots) == len(work):
             break
     return work[: len(pivots)], pivots
+
+
+class RowSpace:
+    """The combinations of some rows of one width; rows may be added. A row is told from them in one pass."""
+
+    def __init__(self, arithmetic: Arithmetic, rows: Iterable[Sequence[Any]] = ()) -> None:
+        self.arithmetic = arithmetic
+        self._echelon: list[tuple[int, Row]] = []
+        for row in rows:
+            self.add(row)
+
+    @property
+    def rank(self) -> int:
+        """The number of independent rows."""
+        return len(self._echelon)
+
+    def residue(self, row: Sequence[Any]) -> Row:
+        """What is left of a row modulo these; linear in the row."""
+        reduce = self.arithmetic.reduce
+        left = [reduce(x) for x in row]
+        for pivot, known in self._echelon:
+            c = left[pivot]
+            if c != 0:
+                left = [reduce(a - c * b) for a, b in zip(left, known, strict=True)]
+        return left
+
+    def __contains__(self, row: Sequence[Any]) -> bool:
+        return all(self.arithmetic.vanishes(x) for x in self.residue(row))
+
+    def add(self, row: Sequence[Any]) -> bool:
+        """One more row; whether it is independent of those before."""
+        arithmetic = self.arithmetic
+        left = self.residue(row)
+        pivot = _pivot(arithmetic, [[x] for x in left], 0, 0)
+        if pivot is None:
+            return False
+        scale = arithmetic.inverse(left[pivot])
+        self._echelon.append((pivot, [arithmetic.reduce(x * scale) for x in left]))
+        return True
 
 
 def rank(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> int:

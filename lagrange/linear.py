@@ -112,16 +112,16 @@ def solved_in_blocks(
     tidied = _Bounded(tidy)
     try:
         moved = [[tidied(_dot(row, column)) for column in zip(*others, strict=True)] for row in inverse]
-        reduced = [
-            [
-                tidied(e - _dot(row[:size], column))
-                for e, column in zip((*row[size:], b), zip(*moved, strict=True), strict=True)
-            ]
-            for row, b in zip(rows[size:], right[size:], strict=True)
+        columns = list(zip(*moved, strict=True))
+        whole = [(*row[size:], b) for row, b in zip(rows[size:], right[size:], strict=True)]
+        left = [
+            [e - _dot(row[:size], column) for e, column in zip(entries, columns, strict=True)]
+            for row, entries in zip(rows[size:], whole, strict=True)
         ]
+        if _most_coupled([row[:-1] for row in left], constant, surface) > MOST_COUPLED:
+            return None
+        reduced = [[tidied(e) for e in row] for row in left]
     except TooLargeError:
-        return None
-    if _most_coupled([row[:-1] for row in reduced], constant) > MOST_COUPLED:
         return None
     found = solved_linear([row[:-1] for row in reduced], [row[-1] for row in reduced], surface, tidy)
     if found is None:
@@ -129,13 +129,13 @@ def solved_in_blocks(
     return [*(_leading(row, found, tidied) if leading else None for row in moved), *found]
 
 
-def _most_coupled(rows: Sequence[Sequence[sp.Expr]], constant: Callable[[sp.Expr], bool]) -> int:
+def _most_coupled(rows: Sequence[Sequence[sp.Expr]], constant: Callable[[sp.Expr], bool], surface: Decides) -> int:
     """The number of unknowns in the largest set that rows with entries that vary tie together."""
     sets: list[set[int]] = []
     for row in rows:
-        if all(constant(e) for e in row):
+        tied = {c for c, e in enumerate(row) if e != 0 and surface.is_zero(e) is not True}
+        if all(constant(row[c]) for c in tied):
             continue
-        tied = {c for c, e in enumerate(row) if e != 0}
         apart = [s for s in sets if s.isdisjoint(tied)]
         sets = [*apart, tied.union(*(s for s in sets if s not in apart))]
     return max(map(len, sets), default=0)

@@ -79,6 +79,39 @@ def _effort(factors: Factorization) -> int:
     return sum(operations(f) + (e > 1) for f, e in factors) + len(factors) - 1
 
 
+def irreducible_factors(polynomial: Any) -> tuple[int, list[tuple[Any, int]]]:
+    """Number and irreducible factors, with exponents, of one of SymPy's sparse polynomials with whole coefficients.
+
+    Masses, spring constants and weights occur to the first power. In such a variable p = a x + b is g times a factor
+    that cannot be divided, g = gcd(a, b): only g, which knows nothing of x, is left to be factored.
+    """
+    linear = _linear_variable(polynomial)
+    if linear is None:
+        number, factors = polynomial.factor_list()
+        return int(number), [(f, int(e)) for f, e in factors]
+    a, b = linear
+    shared = a.gcd(b)
+    number, factors = irreducible_factors(shared) if not shared.is_ground else (int(shared.LC), [])
+    rest = polynomial.exquo(shared)
+    if rest.LC < 0:
+        number, rest = -number, -rest
+    return number, [(rest, 1), *factors]
+
+
+def _linear_variable(polynomial: Any) -> tuple[Any, Any] | None:
+    """a and b of p = a x + b, with x the variable that occurs in the fewest terms, and only to the first power."""
+    degrees = polynomial.degrees()
+    counts = [sum(map(bool, powers)) for powers in zip(*polynomial.keys(), strict=True)]
+    linear = [(n, k) for k, (degree, n) in enumerate(zip(degrees, counts, strict=True)) if degree == 1]
+    if not linear:
+        return None
+    _, k = min(linear)
+    ring = polynomial.ring
+    a = ring.from_dict({(*m[:k], 0, *m[k + 1 :]): c for m, c in polynomial.items() if m[k]})
+    b = ring.from_dict({m: c for m, c in polynomial.items() if not m[k]})
+    return a, b
+
+
 class _Variables:
     """The generators of a polynomial as variables of SymPy's sparse polynomials."""
 
@@ -100,9 +133,13 @@ class _Variables:
         """Sign and factors: the whole, its square-free and its irreducible factors."""
         if polynomial.is_ground:
             return [(int(polynomial.LC), [])]
+        number, factors = irreducible_factors(polynomial)
+        squarefree: dict[int, Any] = {}
+        for f, e in factors:
+            squarefree[e] = squarefree.get(e, 1) * f
         found = [(1, [(self._inside(polynomial), 1)])]
-        for number, factors in (polynomial.sqf_list(), polynomial.factor_list()):
-            found.append((int(number), [(self._inside(f), int(e)) for f, e in factors]))
+        for several in ([(f, e) for e, f in squarefree.items()], factors):
+            found.append((number, [(self._inside(f), e) for f, e in several]))
         return found
 
     def _inside(self, polynomial: Any) -> Polynomial:

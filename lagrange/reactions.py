@@ -304,6 +304,7 @@ def _on_surface(configuration: Configuration) -> Tidy:
         for f in configuration.finite_constraints
         if f.is_polynomial(*coordinates) and f.count_ops() <= MOST_CANCELLED
     ]
+    lowest = min((_degree(f, coordinates) for f in relations), default=0)
 
     def tidy(entry: sp.Expr) -> sp.Expr:
         formed = tidy_quotient(entry)
@@ -311,13 +312,24 @@ def _on_surface(configuration: Configuration) -> Tidy:
         if not relations or not moving or formed.count_ops() > MOST_CANCELLED:
             return formed
         numerator, denominator = sp.fraction(sp.together(formed))
-        reduced = [_reduced(e, relations, coordinates) for e in (numerator, denominator)]
+        reduced = [
+            e if _degree(e, coordinates) < lowest else _reduced(e, relations, coordinates)
+            for e in (numerator, denominator)
+        ]
         if reduced == [numerator, denominator] or reduced[1] == 0:
             return formed
         shorter = tidy_quotient(reduced[0] / reduced[1])
         return shorter if shorter.count_ops() < formed.count_ops() else formed
 
     return tidy
+
+
+def _degree(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> int:
+    """The degree in those of the coordinates that occur; as if it were large, where it is no polynomial."""
+    own = sorted(e.free_symbols.intersection(coordinates), key=lambda s: s.name)
+    if not own:
+        return 0
+    return int(sp.Poly(e, *own).total_degree()) if e.is_polynomial(*own) else MOST_CANCELLED
 
 
 def _reduced(e: sp.Expr, relations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> sp.Expr:

@@ -34,7 +34,7 @@ RECOGNISED = 60
 LARGEST_DENOMINATOR = 1000
 MOST_ATTEMPTS = 24
 """Sets of dependent coordinates for which Newton's iteration is tried."""
-MOST_SOLVED = 3
+MOST_SOLVED = 1
 """Constraints that are solved in symbols: roots of roots grow fast."""
 
 

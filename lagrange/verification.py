@@ -21,7 +21,7 @@ import sympy as sp
 
 from lagrange.classification import Classification
 from lagrange.comparison import System, affine_rows, compare, state, symbols_of
-from lagrange.displacements import Elimination
+from lagrange.displacements import Elimination, virtual_displacement
 from lagrange.dynamics import Method
 from lagrange.equations import EquationsOfMotion
 from lagrange.exact import Point, Surface, has_real_point
@@ -256,13 +256,11 @@ def _agrees_with_other(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, 
 
 
 def _displacements_hold(configuration: Configuration, elimination: Elimination) -> bool | None:
-    """A N = 0, where the columns of N are the solved displacements."""
-    columns = displacement_basis(elimination, len(configuration.slots.coordinates))
-    verdicts = [
-        configuration.states.is_zero(sp.Add(*(a * x for a, x in zip(row.coefficients, column, strict=True))))
-        for row in configuration.rows
-        for column in columns
-    ]
+    """Whether A δq is zero with the dependent δq put in, whatever the independent ones are."""
+    slots = configuration.slots
+    solved = dict(elimination.solved(slots))
+    moved = [virtual_displacement(row, slots).xreplace(solved) for row in configuration.rows]
+    verdicts = [configuration.states.is_zero(e) for e in moved]
     return False if False in verdicts else None if None in verdicts else True
 
 
