@@ -185,6 +185,8 @@ def _redundant(
     constraints: Sequence[Constraint], rows: Sequence[Row], surface: Surface, slots: Slots
 ) -> tuple[Redundancy, ...]:
     """The rows that raise the rank of those before them by nothing, as combinations of these."""
+    if rows and surface.rank([r.coefficients for r in rows]) == len(rows):
+        return ()
     found: list[Redundancy] = []
     independent: list[Row] = []
     for count, (constraint, row) in enumerate(zip(constraints, rows, strict=True), start=1):

@@ -15,7 +15,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import Enum, auto
-from functools import cached_property
 from typing import Any
 
 import sympy as sp
@@ -61,11 +60,10 @@ class System:
     equations: tuple[sp.Expr, ...]
     multipliers: tuple[sp.Symbol, ...] = ()
 
-    @cached_property
+    @property
     def accelerated_constraints(self) -> tuple[sp.Expr, ...]:
         """d/dt of the velocity form of each constraint."""
-        slots = self.configuration.slots
-        return tuple(slots.time_derivative(r.velocity_form(slots)) for r in self.configuration.rows)
+        return self.configuration.accelerated_constraints
 
 
 def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol] = ()) -> Comparison | None:

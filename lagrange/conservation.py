@@ -27,6 +27,7 @@ from lagrange.equations import EquationsOfMotion
 from lagrange.exact import DivisionByZeroError, Point
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.noether import Kind, Symmetry, candidates, symmetries
+from lagrange.notation import partial
 from lagrange.sampling import agreed
 from lagrange.terms import Exponent
 from lagrange.textbook import Textbook, textbook_form
@@ -122,22 +123,28 @@ def first_integral(motion: EquationsOfMotion, expression: sp.Expr) -> bool | Non
     Its rate must vanish with the accelerations that the equations give, at random admitted states. What is constant by
     the constraints alone is so too.
     """
-    return _vanishes_along(motion, motion.configuration.slots.time_derivative(expression))
+    return _vanish_along(motion, [motion.configuration.slots.time_derivative(expression)])[0]
 
 
-def _vanishes_along(motion: EquationsOfMotion, rate: sp.Expr) -> bool | None:
+def _vanish_along(motion: EquationsOfMotion, rates: Sequence[sp.Expr]) -> list[bool | None]:
+    """Which of several rates are zero along every motion: at states whose accelerations are found once for all."""
+    if not rates:
+        return []
     system = System(motion.configuration, motion.expressions)
-    expressions = (rate, *system.equations, *system.accelerated_constraints)
+    expressions = (*rates, *system.equations, *system.accelerated_constraints)
     symbols = symbols_of(expressions)
 
-    def holds(point: Point) -> bool | None:
+    def hold(point: Point) -> list[bool | None]:
         accelerated = with_accelerations(state(point, motion.configuration, symbols), system)
-        return None if accelerated is None else accelerated.is_zero(rate)
+        return [None if accelerated is None else accelerated.is_zero(r) for r in rates]
 
     try:
-        return agreed(motion.configuration.states, holds, expressions)
+        together = agreed(motion.configuration.states, hold, expressions)
     except DivisionByZeroError:
-        return None
+        together = None
+    if together is not None:
+        return together
+    return [_vanish_along(motion, [r])[0] for r in rates] if len(rates) > 1 else [None]
 
 
 def conserved(motion: Motion, multipliers: Mapping[str, sp.Symbol], frictions: Collection[str] = ()) -> Conserved:
@@ -181,16 +188,15 @@ class _Search:
         """The integrals, momenta first; the rate of the energy; what is cyclic and not conserved."""
         found = candidates(self.energies, self._columns())
         integrals = self._independent([self._integral(s) for s in symmetries(found, self.configuration)])
-        integrals = [replace(i, constant=self._is_constant(i.expression)) for i in integrals]
+        verdicts = self._are_constant([i.expression for i in integrals])
+        integrals = [replace(i, constant=v) for i, v in zip(integrals, verdicts, strict=True)]
         reached = {i.coordinate for i in integrals}
         bound: dict[sp.Symbol, sp.Expr] = {}
         undecided: list[sp.Symbol] = []
-        for k in self._cyclic():
-            coordinate = self.slots.coordinates[k]
-            if coordinate in reached:
-                continue
-            momentum = self.energies.form(self.energies.momenta[k])
-            verdict = self._is_constant(momentum)
+        cyclic = {k: q for k in self._cyclic() if (q := self.slots.coordinates[k]) not in reached}
+        momenta = [self.energies.form(self.energies.momenta[k]) for k in cyclic]
+        verdicts = self._are_constant(momenta)
+        for (k, coordinate), momentum, verdict in zip(cyclic.items(), momenta, verdicts, strict=True):
             if verdict is True:
                 new = Integral(Quantity.MOMENTUM, Because.NO_REACTION, momentum, coordinate, constant=True)
                 integrals += self._independent([new], [i for i in integrals if i.quantity not in _ENERGIES])
@@ -294,11 +300,11 @@ class _Search:
             return list(found)
         variables = [*self.slots.coordinates, *self.slots.velocities]
         relations = [r.velocity_form(self.slots) for r in rows] + [r.finite for r in rows if r.finite is not None]
-        known = [[f.diff(v) for v in variables] for f in relations]
+        known = [[partial(f, v) for v in variables] for f in relations]
         kept: list[Integral] = []
-        gradients = [[i.expression.diff(v) for v in variables] for i in before]
+        gradients = [[partial(i.expression, v) for v in variables] for i in before]
         for i in found:
-            gradient = [i.expression.diff(v) for v in variables]
+            gradient = [partial(i.expression, v) for v in variables]
             others = [] if i.quantity in _ENERGIES else gradients
             if self._adds([*known, *others], gradient):
                 kept.append(i)
@@ -319,9 +325,9 @@ class _Search:
 
     # -- along the motion ----------------------------------------------------------------------------------------------
 
-    def _is_constant(self, expression: sp.Expr) -> bool | None:
-        """Whether the rate of an expression vanishes with the accelerations that the equations give."""
-        return _vanishes_along(self.motion, self._rate(expression))
+    def _are_constant(self, expressions: Sequence[sp.Expr]) -> list[bool | None]:
+        """Whether the rates of expressions vanish with the accelerations that the equations give."""
+        return _vanish_along(self.motion, [self._rate(e) for e in expressions])
 
     def _rate(self, expression: sp.Expr) -> sp.Expr:
         """The time derivative, found once."""
@@ -342,7 +348,7 @@ class _Search:
         )
         rest = found.energy_rate - work + ring.from_sympy(found.damping)
         rate = sp.Add(found.form(rest), -found.damping)
-        if rate == 0 or self._is_constant(found.energy) is True:
+        if rate == 0 or self._are_constant([found.energy]) == [True]:
             return [Integral(Quantity.ENERGY, Because.DEPENDENT, found.energy, constant=True)], None
         holds = self._rate_holds(found.energy, rate)
         return [], EnergyRate(found.energy, rate if holds else None, tuple(r.name for r in self.driven), found.hidden)
@@ -351,7 +357,7 @@ class _Search:
         """Whether a rate is that of an expression, with the accelerations and multipliers of d'Alembert's principle."""
         difference = self._rate(expression) - rate
         if not self.driven:
-            return _vanishes_along(self.motion, difference)
+            return _vanish_along(self.motion, [difference])[0]
         rows = self.configuration.rows
         multipliers = tuple(self.multipliers[r.name] for r in rows)
         equations = [

@@ -66,6 +66,8 @@ def _check_regular(geometric: Sequence[Constraint], rows: Sequence[Row], surface
 
 def _clash_of_rates(pairs: Pairs, surface: Surface) -> Pairs:
     """The first constraint whose velocity form excludes those before it, with those that it needs for that."""
+    if not _clash([row for _, row in pairs], surface):
+        return []  # what excludes some of them excludes all
     for count in range(1, len(pairs) + 1):
         if _clash([row for _, row in pairs[:count]], surface):
             later = [(c, row) for c, row in pairs[count:] if row.finite is not None]

@@ -25,6 +25,9 @@ class Arithmetic(Protocol):
     def reduce(self, x: Any) -> Any:
         """The canonical form of a sum of products."""
 
+    def less(self, row: Sequence[Any], factor: Any, other: Sequence[Any]) -> Row:
+        """row − factor · other."""
+
     def inverse(self, x: Any) -> Any:
         """1/x. Raises ZeroDivisorError."""
 
@@ -54,8 +57,8 @@ def row_reduced(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> tuple[
         for n, row in enumerate(work):
             factor = row[column]
             if n != top and factor != 0:
-                work[n] = [arithmetic.reduce(x - factor * y) for x, y in zip(row, pivot, strict=True)]
-                work[n][column] = arithmetic.number(0)
+                row[column:] = arithmetic.less(row[column:], factor, pivot[column:])  # pivot has zeros before that
+                row[column] = arithmetic.number(0)
         pivots.append(column)
         if len(pivots) == len(work):
             break
@@ -78,12 +81,10 @@ class RowSpace:
 
     def residue(self, row: Sequence[Any]) -> Row:
         """What is left of a row modulo these; linear in the row."""
-        reduce = self.arithmetic.reduce
-        left = [reduce(x) for x in row]
+        left = [self.arithmetic.reduce(x) for x in row]
         for pivot, known in self._echelon:
-            c = left[pivot]
-            if c != 0:
-                left = [reduce(a - c * b) for a, b in zip(left, known, strict=True)]
+            if left[pivot] != 0:
+                left = self.arithmetic.less(left, left[pivot], known)
         return left
 
     def __contains__(self, row: Sequence[Any]) -> bool:

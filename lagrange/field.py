@@ -17,7 +17,7 @@ of degree d that is not zero vanishes at a random point with probability d/p); G
 from __future__ import annotations
 
 import random
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from functools import cache, cached_property
 from math import gcd, isqrt, prod
@@ -89,6 +89,11 @@ class PrimeField:
     def reduce(self, x: int) -> int:
         """The canonical residue."""
         return x % self.p
+
+    def less(self, row: Sequence[int], factor: int, other: Sequence[int]) -> list[int]:
+        """row − factor · other: what elimination spends its time on."""
+        p = self.p
+        return [(x - factor * y) % p for x, y in zip(row, other, strict=True)]
 
     def inverse(self, x: int) -> int:
         """1/x. Raises ZeroDivisorError."""

@@ -164,7 +164,7 @@ class Element:
 
     def by_exponents(self, places: Iterable[int]) -> dict[int, Element]:
         """The element split by its powers of some generators: packed power -> coefficient."""
-        chosen = frozenset(places)
+        chosen = places if isinstance(places, set) else frozenset(places)
         split: dict[int, Terms] = {}
         for (monomial, frequency), value in self.terms.items():
             part = pack((i, e) for i, e in unpack(monomial) if i in chosen)

@@ -205,6 +205,12 @@ class Configuration:
         """Where forms have their ranks: the surface, with `admitted_states` where forms depend on velocities."""
         return self.surface if is_pfaffian(self.rows) else admitted_states(self.rows, self.slots)
 
+    @cached_property
+    def accelerated_constraints(self) -> tuple[sp.Expr, ...]:
+        """d/dt of the velocity form of each row."""
+        slots = self.slots
+        return tuple(slots.time_derivative(r.velocity_form(slots)) for r in self.rows)
+
     def rewritten(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file's coordinates, velocities and accelerations in the present ones."""
         return expression.xreplace(self.substitution) if self.expressed else expression

@@ -11,6 +11,7 @@ Shapes: A (m, n), b (m,), x (n,).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Protocol
 
 import sympy as sp
@@ -69,18 +70,37 @@ def solved_linear(
     The equations must not contradict one another.
     """
     tidied = _Bounded(tidy or tidy_quotient)
-    width = len(rows[0]) if rows else 0
+    found: list[sp.Expr | None] = [None] * (len(rows[0]) if rows else 0)
     try:
-        work = [[tidied(e) for e in (*row, b)] for row, b in zip(rows, right, strict=True)]
-        pivot_of = _reduce(work, width, surface, tidied)
+        work = [[tidied(e) for e in row] for row in rows]
+        for block in _blocks(work):
+            part = [[*(work[r][c] for c in block.columns), tidied(right[r])] for r in block.rows]
+            width = len(block.columns)
+            for r, c in _reduce(part, width, surface, tidied).items():
+                if all(part[r][k] == 0 for k in range(width) if k != c):
+                    found[block.columns[c]] = part[r][width]
     except TooLargeError:
         return None
-    found: list[sp.Expr | None] = [None] * width
-    for r, c in pivot_of.items():
-        open_ones = [k for k in range(width) if k != c and work[r][k] != 0]
-        if not open_ones:
-            found[c] = work[r][width]
     return found
+
+
+@dataclass(frozen=True)
+class _Block:
+    """Equations that have unknowns in common, and all of these unknowns."""
+
+    rows: tuple[int, ...]
+    columns: tuple[int, ...]
+
+
+def _blocks(rows: Sequence[Sequence[sp.Expr]]) -> list[_Block]:
+    """Equations that can be solved apart from the others: those of each particle, where nothing ties them."""
+    tied: list[tuple[set[int], set[int]]] = []
+    for r, row in enumerate(rows):
+        columns = {c for c, e in enumerate(row) if e != 0}
+        together = [t for t in tied if not t[1].isdisjoint(columns)]
+        tied = [t for t in tied if t[1].isdisjoint(columns)]
+        tied.append(({r}.union(*(t[0] for t in together)), columns.union(*(t[1] for t in together))))
+    return [_Block(tuple(sorted(r)), tuple(sorted(c))) for r, c in tied if c]
 
 
 def solved_in_blocks(

@@ -193,6 +193,10 @@ class Field:
         """The remainder modulo the factor."""
         return x.rem(self.modulus)
 
+    def less(self, row: Sequence[Any], factor: Any, other: Sequence[Any]) -> list[sp.Poly]:
+        """row − factor · other."""
+        return [self.reduce(x - factor * y) for x, y in zip(row, other, strict=True)]
+
     def inverse(self, x: Any) -> sp.Poly:
         """1/x. Raises NotInvertible."""
         return x.invert(self.modulus)

@@ -17,7 +17,7 @@ import sympy as sp
 
 from lagrange.antiderivatives import LARGEST, antiderivative, multiplied_out
 from lagrange.exact import DivisionByZeroError, is_zero
-from lagrange.notation import Slots, Unspecified, base, t
+from lagrange.notation import Slots, Unspecified, base, partial, t
 
 Pairs = list[tuple[sp.Symbol, sp.Expr]]
 
@@ -58,7 +58,7 @@ def _vanishes(e: sp.Expr) -> bool:
 
 def differentiated(e: sp.Expr, v: sp.Symbol, slots: Slots) -> sp.Expr:
     """∂e/∂v; by t, prescribed motions go on."""
-    return slots.frozen_derivative(e) if v == t else sp.diff(e, v)
+    return slots.frozen_derivative(e) if v == t else partial(e, v)
 
 
 def cleared(f: sp.Expr, variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr:

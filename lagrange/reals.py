@@ -9,7 +9,7 @@ numbers, |angle| > 10^6 and powers above 10^4 make a point inadmissible, so that
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from random import Random
 from typing import Any, Self
 
@@ -54,6 +54,10 @@ class Reals:
     def reduce(self, x: Any) -> Any:
         """The number itself."""
         return x
+
+    def less(self, row: Sequence[Any], factor: Any, other: Sequence[Any]) -> list[Any]:
+        """row − factor · other."""
+        return [x - factor * y for x, y in zip(row, other, strict=True)]
 
     def inverse(self, x: Any) -> Any:
         """1/x. Raises ZeroDivisorError."""

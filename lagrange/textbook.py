@@ -14,7 +14,7 @@ Sums of cosines become products (`products.py`), parameter polynomials are split
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -49,6 +49,26 @@ class Part:
         return Term(self.number, multiplied(self.scale, self.shape)).to_sympy()
 
 
+class _Sorted:
+    """The generators of a ring that are of one kind; each is looked at once, as rings grow."""
+
+    def __init__(self, ring: Ring, wanted: Callable[[sp.Expr], bool]) -> None:
+        self._ring = ring
+        self._wanted = wanted
+        self._seen = 0
+        self._places: set[int] = set()
+
+    @property
+    def places(self) -> set[int]:
+        """Their numbers."""
+        generators = self._ring.generators
+        for i in range(self._seen, len(generators)):
+            if self._wanted(generators[i].expression):
+                self._places.add(i)
+        self._seen = len(generators)
+        return self._places
+
+
 class Textbook:
     """Writes the elements of one ring; keeps what it has written for the next equation.
 
@@ -62,13 +82,15 @@ class Textbook:
         self._merge = merge
         self._parameters = Parameters(ring, self.form)
         self._atoms: dict[Atom, tuple[int, sp.Expr]] = {}
+        self._displacements = _Sorted(ring, is_displacement)
+        self._dynamic = _Sorted(ring, self._is_dynamic)
         self._sums: dict[object, list[Part]] = {}
         self._rows: dict[object, list[Part]] = {}
 
     def form(self, expression: sp.Expr | Element) -> sp.Expr:
         """The textbook form."""
         element = self.ring.from_sympy(expression)
-        places = [i for i, g in enumerate(self.ring.generators) if is_displacement(g.expression)]
+        places = self._displacements.places
         summands = []
         for displacement, coefficient in element.by_exponents(places).items():
             parts = self._parts(coefficient)
@@ -86,7 +108,7 @@ class Textbook:
         return parts
 
     def _split(self, element: Element) -> list[Part]:
-        places = [i for i, g in enumerate(self.ring.generators) if self._is_dynamic(g.expression)]
+        places = self._dynamic.places
         parts = []
         for monomial, coefficient in element.by_exponents(places).items():
             if self.ring.is_zero(coefficient):  # denominators may hide that
