@@ -7,10 +7,11 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source
+from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source, nearest
 from lagrange.loader import read_source
 from lagrange.yaml_nodes import MAX_BYTES, decode
 from lagsolve import library
+from lagsolve.group import COMMANDS
 
 
 def problem_source(name: str) -> Source:
@@ -18,12 +19,31 @@ def problem_source(name: str) -> Source:
 
     Raises ProblemError where there is none.
     """
-    if name == "-":
-        return _standard_input()
+    return _standard_input() if name == "-" else read_source(problem_path(name))
+
+
+def problem_path(name: str) -> Path:
+    """The file of a problem: the file of that name, or that of a problem of the library.
+
+    Raises ProblemError where the library has none, or several; a file need not be there.
+    """
     named_as_file = name.endswith((".yaml", ".yml")) or os.path.exists(name)
     if named_as_file and not (os.path.isdir(name) and library.named(name)):
-        return read_source(Path(name))
-    return read_source(library.path_of(name))
+        return Path(name)
+    if not library.named(name):
+        raise ProblemError(_no_problem(name))
+    return library.path_of(name)
+
+
+def _no_problem(name: str) -> Diagnostic:
+    """That there is nothing of that name, and what may have been meant: a problem, a file, a command."""
+    known = {short: f"`{short}`" for short in library.short_names().values()}
+    known |= {p.name: f"`{p.name}`" for p in Path().iterdir() if p.suffix in (".yaml", ".yml")}
+    known |= {command: f"the command `{command}`" for command in COMMANDS}
+    near = nearest(name, known)
+    meant = f"did you mean {known[near]}? " if near else ""
+    help_ = f"{meant}`lagsolve list` shows the library, `lagsolve --help` the commands"
+    return Diagnostic("no-such-problem", f"there is no file and no shipped problem `{name}`", help=help_)
 
 
 def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragment, ...]:
