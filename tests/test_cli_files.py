@@ -240,7 +240,7 @@ def test_the_template_has_every_key() -> None:
     keys = set(re.findall(r"^#?(\w+):", TEMPLATE, re.MULTILINE))
     assert keys == set(SECTIONS) - {"equations"}
     assert "`equations: [...]`" in TEMPLATE
-    assert max(map(len, LINES)) <= 100
+    assert max(map(len, LINES)) <= 80
 
 
 @pytest.mark.parametrize("number", [n for n, line in enumerate(LINES) if UNUSED.match(line)])
@@ -248,7 +248,7 @@ def test_a_key_that_is_not_in_use_may_be_used(number: int) -> None:
     text = "\n".join([*LINES[:number], UNUSED.sub(r"\1", LINES[number]), *LINES[number + 1 :]])
     problem = read_problem(Source("template", text))
     assert problem.notes == ()
-    if "linearization" in LINES[number] or "frequencies" in LINES[number]:
+    if re.search("equilibrium|frequencies", LINES[number]):
         problem = read_problem(Source("template", text.replace("find: motion", "find: linearization")))
     shortcomings = [str(s) for s in report(problem, complete=False).shortcomings]
     assert all("answers, `equations` is wrong" in s for s in shortcomings), shortcomings  # another force acts
@@ -259,6 +259,29 @@ def test_all_keys_may_be_used_together() -> None:
         read_problem(Source("template", UNUSED.sub(r"\1", TEMPLATE)))
     except ProblemError as error:
         pytest.fail(error.show())
+
+
+# Names that are not there
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("pearl", "did you mean `pearl.yaml`?"),
+        ("bed.yaml", "did you mean `bead.yaml`?"),
+        ("./bed.yaml", "did you mean `bead.yaml`?"),
+        ("folder/woool.yaml", "did you mean `folder/wool.yaml`?"),
+        ("ex11.yaml", "did you mean `ex11`, which is a problem of the library?"),
+        ("nowhere/x.yaml", "check the name"),
+    ],
+)
+def test_what_a_name_may_mean(name: str, said: str, here: Path) -> None:
+    (here / "folder").mkdir()
+    for file in ("bead.yaml", "pearl.yaml", "folder/wool.yaml"):
+        (here / file).write_text(TEMPLATE)
+    result = run(name)
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert said in result.stderr
 
 
 # Shell completion

@@ -146,7 +146,7 @@ def on_terminal(arguments: list[str], env: Mapping[str, str]) -> bytes:
 
 
 @pytest.mark.parametrize("unbuffered", ["", "1"])
-@pytest.mark.parametrize("arguments", ["ex05", "list", "check ex05", "--help"])
+@pytest.mark.parametrize("arguments", ["ex05", "list", "check ex05", "--help", "schema", "new -", "completion fish"])
 def test_a_reader_that_has_gone(arguments: str, unbuffered: str) -> None:
     """`lagsolve ... | head -1`: a status of its own, since 1 says that an answer is wrong."""
     read, write = os.pipe()

@@ -37,8 +37,8 @@ MEGABYTES = click.IntRange(256)
     no_args_is_help=True,
     epilog="""\b
 A first problem of your own:
-  lagsolve new bead.yaml     write a template, or with --from ex11 a copy of a problem
-  lagsolve bead.yaml         solve it; with --watch again whenever you save it
+  lagsolve new bead.yaml     write a template, or a copy with --from ex11
+  lagsolve bead.yaml         solve it; with --watch whenever you save it
 
 Exit status of solving: 0 done, and every check held; 2 the command line or a file cannot be read, or contradicts
 itself; 3 not completed, undecided, or a check failed. Of check: 0 equivalent; 1 wrong, incomplete or trivial; 2

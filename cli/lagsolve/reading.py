@@ -19,7 +19,14 @@ def problem_source(name: str) -> Source:
 
     Raises ProblemError where there is none.
     """
-    return _standard_input() if name == "-" else read_source(problem_path(name))
+    if name == "-":
+        return _standard_input()
+    path = problem_path(name)
+    meant = _meant(path)
+    if meant:
+        found = Diagnostic("no-such-file", f"there is no file {path}", help=f"did you mean {meant}?")
+        raise ProblemError(found)
+    return read_source(path)
 
 
 def problem_path(name: str) -> Path:
@@ -35,12 +42,30 @@ def problem_path(name: str) -> Path:
     return library.path_of(name)
 
 
+def _meant(path: Path) -> str:
+    """Of a file that is not there: the one beside it that may be meant, or the shipped problem; empty where none is."""
+    if os.path.lexists(path):
+        return ""
+    if library.named(path.stem) and path.parent == Path():
+        return f"`{path.stem}`, which is a problem of the library"
+    near = nearest(path.name, _problem_files(path.parent))
+    return f"`{path.parent / near}`" if near else ""
+
+
+def _problem_files(folder: Path) -> list[str]:
+    """The names of the problem files in a folder; none where it cannot be read."""
+    try:
+        return [name for name in os.listdir(folder) if name.endswith((".yaml", ".yml"))]
+    except (OSError, ValueError):
+        return []
+
+
 def _no_problem(name: str) -> Diagnostic:
     """That there is nothing of that name, and what may have been meant: a problem, a file, a command."""
     known = {short: f"`{short}`" for short in library.short_names().values()}
-    known |= {p.name: f"`{p.name}`" for p in Path().iterdir() if p.suffix in (".yaml", ".yml")}
+    known |= {file: f"`{file}`" for file in _problem_files(Path())}
     known |= {command: f"the command `{command}`" for command in COMMANDS}
-    near = nearest(name, known)
+    near = f"{name}.yaml" if f"{name}.yaml" in known else nearest(name, known)
     meant = f"did you mean {known[near]}? " if near else ""
     help_ = f"{meant}`lagsolve list` shows the library, `lagsolve --help` the commands"
     return Diagnostic("no-such-problem", f"there is no file and no shipped problem `{name}`", help=help_)
