@@ -130,6 +130,7 @@ def test_it_has_the_words_of_the_loader() -> None:
 
 def test_every_key_is_described() -> None:
     for found in objects(SCHEMA):
+        assert found["title"]
         for key, part in found["properties"].items():
             assert re.fullmatch(r"[A-Z].*[.\]}]", part["description"]), key
 

@@ -38,9 +38,8 @@ def problem_schema() -> Schema:
     """The schema of a problem file."""
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "A problem for lagsolve",
         "description": "A mechanical system: coordinates, constraints, forces, and what is asked of it.",
-        **keyed(_sections(), required=("title", "coordinates")),
+        **keyed("A problem for lagsolve", _sections(), required=("title", "coordinates")),
         "$defs": _parts(),
     }
 
@@ -52,7 +51,9 @@ def _sections() -> dict[str, Schema]:
         "description": said("The system in words.", part("text")),
         "axes": said(
             "Words for the unit vectors, for the prose and the pictures: {i: right, j: up}.",
-            emptiable(keyed({axis: said(f"The direction of {axis}.", part("text")) for axis in "ijk"})),
+            emptiable(
+                keyed("words for the axes", {axis: said(f"The direction of {axis}.", part("text")) for axis in "ijk"})
+            ),
         ),
         "parameters": said(
             "Constants: a list of names, all positive, or each name with what is assumed of it.",
@@ -113,27 +114,30 @@ def _parts() -> dict[str, Schema]:
         "parameter": emptiable(
             one_of(ASSUMPTIONS),
             keyed(
+                "what a parameter is",
                 {
                     "assume": said("What is assumed of it; positive if nothing is said.", one_of(ASSUMPTIONS)),
                     "unit": said("Its unit, such as kg*m^2.", part("text")),
                     "meaning": said("What it is, in words.", part("text")),
                     "value": said("Its value, a rational number: 9.81, 1e-3, 2/3.", part("expression")),
-                }
+                },
             ),
         ),
         "coordinate": {
             "anyOf": [
                 part("text"),
                 keyed(
+                    "what a coordinate is",
                     {
                         "meaning": said("What it measures, in words.", part("text")),
                         "unit": said("Its unit.", part("text")),
-                    }
+                    },
                 ),
             ]
         },
         "frame": emptiable(_frame()),
         "particle": keyed(
+            "a particle",
             {
                 "mass": said("Its mass; without one it is a massless point.", part("expression")),
                 "position": said("Where it is.", part("vector")),
@@ -142,6 +146,7 @@ def _parts() -> dict[str, Schema]:
         ),
         "body": _body(),
         "constraint": keyed(
+            "a constraint in full",
             {
                 "equation": said("The equation; of vectors it counts as its components.", part("equation")),
                 "note": said("A remark, in words.", part("text")),
@@ -151,6 +156,7 @@ def _parts() -> dict[str, Schema]:
         ),
         "force": {"anyOf": list(_forces())},
         "choice": keyed(
+            "a choice of coordinates",
             {
                 "coordinates": said(
                     "Its coordinates: new ones, and old ones that it keeps.", {**names(), "minItems": 1}
@@ -168,6 +174,7 @@ def _parts() -> dict[str, Schema]:
 def _frame() -> Schema:
     """A frame lists as many coordinates as its type has."""
     form = keyed(
+        "a frame",
         {
             "type": said(
                 "One of cartesian, polar [r, phi], cylindrical [rho, phi, z] or spherical [r, theta, phi].",
@@ -200,6 +207,7 @@ def _body() -> Schema:
         "orientation": said(
             "In space: three rotations about axes of the body.",
             keyed(
+                "three rotations",
                 {
                     "axes": said(
                         "About which axes, in their order: 313.", {"enum": [v for s in SEQUENCES for v in (s, int(s))]}
@@ -213,6 +221,7 @@ def _body() -> Schema:
         "angular_velocity": said("With `axes`: the angular velocity, a vector.", part("vector")),
     }
     form = keyed(
+        "a rigid body",
         {
             "mass": said("Its mass; 0 if nothing is said.", part("expression")),
             "inertia": said(
@@ -259,7 +268,11 @@ def _forces() -> list[Schema]:
         "slip": said("The sense of the slip along the coordinate, when known.", part("sense")),
         "contact": said("The sign of the multiplier, when known.", part("sense")),
     }
-    return [keyed({k: keys[k] for k in (*must, *may)}, required=must) for must, may in FORCES.values()]
+    titles = {"vector": "a force", "potential": "a field of force", "friction": "Coulomb friction"}
+    return [
+        keyed(titles.get(kind, f"a {kind}"), {k: keys[k] for k in (*must, *may)}, required=must)
+        for kind, (must, may) in FORCES.items()
+    ]
 
 
 def _answers() -> Schema:
@@ -268,6 +281,7 @@ def _answers() -> Schema:
         "anyOf": [{"type": "integer", "minimum": 0, "maximum": 9999}, {"type": "string", "pattern": "^[0-9]{1,4}$"}]
     }
     return keyed(
+        "answers",
         {
             "degrees_of_freedom": said("How many there are.", number),
             "classification": said("Such as [holonomic, scleronomic].", one_or_list(one_of(CLASSES))),
@@ -278,5 +292,5 @@ def _answers() -> Schema:
             "frequencies": said(
                 "Of small oscillations; lists in a list are those of several equilibria.", part("alternatives")
             ),
-        }
+        },
     )

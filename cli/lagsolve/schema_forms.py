@@ -11,6 +11,8 @@ NAME = f"^[^0-9{_SIGNS}][^{_SIGNS}]*$"
 ARGUMENT = f"^[^0-9{_SIGNS}][^{_SIGNS}]*['′’]?$"
 WORDS_OF_YAML = ["boolean", "null"]
 """What YAML may take a name for: `true`, `null`."""
+_EXPLAINED = {"patternErrorMessage": "A name begins with a letter and has letters, digits and _."}
+"""No word of the standard: some editors show it in place of the pattern."""
 
 
 def part(name: str) -> Schema:
@@ -23,9 +25,9 @@ def said(description: str, schema: Schema) -> Schema:
     return {"description": description, **({"allOf": [schema]} if "$ref" in schema else schema)}
 
 
-def keyed(properties: dict[str, Schema], required: tuple[str, ...] = ()) -> Schema:
-    """A mapping with known keys."""
-    found: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
+def keyed(title: str, properties: dict[str, Schema], required: tuple[str, ...] = ()) -> Schema:
+    """A mapping with known keys; an editor offers it under its title."""
+    found: Schema = {"title": title, "type": "object", "properties": properties, "additionalProperties": False}
     return {**found, "required": list(required)} if required else found
 
 
@@ -36,12 +38,12 @@ def mapping(values: Schema) -> Schema:
 
 def named(values: Schema) -> Schema:
     """A mapping whose keys are names."""
-    return {**mapping(values), "propertyNames": {"pattern": NAME}}
+    return {**mapping(values), "propertyNames": {"pattern": NAME, **_EXPLAINED}}
 
 
 def name(pattern: str) -> Schema:
     """A name of this pattern. What YAML takes for a word of its own is not held to it."""
-    return {"type": ["string", *WORDS_OF_YAML], "pattern": pattern}
+    return {"type": ["string", *WORDS_OF_YAML], "pattern": pattern, **_EXPLAINED}
 
 
 def names() -> Schema:
