@@ -430,7 +430,7 @@ def test_help(flag: str) -> None:
         assert page.startswith(f"Usage: lagsolve {command}")
         assert run("help", command).stdout == page
         assert ("Exit status" in page) == (command in ("solve", "check", "grade"))
-    assert run("help").stdout == result.stdout
+    assert run("help").stdout == run("help", "nonsense").stdout == result.stdout
 
 
 def test_a_misspelt_command_is_answered_by_the_nearest() -> None:

@@ -151,6 +151,7 @@ def test_show_says_that_it_knows_shipped_problems_only(here: Path) -> None:
     result = run("show", "mine.yaml")
     assert (result.exit_code, result.stdout) == (2, "")
     assert "there is no shipped problem `mine.yaml`" in result.stderr
+    assert "`lagsolve list statics` shows its problems" in run("show", "statics").stderr
 
 
 # new
@@ -273,6 +274,8 @@ def test_all_keys_may_be_used_together() -> None:
         ("folder/woool.yaml", "did you mean `folder/wool.yaml`?"),
         ("ex11.yaml", "did you mean `ex11`, which is a problem of the library?"),
         ("nowhere/x.yaml", "check the name"),
+        ("statics", "`lagsolve list statics` shows its problems"),
+        ("statics/", "`lagsolve list statics` shows its problems"),
     ],
 )
 def test_what_a_name_may_mean(name: str, said: str, here: Path) -> None:

@@ -24,7 +24,7 @@ class CommandLine(click.Group):
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Puts `solve` in front where no command is named; `help COMMAND` is `COMMAND --help`."""
         if args[:1] == ["help"]:
-            args = [*args[1:2], "--help"]
+            args = [*(name for name in args[1:2] if name in self.commands), "--help"]
         if args and args[0] not in self.commands and args[0] not in FLAGS:
             args = ["solve", *args]
         return super().parse_args(ctx, args)

@@ -87,8 +87,15 @@ def path_of(name: str) -> Path:
         raise ProblemError(Diagnostic("several-problems", message, help="write the whole name"))
     near = nearest(name, short_names().values())
     meant = f"did you mean `{near}`? " if near else ""
-    help_ = f"{meant}`lagsolve list` shows the library"
+    help_ = topic_hint(name) or f"{meant}`lagsolve list` shows the library"
     raise ProblemError(Diagnostic("no-such-problem", f"there is no shipped problem `{name}`", help=help_))
+
+
+def topic_hint(name: str) -> str:
+    """What to do where the name is that of a topic; empty where it is none."""
+    topic = name.rstrip("/")
+    known = {n.rpartition("/")[0] for n in entries()}
+    return f"`{topic}` is a topic: `lagsolve list {topic}` shows its problems" if topic in known else ""
 
 
 def title_of(path: Path) -> str:

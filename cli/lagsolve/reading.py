@@ -67,7 +67,7 @@ def _no_problem(name: str) -> Diagnostic:
     known |= {command: f"the command `{command}`" for command in COMMANDS}
     near = f"{name}.yaml" if f"{name}.yaml" in known else nearest(name, known)
     meant = f"did you mean {known[near]}? " if near else ""
-    help_ = f"{meant}`lagsolve list` shows the library, `lagsolve --help` the commands"
+    help_ = library.topic_hint(name) or f"{meant}`lagsolve list` shows the library, `lagsolve --help` the commands"
     return Diagnostic("no-such-problem", f"there is no file and no shipped problem `{name}`", help=help_)
 
 
