@@ -127,6 +127,8 @@ def test_a_page_has_headings_in_the_order_of_the_index() -> None:
         "      motion\n"
     )
     whole = page(80, whole=True)
+    assert "The first\n      A sentence" in whole
+    assert "\n\n  two-with" in whole
     assert " ".join(LONG.split()) in " ".join(whole.split())
     assert "A sentence that says what one learns from this one." in whole
     assert "\x1b[1mthree\x1b[0m" in page(80, styled=True)

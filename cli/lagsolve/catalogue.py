@@ -1,8 +1,9 @@
 """The library as a list: pages for a terminal, lines for a pipe.
 
 On a terminal every topic has a heading, and a problem two lines: name and title; what is asked and the source, cut
-where it is too long. In a pipe a problem is one line with five columns between tabs: name, title, what is asked,
-source, what it exercises; whatever happens to the page, these stay.
+where it is too long. At length it has its source in full, and before it what one learns from it. In a pipe a problem is
+one line with five columns between tabs: name, title, what is asked, source, what it exercises; whatever happens to the
+page, these stay.
 """
 
 from __future__ import annotations
@@ -42,12 +43,14 @@ def _part(
     heading = f"{topic}: {says.topics[topic]}" if says.topics.get(topic) else topic
     yield from (_bold(line, styled) for line in textwrap.wrap(heading, width))
     column = max(len(called[e.name]) for e in found) + 4
-    for entry in found:
+    for number, entry in enumerate(found):
+        if whole and number:
+            yield ""
         yield from _named(called[entry.name], entry.title, column, width, styled)
-        asked = ", ".join(entry.asked)
-        yield from _told(f"{asked}; {entry.source}" if entry.source else asked, width, whole)
         if whole and entry.exercises:
             yield from _told(entry.exercises, width, whole)
+        asked = ", ".join(entry.asked)
+        yield from _told(f"{asked}; {entry.source}" if entry.source else asked, width, whole)
 
 
 def _named(name: str, title: str, column: int, width: int, styled: bool) -> Iterator[str]:
