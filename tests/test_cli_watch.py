@@ -156,9 +156,9 @@ def test_what_cannot_be_written_is_no_end(file: Path, capsys: pytest.CaptureFixt
 
 
 def test_several_problems_and_shipped_ones(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    watch("ex05", "a.yaml", editor=Editor(saved(file, TWO), nothing))
+    watch("ex05", "a.yaml", "ex05", editor=Editor(saved(file, TWO), nothing))
     out, said = capsys.readouterr()
-    assert out.count("Ice skate") == 2
+    assert out.count("Ice skate") == 4
     assert out.index(" One") < out.index(" Two")
     assert f"watching {PROBLEMS / 'chapter6' / 'ex05-ice-skate.yaml'} a.yaml; Ctrl-C ends it" in said
 
@@ -230,6 +230,7 @@ def test_there_is_a_thread_on_a_terminal_only(
 ) -> None:
     monkeypatch.setattr(sys, "stderr", stream())
     monkeypatch.setenv("TERM", term)
+    monkeypatch.setattr(stages, "PATIENCE", 3600.0)
     before = threading.active_count()
     with stages.stage_shown():
         assert threading.active_count() == before + threads

@@ -30,7 +30,7 @@ def watch_for_ever(task: Task, wait: Callable[[], None] = lambda: time.sleep(PER
     """
     from lagsolve.reading import problem_path
 
-    paths = [problem_path(name) for name in task.problems]
+    paths = list(dict.fromkeys(problem_path(name) for name in task.problems))
     where = task.destination.path
     watched = f"watching {' '.join(shlex.quote(str(p)) for p in paths)}; Ctrl-C ends it"
     for again in changes(paths, wait):
