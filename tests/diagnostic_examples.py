@@ -135,6 +135,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "too-many-values": ("A file has 20,000 values at most.", None),
     "unknown-alias": ("A value that begins with `*` must be quoted.", None),
     "unreadable-file": ("The system does not let the file be read.", None),
+    "file-exists": ("`lagsolve new` writes over no file.", None),
+    "no-such-folder": ("Make the folder.", Command(("new", "mechanics/pendulum.yaml"))),
     "cannot-write": ("The output cannot be written there.", None),
     # -- the problem -------------------------------------------------------------------------------------------------
     "axes": ("A triad has three vectors.", None),

@@ -51,11 +51,13 @@ LAYERS = {
     "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
         render.aligned render.letters_of_vectors render.tikz render.latex render.markdown render.style_mathml render.formulas render.svg render.stylesheet render.html""",
     "reports": "report render.json_linear render.json_motion render.json render.verdict",
-    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.library lagsolve.reading
+    "the command": """lagsolve lagsolve.status lagsolve.group lagsolve.stages lagsolve.library lagsolve.catalogue
+        lagsolve.reading lagsolve.completing lagsolve.schema_forms lagsolve.schema lagsolve.template
         lagsolve.grading lagsolve.grading.child lagsolve.grading.worker lagsolve.grading.pool lagsolve.grading.examining
         lagsolve.grading.submissions lagsolve.grading.batch lagsolve.grading.rows lagsolve.grading.feedback
         lagsolve.grading.journal lagsolve.grading.progress lagsolve.grading.cluster lagsolve.grading.order
-        lagsolve.output lagsolve.main lagsolve.__main__""",
+        lagsolve.output lagsolve.beginning lagsolve.files lagsolve.solving lagsolve.watching lagsolve.main
+        lagsolve.__main__""",
 }
 """A module imports only what stands before it."""
 
@@ -66,7 +68,10 @@ FOR_TYPES_ONLY = {
 """Imports the other way, under TYPE_CHECKING."""
 
 ROOMS = {
-    "click": {"lagsolve.main", "lagsolve.group", "lagsolve.output", "lagsolve.status"},
+    "click": {
+        *("lagsolve.main", "lagsolve.group", "lagsolve.output", "lagsolve.status", "lagsolve.files"),
+        *("lagsolve.completing", "lagsolve.beginning"),
+    },
     "rich": {
         "lagrange.render.pretty",
         "lagrange.render.paragraphs",

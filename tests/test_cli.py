@@ -6,6 +6,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -19,6 +20,7 @@ from lagrange.diagnostics import UndecidedError
 from lagrange.solution import Solution, solve
 from lagrange.verification import Check
 from lagsolve import library
+from lagsolve.group import COMMANDS
 from lagsolve.main import main
 
 SKATE = "ex05-ice-skate"
@@ -187,7 +189,7 @@ def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None
         (["--vectors", "arrow"], "--vectors goes with --format latex or markdown"),
         (["--format", "docx"], "'docx' is not one of"),
         (["--method", "magic"], "'magic' is not one of"),
-        (["--watch"], "--watch is not there yet"),
+        (["--watch", "-"], "--watch needs a file"),
         (["--detail", "all"], "'all' is not one of"),
         (["--nonsense"], "No such option"),
         (["-", "-"], "standard input cannot be two problems"),
@@ -200,14 +202,6 @@ def test_what_the_command_line_cannot_mean(arguments: list[str], said: str, file
     assert (result.exit_code, result.stdout) == (2, "")
     assert said in result.stderr
     assert Path(text).read_text() == OSCILLATOR
-
-
-@pytest.mark.parametrize("command", ["new file --from ex11", "schema"])
-def test_commands_that_are_not_there_yet(command: str) -> None:
-    result = run(*command.split())
-    assert (result.exit_code, result.stdout) == (2, "")
-    assert f"`lagsolve {command.split()[0]}`" in result.stderr
-    assert "is not there yet" in result.stderr
 
 
 def test_no_arguments_are_answered_by_the_help() -> None:
@@ -281,14 +275,10 @@ def test_nothing_is_wider_than_the_terminal(columns: int) -> None:
     env = {"COLUMNS": str(columns)}
     for arguments in ([PENDULUM], ["check", PENDULUM, "-e", "theta'' + g/l*sin(theta) + " * 9 + "theta'' = 0"]):
         assert 0 < widest(run(*arguments, env=env).stdout) <= columns
-    if columns >= 40:  # a name is not broken
-        assert widest(run("list", env=env).stdout) <= columns
 
 
-def test_without_a_terminal_lines_have_80_columns_and_the_list_is_not_broken() -> None:
+def test_without_a_terminal_lines_have_80_columns() -> None:
     assert 70 < widest(run(PENDULUM).stdout) <= 80
-    assert len(run("list").stdout.splitlines()) == len(library.entries())
-    assert len(run("list", env={"COLUMNS": "40"}).stdout.splitlines()) >= 2 * len(library.entries())
 
 
 # What goes where, and exit statuses
@@ -417,18 +407,6 @@ def test_an_interruption_is_no_traceback(monkeypatch: pytest.MonkeyPatch) -> Non
 # list, show, help, version
 
 
-def test_list() -> None:
-    everything = run("list")
-    assert everything.exit_code == 0
-    assert [line.split()[0] for line in everything.stdout.splitlines()] == list(library.entries())
-    assert "Ideal pendulum (Chapter 6, Ex. 11)" in everything.stdout
-    one = run("list", "ICE", "sideways", "chapter6/")
-    assert [line.split()[0] for line in one.stdout.splitlines()] == [f"chapter6/{SKATE}"]
-    none = run("list", "xyzzy")
-    assert (none.exit_code, none.stdout) == (0, "")
-    assert "`xyzzy`" in none.stderr
-
-
 def test_show() -> None:
     path = PROBLEMS / "chapter6" / f"{SKATE}.yaml"
     assert run("show", "ex05").stdout == path.read_text(encoding="utf-8")
@@ -442,11 +420,21 @@ def test_show() -> None:
 def test_help(flag: str) -> None:
     result = run(flag)
     assert (result.exit_code, result.stderr) == (0, "")
-    for word in ("lagsolve PROBLEM...", "--format", "--detail", "--choice", "check", "list", "show", "--version"):
+    for word in ("lagsolve PROBLEM...", "--format", "--detail", "--choice", "--watch", "--version", "Exit status"):
         assert word in result.stdout
-    assert "--watch" not in result.stdout
-    for command in ("solve", "check", "list", "show"):
-        assert run(command, flag).stdout.startswith(f"Usage: lagsolve {command}")
+    listed = re.findall(r"^  (\w+)  +[A-Z].*[.]$", result.stdout.partition("Commands:")[2], re.MULTILINE)
+    assert tuple(listed) == COMMANDS
+    assert set(COMMANDS) == set(main.commands)
+    for command in COMMANDS:
+        page = run(command, flag).stdout
+        assert page.startswith(f"Usage: lagsolve {command}")
+        assert run("help", command).stdout == page
+        assert ("Exit status" in page) == (command in ("solve", "check", "grade"))
+    assert run("help").stdout == run("help", "nonsense").stdout == result.stdout
+
+
+def test_a_misspelt_command_is_answered_by_the_nearest() -> None:
+    assert "did you mean the command `check`?" in run("chekc", "ex11").stderr
 
 
 def test_version() -> None:

@@ -51,14 +51,18 @@ def test_both_ways_to_start_it(skate: bytes) -> None:
 
 # What is loaded
 
-LIGHT = "list list+ice -h --help --version show+ex05 grade grade+--help check+--help solve+--help ex05+--watch ex05+--format+docx"
+LIGHT = (
+    "list list+ice list+--long -h --help --version show+ex05 grade grade+--help check+--help solve+--help help ex05+--format+docx"
+    " -+--watch new+- new+-+--from+ex05 schema completion+bash"
+)
 
 
 @pytest.mark.parametrize("arguments", LIGHT.split())
 def test_sympy_is_not_loaded_before_it_is_needed(arguments: str) -> None:
     loaded = modules(arguments.split("+"))
     assert "lagsolve.main" in loaded
-    assert not loaded & {"sympy", "mpmath", "rich", "lagrange"}
+    assert not loaded & {"sympy", "mpmath", "rich", "lagrange.loader"}
+    assert arguments.startswith("new") or "lagrange" not in loaded
 
 
 def test_help_loads_click_and_little_more() -> None:
@@ -66,7 +70,7 @@ def test_help_loads_click_and_little_more() -> None:
     click = modules(None)
     more = modules(["--help"]) - click
     own = {name for name in more if name.split(".")[0] == "lagsolve"}
-    assert own == {"lagsolve", "lagsolve.main", "lagsolve.group", "lagsolve.status"}
+    assert own == {"lagsolve", *(f"lagsolve.{m}" for m in ("main", "files", "completing", "group", "status"))}
     assert not more & {"pathlib", "dataclasses", "subprocess", "json", "yaml", "difflib", "importlib.metadata"}
     assert len(more) < 25, sorted(more)
 
@@ -142,7 +146,7 @@ def on_terminal(arguments: list[str], env: Mapping[str, str]) -> bytes:
 
 
 @pytest.mark.parametrize("unbuffered", ["", "1"])
-@pytest.mark.parametrize("arguments", ["ex05", "list", "check ex05", "--help"])
+@pytest.mark.parametrize("arguments", ["ex05", "list", "check ex05", "--help", "schema", "new -", "completion fish"])
 def test_a_reader_that_has_gone(arguments: str, unbuffered: str) -> None:
     """`lagsolve ... | head -1`: a status of its own, since 1 says that an answer is wrong."""
     read, write = os.pipe()

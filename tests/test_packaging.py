@@ -104,7 +104,7 @@ def test_its_metadata(wheel: Path, contents: set[str]) -> None:
     with zipfile.ZipFile(wheel) as archive:
         [entry] = (name for name in contents if name.endswith("entry_points.txt"))
         [metadata] = (name for name in contents if name.endswith(".dist-info/METADATA"))
-        assert "lagsolve = lagsolve.main:main" in archive.read(entry).decode()
+        assert "lagsolve = lagsolve.__main__:run" in archive.read(entry).decode()
         lines = archive.read(metadata).decode().splitlines()
     dependencies = [line.partition(": ")[2] for line in lines if line.startswith("Requires-Dist: ")]
     assert {d.split(">")[0] for d in dependencies if "extra ==" not in d} == {"sympy", "click", "rich", "pyyaml"}
@@ -116,7 +116,7 @@ def test_the_command_works_elsewhere(installed: Path, tmp_path: Path) -> None:
     assert where.startswith(str(installed.parent))
     assert (installed / "lagsolve").read_text().startswith(f"#!{installed}/python")
     names = [line.split()[0] for line in run(installed / "lagsolve", "list", folder=tmp_path).splitlines()]
-    assert names == sorted(str(p.relative_to(PROBLEMS).with_suffix("")) for p in PROBLEMS.rglob("*.yaml"))
+    assert names == sorted(str(p.relative_to(PROBLEMS).with_suffix("")) for p in PROBLEMS.glob("*/*.yaml"))
     solved = json.loads(run(installed / "lagsolve", "ex11-ideal-pendulum", "--format", "json", folder=tmp_path))
     assert solved["degrees_of_freedom"] == 1
     assert all(check["passed"] for check in solved["checks"])

@@ -1,5 +1,18 @@
-"""`python -m lagsolve`."""
+"""The program: `lagsolve` and `python -m lagsolve`. Ctrl-C ends it without a traceback from its first line on."""
 
-from lagsolve.main import main
+import sys
 
-main(prog_name="lagsolve")
+
+def run() -> None:
+    """Runs the command line."""
+    try:
+        from lagsolve.main import main
+
+        main(prog_name="lagsolve")
+    except KeyboardInterrupt:
+        sys.stderr.write("interrupted\n")
+        sys.exit(130)  # status.INTERRUPTED, which may not be there yet
+
+
+if __name__ == "__main__":
+    run()

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from lagsolve.status import BROKEN_PIPE, INTERRUPTED, complain, use_utf8
 
-NOT_YET = {
-    "new": "writing a commented template",
-    "schema": "a JSON Schema of problem files",
-}
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+COMMANDS = ("solve", "check", "grade", "list", "show", "new", "schema", "completion")
+"""In the order in which the page of help has them."""
+
 FLAGS = ("-h", "--help", "--version")
 
 
@@ -20,12 +22,28 @@ class CommandLine(click.Group):
     """Commands, of which `solve` need not be named."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Puts `solve` in front where no command is named."""
-        if args and args[0] in NOT_YET:
-            ctx.fail(f"`lagsolve {args[0]}` ({NOT_YET[args[0]]}) is not there yet")
+        """Puts `solve` in front where no command is named; `help COMMAND` is `COMMAND --help`."""
+        if args[:1] == ["help"]:
+            args = [*(name for name in args[1:2] if name in self.commands), "--help"]
         if args and args[0] not in self.commands and args[0] not in FLAGS:
             args = ["solve", *args]
         return super().parse_args(ctx, args)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        """The commands, those first that are needed first."""
+        return [c for c in COMMANDS if c in self.commands]
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """What may begin the command line: a command, or what may follow `solve`.
+
+        That a file is wanted comes first: bash forgets what stands before it.
+        """
+        solving = click.Context(self.commands["solve"], parent=ctx, info_name="solve")
+        if incomplete.startswith("-"):
+            options = (*super().shell_complete(ctx, incomplete), *solving.command.shell_complete(solving, incomplete))
+            return list({option.value: option for option in options}.values())
+        [problems] = (p for p in solving.command.params if p.name == "problems")
+        return [*problems.shell_complete(solving, incomplete), *super().shell_complete(ctx, incomplete)]
 
     def invoke(self, ctx: click.Context) -> Any:
         """Runs a command. Whatever goes wrong is shown as a message, and has its exit status."""

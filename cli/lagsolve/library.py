@@ -1,11 +1,51 @@
-"""The shipped library of problems: where it is, and finding a problem by name."""
+"""The shipped library of problems: where it is, finding a problem by name or by words, what each is about.
+
+A folder of the library is a topic. `index.yaml` beside the folders has a heading for each, and a sentence on what a
+problem exercises; a library without it has the folders' names.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 HERE = Path(__file__).resolve().parent
+QUESTIONS = ("constraints", "equilibrium", "motion", "linearization")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One shipped problem, as it is listed.
+
+    name       with its topic: `chapter6/ex11-ideal-pendulum`
+    asked      what is to be found, as `find` says, or what follows where the file does not say it
+    exercises  what one learns from it; empty where the index has nothing
+    """
+
+    name: str
+    title: str
+    source: str
+    asked: tuple[str, ...]
+    exercises: str
+
+    @property
+    def topic(self) -> str:
+        """The folder that it stands in."""
+        return self.name.rpartition("/")[0]
+
+
+@dataclass(frozen=True)
+class Index:
+    """What `index.yaml` says: headings of the topics, in their order, and what problems exercise."""
+
+    topics: Mapping[str, str]
+    exercises: Mapping[str, str]
+
+    def exercised(self, name: str) -> str:
+        """What a problem exercises. The index may name it with its topic or without."""
+        return self.exercises.get(name) or self.exercises.get(name.rpartition("/")[2], "")
 
 
 def root() -> Path:
@@ -17,7 +57,7 @@ def root() -> Path:
 def entries() -> dict[str, Path]:
     """name -> file of every shipped problem; the name is `chapter6/ex11-ideal-pendulum`."""
     base = root()
-    named = {p.relative_to(base).with_suffix("").as_posix(): p for p in base.rglob("*.yaml")}
+    named = {p.relative_to(base).with_suffix("").as_posix(): p for p in base.glob("*/**/*.yaml")}
     return dict(sorted(named.items()))
 
 
@@ -26,6 +66,13 @@ def named(name: str) -> dict[str, Path]:
     known = entries()
     exact = {n: p for n, p in known.items() if f"/{n}".endswith(f"/{name}")}
     return exact or {n: p for n, p in known.items() if f"/{name}-" in f"/{n}"}
+
+
+def short_names() -> dict[str, str]:
+    """name -> the shortest that means this problem and no other: its last part, where no two problems share it."""
+    known = list(entries())
+    last = [n.rpartition("/")[2] for n in known]
+    return {n: short if last.count(short) == 1 else n for n, short in zip(known, last, strict=True)}
 
 
 def path_of(name: str) -> Path:
@@ -38,22 +85,69 @@ def path_of(name: str) -> Path:
     if found:
         message = f"`{name}` may be any of {', '.join(f'`{n}`' for n in found)}"
         raise ProblemError(Diagnostic("several-problems", message, help="write the whole name"))
-    near = nearest(name, [n.rsplit("/", 1)[-1] for n in entries()])
+    near = nearest(name, short_names().values())
     meant = f"did you mean `{near}`? " if near else ""
-    help_ = f"{meant}`lagsolve list` shows the library, `lagsolve --help` the commands"
-    raise ProblemError(Diagnostic("no-such-problem", f"there is no file and no shipped problem `{name}`", help=help_))
+    help_ = topic_hint(name) or f"{meant}`lagsolve list` shows the library"
+    raise ProblemError(Diagnostic("no-such-problem", f"there is no shipped problem `{name}`", help=help_))
 
 
-def containing(words: Sequence[str]) -> dict[str, Path]:
-    """The problems in whose name or text every word occurs, small or capital letters alike."""
-    wanted = [w.casefold() for w in words]
-    texts = {n: f"{n}\n{p.read_text(encoding='utf-8')}".casefold() for n, p in entries().items()}
-    return {n: p for n, p in entries().items() if all(w in texts[n] for w in wanted)}
+def topic_hint(name: str) -> str:
+    """What to do where the name is that of a topic; empty where it is none."""
+    topic = name.rstrip("/")
+    known = {n.rpartition("/")[0] for n in entries()}
+    return f"`{topic}` is a topic: `lagsolve list {topic}` shows its problems" if topic in known else ""
 
 
-def title_and_source(path: Path) -> tuple[str, str]:
-    """What a problem is called, and where it is from."""
+def title_of(path: Path) -> str:
+    """The title of a shipped problem, read from its line; empty where it has no such line."""
+    with path.open(encoding="utf-8") as lines:
+        return next((line.partition(":")[2].strip().strip("\"'") for line in lines if line.startswith("title:")), "")
+
+
+def index() -> Index:
+    """What the index says; nothing where there is none."""
+    path = root() / "index.yaml"
+    said = _loaded(path.read_text(encoding="utf-8")) if path.is_file() else None
+    parts = (said or {}).get("topics"), (said or {}).get("exercises")
+    topics, exercises = ({k: " ".join(v.split()) for k, v in (part or {}).items()} for part in parts)
+    return Index(topics, exercises)
+
+
+def containing(words: Sequence[str], says: Index | None = None) -> tuple[Entry, ...]:
+    """The problems in whose name, text, topic or exercise every word occurs, small or capital letters alike."""
+    says = says or index()
+    return tuple(_found([w.casefold() for w in words], says))
+
+
+def _found(wanted: Sequence[str], says: Index) -> Iterator[Entry]:
+    for name, path in entries().items():
+        text = path.read_text(encoding="utf-8")
+        searched = f"{name}\n{text}\n{says.topics.get(name.rpartition('/')[0], '')}\n{says.exercised(name)}".casefold()
+        if all(word in searched for word in wanted):
+            yield _entry(name, _loaded(text), says)
+
+
+def _entry(name: str, document: Mapping[str, Any], says: Index) -> Entry:
+    title, source = (" ".join(document.get(key, "").split()) for key in ("title", "source"))
+    return Entry(name, title, source, _asked(document), says.exercised(name))
+
+
+def _asked(document: Mapping[str, Any]) -> tuple[str, ...]:
+    """`find`, or what the loader takes for it: motion where there are masses, equilibrium where there are forces
+    without masses, constraints otherwise.
+    """
+    find = document.get("find")
+    if find:
+        return (find,) if isinstance(find, str) else tuple(find)
+    particles, bodies = (document.get(key) or {} for key in ("particles", "bodies"))
+    masses = [thing.get("mass") for thing in (*particles.values(), *bodies.values())]
+    if any(mass not in (None, "0") for mass in masses) or bodies or document.get("equations"):
+        return ("motion",)
+    return ("equilibrium",) if document.get("forces") else ("constraints",)
+
+
+def _loaded(text: str) -> Any:
+    """YAML in which every value is text."""
     import yaml
 
-    document = yaml.load(path.read_text(encoding="utf-8"), Loader=getattr(yaml, "CBaseLoader", yaml.BaseLoader))
-    return document["title"], document.get("source", "")
+    return yaml.load(text, Loader=getattr(yaml, "CBaseLoader", yaml.BaseLoader))

@@ -1,4 +1,4 @@
-"""The command `lagsolve`: solve (the default), check, grade, list, show.
+"""The command `lagsolve`: solve (the default), check, grade; the others are in `files.py`.
 
 The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
 1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.
@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING
 
 import click
 
+from lagsolve import completing
+from lagsolve.files import COMMANDS
 from lagsolve.group import CommandLine
-from lagsolve.status import INTERRUPTED, OK, UNDECIDED, complain, say
+from lagsolve.status import INTERRUPTED, OK, UNDECIDED, say
 
 if TYPE_CHECKING:
     from lagrange.checked import CheckedAnswer
     from lagrange.checking import Examiner
-    from lagrange.report import Report
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
@@ -34,7 +35,16 @@ MEGABYTES = click.IntRange(256)
     cls=CommandLine,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     no_args_is_help=True,
-    epilog="A file that is called like a command is `./check`.",
+    epilog="""\b
+A first problem of your own:
+  lagsolve new bead.yaml     write a template, or a copy with --from ex11
+  lagsolve bead.yaml         solve it; with --watch whenever you save it
+
+Exit status of solving: 0 done, and every check held; 2 the command line or a file cannot be read, or contradicts
+itself; 3 not completed, undecided, or a check failed. Of check: 0 equivalent; 1 wrong, incomplete or trivial; 2
+unreadable; 3 undecided. Of both: 130 interrupted by Ctrl-C.
+
+A file that is called like a command is `./check`.""",
 )
 @click.version_option(package_name="lagsolve", prog_name="lagsolve")
 def main() -> None:
@@ -46,15 +56,17 @@ def main() -> None:
 
 
 @main.command(short_help="The default: derive and check the equations of each PROBLEM.")
-@click.argument("problems", nargs=-1, required=True, metavar="PROBLEM...")
+@click.argument("problems", nargs=-1, required=True, metavar="PROBLEM...", shell_complete=completing.problems)
 @click.option("--format", "format_", type=click.Choice(FORMATS), help="Default: pretty, or what the ending of -o says.")
-@click.option("-o", "--output", metavar="FILE", help="Write to a file: .tex .md .html .json .txt")
+@click.option(
+    "-o", "--output", metavar="FILE", shell_complete=completing.files, help="Write to a file: .tex .md .html .json .txt"
+)
 @click.option("--fragment", is_flag=True, help="LaTeX without preamble, to be \\input in your own notes.")
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
 @click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
 @click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
-@click.option("--watch", is_flag=True, hidden=True)
+@click.option("--watch", is_flag=True, help="Solve again whenever a file is saved; Ctrl-C ends it.")
 def solve(
     problems: tuple[str, ...],
     format_: str | None,
@@ -66,58 +78,33 @@ def solve(
     vectors: str | None,
     watch: bool,
 ) -> None:
-    """Derive and check the equations of each PROBLEM."""
-    from lagsolve.output import Destination
+    """Derive and check the equations of each PROBLEM.
 
-    if watch:
-        raise click.UsageError("--watch is not there yet")
+    With --watch this is done again whenever one of the files is saved.
+
+    Exit status: 0 done, and every check held; 2 the command line or a file cannot be read, or contradicts itself; 3 not
+    completed, undecided, or a check failed; 130 interrupted by Ctrl-C.
+    """
+    from lagsolve.output import Destination
+    from lagsolve.solving import Task
+
+    if watch and "-" in problems:
+        raise click.UsageError("--watch needs a file: standard input cannot be read again")
     if problems.count("-") > 1:
         raise click.UsageError("standard input cannot be two problems")
     destination = Destination.of(format_, output, fragment, detail, vectors)
     destination.spare(problems)
-    reports, status = [], OK
-    for name in problems:
-        report, outcome = _solved(name, choice, method, destination.is_complete, several=len(problems) > 1)
-        reports.append(report)
-        status = max(status, outcome)
-    if any(reports):
-        destination.write(reports)
-    sys.exit(status)
+    task = Task(problems, choice, method, destination)
+    if watch:
+        from lagsolve.watching import watch_for_ever
 
-
-def _solved(name: str, choice: str | None, method: str, complete: bool, several: bool) -> tuple[Report | None, int]:
-    """What is found, and its exit status. Messages go to standard error, under the name where there are several."""
-    heading = f"{name}:\n" if several else ""
-    gc.disable()
-    try:
-        from lagrange.dynamics import Method
-        from lagrange.loader import read_problem
-        from lagrange.report import report
-        from lagsolve.reading import problem_source
-
-        _look_for_garbage_seldom()
-        found = report(read_problem(problem_source(name)), choice, complete=complete, method=Method(method))
-    except Exception as error:
-        return None, complain(error, heading)
-    messages = (*found.notes, *found.shortcomings)
-    if messages:
-        say(heading + "\n".join(map(str, messages)))
-    return found, OK if found.holds else UNDECIDED
-
-
-def _look_for_garbage_seldom() -> None:
-    """Once everything is imported, with garbage left alone: modules stay anyway, and most of what a run makes too.
-
-    Looking for garbage as often as Python does would be a tenth of the time; a large problem must not fill the memory.
-    """
-    gc.freeze()
-    gc.set_threshold(200_000, 20, 50)
-    gc.enable()
+        watch_for_ever(task)
+    sys.exit(task.carry_out())
 
 
 @main.command()
-@click.argument("problem", metavar="PROBLEM")
-@click.argument("answer_file", required=False, metavar="[ANSWER_FILE]")
+@click.argument("problem", metavar="PROBLEM", shell_complete=completing.problems)
+@click.argument("answer_file", required=False, metavar="[ANSWER_FILE]", shell_complete=completing.files)
 @click.option("-e", "--equation", "equations", multiple=True, help="An equation of the answer; may be repeated.")
 @click.option("--format", "format_", type=click.Choice(("pretty", "json")), default="pretty", show_default=True)
 @click.option("--hint", type=click.IntRange(1, 3), help="How much is said of a wrong equation. Default: 3, all of it.")
@@ -130,21 +117,26 @@ def check(
     Give the equations with -e, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input); a .tex or
     .md file has them in its mathematics. They may be in LaTeX. A file that ends in .yaml answers the other questions
     too, with the keys of `answers` in a problem file.
-    Without either, the answers in the problem file are compared. Exit status: 0 equivalent; 1 wrong, incomplete or
-    trivial; 2 unreadable; 3 undecided.
+    Without either, the answers in the problem file are compared.
+
+    Exit status: 0 equivalent; 1 wrong, incomplete or trivial; 2 unreadable; 3 undecided; 130 interrupted by Ctrl-C.
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
-    gc.disable()
-    from lagrange.checking import Examiner
-    from lagrange.loader import read_problem
-    from lagsolve.output import write_verdict
-    from lagsolve.reading import problem_source
+    from lagsolve.stages import stage_shown
 
-    _look_for_garbage_seldom()
-    asked = read_problem(problem_source(problem))
-    examiner = Examiner.of(asked)
-    result = _checked(examiner, answer_file, equations)
+    gc.disable()
+    with stage_shown():
+        from lagrange.checking import Examiner
+        from lagrange.loader import read_problem
+        from lagsolve.output import write_verdict
+        from lagsolve.reading import problem_source
+        from lagsolve.solving import look_for_garbage_seldom
+
+        look_for_garbage_seldom()
+        asked = read_problem(problem_source(problem))
+        examiner = Examiner.of(asked)
+        result = _checked(examiner, answer_file, equations)
     if hint is not None:
         result = result.hinted(hint)
     for message in (*asked.notes, *result.messages):
@@ -171,8 +163,8 @@ def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, 
 
 
 @main.command(short_help="Grade a folder of submissions to one PROBLEM.")
-@click.argument("problem", metavar="PROBLEM")
-@click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...")
+@click.argument("problem", metavar="PROBLEM", shell_complete=completing.problems)
+@click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...", shell_complete=completing.files)
 @click.option("--csv", metavar="FILE", help="Write the table as CSV; `-` is standard output.")
 @click.option("--feedback", metavar="DIR", help="Write a page of Markdown for each submission.")
 @click.option("--jobs", type=click.IntRange(1), metavar="N", help="Processes on this machine. Default: its cores.")
@@ -194,7 +186,7 @@ def grade(
     ANSWERS are files, or folders in which every file, and every folder with somebody's files, is a submission. A batch
     that was interrupted goes on where it was when the same command is given again, if it has --csv or --feedback.
     Exit status: 0 every submission has its verdict; 2 the batch cannot begin; 3 somebody must look at some submissions,
-    which are undecided or exceed the limits.
+    which are undecided or exceed the limits; 130 interrupted by Ctrl-C.
     """
     if not timeout > 0:  # a NaN
         raise click.UsageError(f"--timeout {timeout} is no number of seconds")
@@ -228,25 +220,5 @@ def grade(
     sys.exit(UNDECIDED if any(r.verdict == "undecided" for r in rows) else OK)
 
 
-@main.command("list")
-@click.argument("words", nargs=-1, metavar="[WORD]...")
-def list_(words: tuple[str, ...]) -> None:
-    """List the shipped problems, or those in which every WORD occurs."""
-    from lagsolve import library
-    from lagsolve.output import put, table
-
-    found = library.containing(words)
-    if found:
-        put(table([(name, *library.title_and_source(path)) for name, path in found.items()]))
-    else:
-        say(f"no shipped problem has {' and '.join(f'`{w}`' for w in words)}")
-
-
-@main.command()
-@click.argument("name")
-def show(name: str) -> None:
-    """Print the problem file NAME of the library, to start your own from."""
-    from lagsolve import library
-    from lagsolve.output import put
-
-    put(library.path_of(name).read_text(encoding="utf-8"))
+for command in COMMANDS:
+    main.add_command(command)

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from lagsolve.stages import stage_shown
+
 if TYPE_CHECKING:
     from lagrange.checked import CheckedAnswer
     from lagrange.diagnostics import ProblemError
@@ -68,7 +70,8 @@ class Destination:
 
     def write(self, reports: Sequence[Report | None]) -> None:
         """Prints the reports, or writes them to the file. None stands for a problem that could not be solved."""
-        text = self._text(reports)
+        with stage_shown():
+            text = self._text(reports)
         if self.path is None:
             put(text)
             return
@@ -126,19 +129,6 @@ def write_rows(rows: Sequence[Row], as_csv: bool) -> None:
     put(csv_text(rows) if as_csv else table_text(rows, terminal_width(), on_terminal))
 
 
-def table(rows: Sequence[tuple[str, str, str]]) -> str:
-    """Name, title and source of problems: one line each, two where a terminal is too narrow."""
-    width = max(len(name) for name, _, _ in rows)
-    limit = terminal_width() if _has_width() else None
-    found = []
-    for name, title, source in rows:
-        what = f"{title} ({source})" if source else title
-        line = f"{name:{width}}  {what}"
-        too_wide = limit is not None and len(line) > limit
-        found.append(f"{name}\n{wrapped('    ' + what, limit, '    ')}" if limit and too_wide else line)
-    return "".join(f"{line}\n" for line in found)
-
-
 def wrapped(line: str, width: int, indent: str) -> str:
     """A line, broken at blanks where it is too wide."""
     if len(line) <= width:
@@ -149,6 +139,11 @@ def wrapped(line: str, width: int, indent: str) -> str:
 def terminal_width() -> int:
     """The width to print at: the terminal's, or what COLUMNS says; 80 where there is neither."""
     return max(NARROWEST, shutil.get_terminal_size().columns) if _has_width() else PIPED
+
+
+def styled() -> bool:
+    """Whether standard output shows bold letters: a terminal does, unless it says that it is dumb."""
+    return sys.stdout is not None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
 
 
 def _has_width() -> bool:

@@ -7,10 +7,11 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source
+from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source, nearest
 from lagrange.loader import read_source
 from lagrange.yaml_nodes import MAX_BYTES, decode
 from lagsolve import library
+from lagsolve.group import COMMANDS
 
 
 def problem_source(name: str) -> Source:
@@ -20,10 +21,54 @@ def problem_source(name: str) -> Source:
     """
     if name == "-":
         return _standard_input()
+    path = problem_path(name)
+    meant = _meant(path)
+    if meant:
+        found = Diagnostic("no-such-file", f"there is no file {path}", help=f"did you mean {meant}?")
+        raise ProblemError(found)
+    return read_source(path)
+
+
+def problem_path(name: str) -> Path:
+    """The file of a problem: the file of that name, or that of a problem of the library.
+
+    Raises ProblemError where the library has none, or several; a file need not be there.
+    """
     named_as_file = name.endswith((".yaml", ".yml")) or os.path.exists(name)
     if named_as_file and not (os.path.isdir(name) and library.named(name)):
-        return read_source(Path(name))
-    return read_source(library.path_of(name))
+        return Path(name)
+    if not library.named(name):
+        raise ProblemError(_no_problem(name))
+    return library.path_of(name)
+
+
+def _meant(path: Path) -> str:
+    """Of a file that is not there: the one beside it that may be meant, or the shipped problem; empty where none is."""
+    if os.path.lexists(path):
+        return ""
+    if library.named(path.stem) and path.parent == Path():
+        return f"`{path.stem}`, which is a problem of the library"
+    near = nearest(path.name, _problem_files(path.parent))
+    return f"`{path.parent / near}`" if near else ""
+
+
+def _problem_files(folder: Path) -> list[str]:
+    """The names of the problem files in a folder; none where it cannot be read."""
+    try:
+        return [name for name in os.listdir(folder) if name.endswith((".yaml", ".yml"))]
+    except (OSError, ValueError):
+        return []
+
+
+def _no_problem(name: str) -> Diagnostic:
+    """That there is nothing of that name, and what may have been meant: a problem, a file, a command."""
+    known = {short: f"`{short}`" for short in library.short_names().values()}
+    known |= {file: f"`{file}`" for file in _problem_files(Path())}
+    known |= {command: f"the command `{command}`" for command in COMMANDS}
+    near = f"{name}.yaml" if f"{name}.yaml" in known else nearest(name, known)
+    meant = f"did you mean {known[near]}? " if near else ""
+    help_ = library.topic_hint(name) or f"{meant}`lagsolve list` shows the library, `lagsolve --help` the commands"
+    return Diagnostic("no-such-problem", f"there is no file and no shipped problem `{name}`", help=help_)
 
 
 def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragment, ...]:
