@@ -18,7 +18,7 @@ from lagrange.dynamics import Motion
 from lagrange.given_functions import Given
 from lagrange.kinematics import Configuration
 from lagrange.numerical import RightHandSide, Values
-from lagrange.problem import Problem
+from lagrange.problem import Assumption, Parameter, Problem
 from lagrange.reactions import Reactions
 from lagrange.render.kinds import Notation
 from lagrange.solution import ChoiceSolution, Solution
@@ -232,7 +232,8 @@ class Formulation:
             raise ValueError("`stabilised` goes with coordinates and their velocities, not with quasi-velocities")
         else:
             equations = in_speeds(self.in_speeds.equations)
-        return RightHandSide(equations, self.problem.parameters, values, functions, module, self.problem.unknowns)
+        parameters = (*self.problem.parameters, *self._open_signs)
+        return RightHandSide(equations, parameters, values, functions, module, self.problem.unknowns)
 
     @cached_property
     def _dynamics(self) -> Motion:
@@ -242,6 +243,15 @@ class Formulation:
                 Diagnostic("no-equations", message, help="give the problem masses, and leave `find` out")
             )
         return self.found.dynamics
+
+    @property
+    def _open_signs(self) -> tuple[Parameter, ...]:
+        """The signs that the coordinates or friction leave open, as parameters."""
+        branches = (Parameter(s, Assumption.SIGN, meaning="+1 or -1: the branch of a square root") for s in self.signs)
+        senses = (
+            Parameter(s, Assumption.SIGN, meaning=f"+1 or -1: the sign of {e}") for s, e in self._dynamics.signs.items()
+        )
+        return (*branches, *senses)
 
     @property
     def _reactions(self) -> Reactions | None:

@@ -16,7 +16,7 @@ import sympy as sp
 from lagrange.diagnostics import nearest
 from lagrange.first_order import FirstOrder
 from lagrange.given_functions import Given, with_given
-from lagrange.notation import Sign, t
+from lagrange.notation import t
 from lagrange.problem import Assumption, Parameter
 
 MODULES = ("math", "numpy")
@@ -212,8 +212,6 @@ class _Code:
 
 
 def _described(symbol: sp.Symbol, parameters: Mapping[str, Parameter]) -> str:
-    if isinstance(symbol, Sign):
-        return f"`{symbol}` (+1 or -1, the branch of a square root)"
     found = parameters.get(symbol.name)
     return f"`{symbol}` ({found.meaning})" if found and found.meaning else f"`{symbol}`"
 
