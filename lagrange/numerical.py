@@ -22,6 +22,7 @@ from lagrange.problem import Assumption, Parameter
 MODULES = ("math", "numpy")
 Values = Mapping[str | sp.Symbol, SupportsFloat]
 Vector = Sequence[float]
+Solve = Callable[[list[list[float]], list[float]], Any]
 SMALLEST = 1e-14
 """A pivot that is smaller, where the largest entry of each row is 1, is one that vanishes."""
 
@@ -49,7 +50,6 @@ class RightHandSide:
             raise ValueError(f"`module` is one of {', '.join(map(repr, MODULES))}, and not {module!r}")
         self.names: tuple[str, ...] = tuple(s.name for s in equations.state)
         self._equations = equations
-        self._module = module
         size = len(equations.unknowns)
         flat = [e for row in equations.matrix for e in row]
         whole = [*equations.rates, *flat, *equations.right, *equations.constraints]
@@ -65,20 +65,14 @@ class RightHandSide:
             return numbers[:n], matrix, right, numbers[n + size * size + size :]
 
         self._parts = parts
-        self._solved: Callable[[list[list[float]], list[float]], Any] = _solved
-        if module == "numpy":
-            self._solved = _solved_by_numpy
+        self._solved, self._listed = (_in_arrays if module == "numpy" else _in_lists)()
 
     def __call__(self, time: float, y: Vector) -> Any:
         """dy/dt, shape (n + p,)."""
         rates, matrix, right, _ = self._parts(time, y)
         speeds = len(self._equations.speeds)
         found = [float(x) for x in (*rates, *self._unknowns(time, matrix, right)[:speeds])]
-        if self._module == "math":
-            return found
-        import numpy
-
-        return numpy.array(found)
+        return self._listed(found)
 
     def __repr__(self) -> str:
         listed = ", ".join(f"{name}={value:g}" for name, value in self.values.items())
@@ -109,11 +103,16 @@ class RightHandSide:
     def function(self, expression: sp.Expr) -> Callable[[float, Vector], float]:
         """An expression of coordinates, velocities, accelerations, multipliers, t and parameters, as a function (t, y).
 
+        Symbols are known by their names: `Symbol("theta'")` is the velocity.
+
         Raises ValueError where there is something else in it.
         """
         equations = self._equations
-        rule = dict(zip(equations.slots.velocities, equations.rates, strict=True))
-        written = sp.sympify(expression, strict=True).xreplace(rule)
+        slots = equations.slots
+        meant = {s.name: s for s in (t, *equations.state, *slots.velocities, *equations.unknowns)}
+        written = sp.sympify(expression, strict=True)
+        written = written.xreplace({s: meant[s.name] for s in written.free_symbols if s.name in meant})
+        written = written.xreplace(dict(zip(slots.velocities, equations.rates, strict=True)))
         wanted = written.free_symbols & set(equations.unknowns)
         run = self._code.compiled([written], equations.unknowns)
 
@@ -265,10 +264,18 @@ def _solved(matrix: list[list[float]], right: list[float]) -> list[float]:
     return found
 
 
-def _solved_by_numpy(matrix: list[list[float]], right: list[float]) -> Any:
+def _in_lists() -> tuple[Solve, Callable[[list[float]], Any]]:
+    return _solved, list
+
+
+def _in_arrays() -> tuple[Solve, Callable[[list[float]], Any]]:
+    """Raises ImportError where NumPy is not installed."""
     import numpy
 
-    try:
-        return numpy.linalg.solve(numpy.array(matrix, dtype=float), numpy.array(right, dtype=float))
-    except numpy.linalg.LinAlgError:
-        raise ZeroDivisionError from None
+    def solved(matrix: list[list[float]], right: list[float]) -> Any:
+        try:
+            return numpy.linalg.solve(numpy.array(matrix, dtype=float), numpy.array(right, dtype=float))
+        except numpy.linalg.LinAlgError:
+            raise ZeroDivisionError from None
+
+    return solved, numpy.array

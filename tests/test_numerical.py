@@ -318,6 +318,9 @@ def test_states_that_do_not_fit() -> None:
         f(2.0, [0.0, 0.0, 1.0, 0.0])
     with pytest.raises(ArithmeticError):
         f(0.0, [math.nan, 1.0, 0.0, 0.0])
+    names = "x', x'', lambda_rod, g, t"
+    value = f.function(sum(10**n * s for n, s in enumerate(map(sp.Symbol, names.split(", ")))))
+    assert math.isclose(value(2.0, [0.0, 1.0, 3.0, 0.0]), 3 + 100 * (-9 - 9.81) / 2 + 1000 * 9.81 + 20000)
     with pytest.raises(ValueError, match="a number is needed for `w`"):
         f.function(sp.Symbol("w"))
     sleigh = solved("sleigh").own.right_hand_side({"m": 1, "I_G": 1, "a": 1}, speeds=True)
