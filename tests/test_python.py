@@ -103,6 +103,8 @@ def test_the_library_is_that_of_the_command() -> None:
     from lagsolve import library as commands
 
     assert library.entries() == commands.entries()
+    for name in ("ex11", "ex15", "chapter6", "sleigh", "nothing"):
+        assert library.named(name) == commands.named(name)
 
 
 # solve
