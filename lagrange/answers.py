@@ -14,6 +14,7 @@ from enum import StrEnum
 import sympy as sp
 
 from lagrange.advice import Advisor
+from lagrange.answer_readings import Reading, read_answer
 from lagrange.comparison import Standing, System, compare
 from lagrange.conventions import Convention, other_convention
 from lagrange.diagnosis import diagnosed
@@ -22,7 +23,7 @@ from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.latex_layout import separated
 from lagrange.notation import CONSTANT, Slots, base
 from lagrange.recognition import Kind, recognised
-from lagrange.references import Candidate, Reading, Reference, read_answer
+from lagrange.references import Candidate, Reference
 from lagrange.validity import Condition, conditions
 from lagrange.vectors import Vector
 

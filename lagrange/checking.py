@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.answer_readings import read_answer
 from lagrange.answers import AnswerVerdict, EquationVerdict, Verdict, check_equations
 from lagrange.checked import FIRST, CheckedAnswer, ComparedAnswer, missing_equilibria
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
@@ -21,7 +22,7 @@ from lagrange.notation import base
 from lagrange.problem import Answers, Problem
 from lagrange.reaction_answers import AtRest, check_reaction, reading_error
 from lagrange.reference_systems import reference_of_equations
-from lagrange.references import Reference, read_answer, reference_of_solution
+from lagrange.references import Reference, reference_of_solution
 from lagrange.solution import Solution, solve
 
 if TYPE_CHECKING:

@@ -124,6 +124,9 @@ class ProblemError(Exception):
         ordered = sorted(self.diagnostics, key=lambda d: d.span.start if d.span else -1)
         return "\n\n".join(str(d) for d in ordered)
 
+    def __str__(self) -> str:
+        return self.show()  # what Python prints under a traceback is what the command prints
+
 
 class UndecidedError(ProblemError):
     """A question on which the derivation depends, and which could not be settled. Exit status 3."""

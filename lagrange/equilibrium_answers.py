@@ -16,12 +16,13 @@ from itertools import product
 
 import sympy as sp
 
+from lagrange.answer_readings import Reading, read_answer
 from lagrange.answers import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.equilibrium import Equilibrium
 from lagrange.equilibrium_comparison import EquilibriumComparison
 from lagrange.latex_layout import ALTERNATIVE, is_latex, piece
-from lagrange.references import Reading, Reference, read_answer
+from lagrange.references import Reference
 
 MAX_ALTERNATIVES = 32
 MAX_EQUATIONS = 12

@@ -15,13 +15,13 @@ from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
+from lagrange.answer_readings import Reading
 from lagrange.answers import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.branching import solutions
 from lagrange.closed_form import Values
 from lagrange.equilibrium import Equilibrium, is_balanced
 from lagrange.exact import DivisionByZeroError, Surface, is_zero
 from lagrange.polynomial_roots import factors, numerator
-from lagrange.references import Reading
 from lagrange.solution_sets import Branch, SolutionSet, parameters_given
 from lagrange.unit_circle import CIRCULAR, Letters, NotAlgebraicError
 

@@ -229,9 +229,13 @@ class Answers:
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Problem:
-    """A problem file, read."""
+    """A problem file, read.
+
+    Positions, masses and forces are SymPy expressions in the slots of `notation`: coordinates,
+    velocities and accelerations are symbols that are called `x`, `x'` and `x''`.
+    """
 
     title: str
     coordinates: tuple[Coordinate, ...]
@@ -256,6 +260,16 @@ class Problem:
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None
     notes: tuple[Diagnostic, ...] = ()
+
+    def __repr__(self) -> str:
+        """Title and names: the whole of it would be pages of places in the file."""
+        named = {
+            "coordinates": [q.symbol.name for q in self.coordinates],
+            "constraints": [c.name for c in self.constraints],
+            "choices": [c.name for c in self.choices],
+        }
+        listed = (f"{what} {', '.join(names)}" for what, names in named.items() if names)
+        return f"<Problem {self.title!r}: {'; '.join(listed)}>"
 
     @property
     def masses(self) -> tuple[Particle | Body, ...]:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.answer_readings import Reading
 from lagrange.answers import EquationVerdict, Verdict
 from lagrange.comparison import Standing, compare
 from lagrange.diagnostics import Fragment, ProblemError
@@ -21,7 +22,7 @@ from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, read_equation, read_value
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import base
-from lagrange.references import Candidate, Reading, Reference
+from lagrange.references import Candidate, Reference
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 

@@ -16,6 +16,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.answer_readings import read_answer
 from lagrange.classification import classify
 from lagrange.comparison import System, state, symbols_of
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
@@ -24,7 +25,7 @@ from lagrange.exact import DivisionByZeroError, NoPointError, Point, Unsupported
 from lagrange.kinematics import Configuration, file_configuration
 from lagrange.notation import base
 from lagrange.problem import Problem
-from lagrange.references import Candidate, Reference, occurring, read_answer, units_of, values_of
+from lagrange.references import Candidate, Reference, occurring, units_of, values_of
 from lagrange.sampling import agreed
 
 

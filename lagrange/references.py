@@ -14,12 +14,12 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.answer_readings import Reading
 from lagrange.comparison import System
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.dimensions import Mismatch, mismatch
 from lagrange.edits import terms_of
 from lagrange.equations import EquationsOfMotion
-from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
+from lagrange.expressions import Scope
 from lagrange.kinematics import Configuration
 from lagrange.letters import letters
 from lagrange.multipliers import LagrangeMotion
@@ -29,22 +29,6 @@ from lagrange.quasi_velocities import quasi_variation
 from lagrange.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.vectors import Vector
 from lagrange.verification import multiplier_system
-
-
-@dataclass(frozen=True)
-class Reading:
-    """One equation of an answer: its two sides and its components, each zero; or why it cannot be read."""
-
-    text: str
-    components: tuple[sp.Expr, ...] = ()
-    error: ProblemError | None = None
-    notes: list[Diagnostic] = field(default_factory=list)
-    sides: tuple[sp.Expr | Vector, ...] = ()
-
-    @property
-    def surprising(self) -> tuple[sp.Expr | Vector, ...]:
-        """The two sides, where the reader may have understood something else than was meant, or meant LaTeX."""
-        return self.sides if self.notes or set(self.text) & {"\\", "$"} else ()
 
 
 @dataclass(frozen=True)
@@ -323,21 +307,6 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
     )
     equations = tuple(e.xreplace(values) for e in system.equations)
     return System(replace(configuration, rows=rows), equations, system.multipliers)
-
-
-def read_answer(fragment: Fragment, scope: Scope) -> Reading:
-    """One equation of an answer. What cannot be read is part of the result, because the others still count."""
-    notes: list[Diagnostic] = []
-    text = fragment.text.strip()
-    try:
-        equation = read_equation(fragment, scope, notes, MAX_ANSWER_CHARACTERS, latex=True)
-    except ProblemError as error:
-        return Reading(text, error=error)
-    lhs, rhs = equation.lhs, equation.rhs
-    if isinstance(lhs, Vector) and isinstance(rhs, Vector):
-        parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
-        return Reading(text, parts, notes=notes, sides=(lhs, rhs))
-    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
 
 
 def units_of(problem: Problem) -> dict[sp.Symbol, str]:

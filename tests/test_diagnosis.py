@@ -14,6 +14,7 @@ import sympy as sp
 from click.testing import CliRunner
 from test_answers_table import GIVEN
 
+from lagrange.answer_readings import read_answer
 from lagrange.answers import Verdict, check_equations
 from lagrange.checking import reference
 from lagrange.conventions import Turn, other_convention
@@ -22,7 +23,7 @@ from lagrange.diagnostics import Fragment, Source
 from lagrange.dimensions import dimension_of_unit, mismatch, written
 from lagrange.edits import Slip
 from lagrange.loader import read_problem
-from lagrange.references import Reference, read_answer
+from lagrange.references import Reference
 from lagsolve.main import main
 
 SYSTEMS = {
