@@ -7,7 +7,7 @@ NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p $(NEW_ENOUGH) 2>/dev/null && echo $$p && break; done)
 
-.PHONY: demo test lint sweep bench golden clean
+.PHONY: demo test lint sweep bench golden picture clean
 
 $(VENV)/installed: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -43,6 +43,10 @@ bench: $(VENV)/installed
 # Renews the golden files. Read the difference before you commit it.
 golden: $(VENV)/installed
 	$(BIN)/python -m pytest tests/test_golden.py --renew
+
+# Draws the picture of the README anew: what the program prints today.
+picture: $(VENV)/installed
+	$(BIN)/python tests/picture.py
 
 # How long things take, and against what; no test depends on it.
 bench: $(VENV)/installed
