@@ -27,6 +27,7 @@ NOT_RUN = {
     "make test": "runs this test",
     "pip install .": "test_packaging installs the wheel and runs the command",
     "pipx install .": "pip in an environment of its own, as in test_packaging",
+    "lagsolve bead.yaml --watch": "never ends; test_cli_watch runs it",
 }
 COMMANDS = [line for line in LINES if line not in NOT_RUN]
 
@@ -42,10 +43,13 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def run(command: str) -> tuple[int, str, str]:
     """Exit status, standard output, standard error."""
+    command, _, redirected = command.partition(" > ")
     words = shlex.split(command)
     assert words[0] == "lagsolve"
     jobs = ["--jobs", "1"] * ("grade" in words)
     result = CliRunner().invoke(main, [*words[1:], *jobs], env={"COLUMNS": "80"})
+    if redirected:
+        Path(redirected).write_text(result.stdout, encoding="utf-8")
     return result.exit_code, result.stdout, result.stderr
 
 
@@ -65,12 +69,14 @@ def test_targets_exist(target: str) -> None:
 @pytest.mark.parametrize("command", COMMANDS)
 def test_commands_run(command: str, folder: Path) -> None:
     status, printed, said = run(command)
-    assert (status, said) == (0, ""), printed + said
-    written = re.search(r"(?:-o|--csv) (\S+)", command)
+    assert status == 0, printed + said
+    assert not said or command.startswith("lagsolve new ")
+    written = re.search(r"(?:-o|--csv|new|>) (\S+)", command)
     assert printed or written
     if written:
         text = (folder / written[1]).read_text(encoding="utf-8")
         beginning = {".tex": r"\documentclass", ".md": "# ", ".html": "<!DOCTYPE html>", ".csv": "submission,"}
+        beginning |= {".yaml": "", ".json": "{"}
         assert text.startswith("% lagsolve" if "--fragment" in command else beginning[Path(written[1]).suffix])
 
 
@@ -90,6 +96,18 @@ def test_the_source_of_the_notes_is_shown_as_written() -> None:
     [shown] = [text for kind, text in BLOCKS if kind == "latex"]
     _, written, _ = run("lagsolve bead.yaml --fragment --detail brief")
     assert shown in written
+
+
+@pytest.mark.usefixtures("folder")
+def test_the_lines_of_python_run(capsys: pytest.CaptureFixture[str]) -> None:
+    [code] = [text for kind, text in BLOCKS if kind == "python"]
+    exec(compile(code, "README.md", "exec"), {})
+    assert capsys.readouterr().out.endswith("equivalent\n")
+
+
+def test_a_shell_can_complete() -> None:
+    for shell in ("bash", "--help"):
+        assert run(f"lagsolve completion {shell}")[0] == 0
 
 
 def test_every_key_of_the_file_is_explained() -> None:
