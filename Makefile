@@ -7,7 +7,7 @@ NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p $(NEW_ENOUGH) 2>/dev/null && echo $$p && break; done)
 
-.PHONY: demo test lint sweep bench golden clean
+.PHONY: demo test lint sweep bench golden picture clean
 
 $(VENV)/installed: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -15,11 +15,11 @@ $(VENV)/installed: pyproject.toml
 		echo "Install a newer one, or say where it is: make PYTHON=/path/to/python3.12"; exit 1; fi
 	@$(PYTHON) $(NEW_ENOUGH) || \
 		{ echo "lagsolve needs Python 3.11 or later, and $(PYTHON) is $$($(PYTHON) --version 2>&1)"; exit 1; }
-	$(PYTHON) -m venv $(VENV) || \
+	@$(PYTHON) -m venv $(VENV) || \
 		{ echo "$(PYTHON) cannot make an environment; on Debian: apt install python3-venv"; exit 1; }
 	@echo "installing into $(VENV), which takes a minute or two"
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	touch $@
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	@touch $@
 
 demo: $(VENV)/installed
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
@@ -36,15 +36,16 @@ lint: $(VENV)/installed
 sweep: $(VENV)/installed
 	$(BIN)/python tests/sweep.py
 
-# Seconds that every shipped problem takes, and chains of 2 to 16 links.
-bench: $(VENV)/installed
-	$(BIN)/python tests/bench/speed.py
-
 # Renews the golden files. Read the difference before you commit it.
 golden: $(VENV)/installed
 	$(BIN)/python -m pytest tests/test_golden.py --renew
 
-# How long things take, and against what; no test depends on it.
+# Draws the picture of the README anew: what the program prints today.
+picture: $(VENV)/installed
+	$(BIN)/python tests/picture.py
+
+# Seconds that every shipped problem takes, and chains of 2 to 16 links, and how long other things take, and against what;
+# no test depends on it.
 bench: $(VENV)/installed
 	for script in tests/bench/*.py; do $(BIN)/python $$script || exit 1; done
 

@@ -6,6 +6,7 @@ A new module fails `test_every_module_has_its_place` until it stands in `LAYERS`
 from __future__ import annotations
 
 import ast
+import doctest
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -207,6 +208,14 @@ def test_files_are_short() -> None:
 
 
 PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+
+
+def test_the_session_on_the_page_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    [session] = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    examples = doctest.DocTestParser().get_doctest(session, {}, "architecture.md", None, 0)
+    assert len(examples.examples) > 20
+    assert doctest.DocTestRunner().run(examples).failed == 0
 
 
 def test_the_page_names_every_module_and_no_other() -> None:

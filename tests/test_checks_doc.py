@@ -1,0 +1,68 @@
+"""docs/checks.md names every check that is made, and the numbers in it are those of the program."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+
+import pytest
+from conftest import PROBLEMS, ROOT
+
+from lagrange import exact, field, sampling
+from lagrange.loader import load
+from lagrange.solution import solve
+
+SOURCE = (ROOT / "docs" / "checks.md").read_text(encoding="utf-8")
+PAGE = " ".join(SOURCE.replace("**", "").split())
+BOLD = {" ".join(b.split()) for b in re.findall(r"\*\*(.+?)\*\*", SOURCE, re.DOTALL)}
+
+
+def literal_names() -> Iterator[str]:
+    """The names of checks that are written as they are: the first argument of `Check`."""
+    for path in sorted((ROOT / "lagrange").glob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Check":
+                match node.args[0]:
+                    case ast.Constant(value=str(name)):
+                        yield name
+                    case ast.JoinedStr(values=[ast.Constant(value=str(beginning)), *_]):
+                        yield beginning.strip(" :")
+
+
+NAMES = sorted(set(literal_names()))
+
+
+def test_there_are_names() -> None:
+    assert len(NAMES) >= 15
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_page_names_the_check(name: str) -> None:
+    assert any(name in b for b in BOLD)
+
+
+@pytest.mark.parametrize(
+    "name", ["chapter6/ex05-ice-skate", "chapter6/ex11-ideal-pendulum", "motion/sleigh", "statics/ladder"]
+)
+def test_the_page_names_what_is_checked(name: str) -> None:
+    for check in solve(load(PROBLEMS / f"{name}.yaml")).checks:
+        bare = re.sub(r"(holds|fails) for .*|: .*|(?<=makes ).*|(?<=proportional to ).*", "", check.name).strip()
+        assert any(bare in b or b in bare for b in BOLD), check.name
+        assert bare in PAGE or bare.removeprefix("the ") in PAGE, check.name
+
+
+def test_the_numbers_of_the_field() -> None:
+    assert f"{field.M:,}".replace(",", " ") in PAGE
+    p = field.Fields(seed=1).field().p
+    assert 2**88 < p < 2**89
+    assert (p + 1) // field.M > 2**54
+
+
+def test_the_numbers_of_points() -> None:
+    assert (exact._POINTS, exact._POINTS_WHERE_ROOTS_WERE_TAKEN, sampling.POINTS) == (2, 10, 3)
+    assert (
+        "two points at least (ten where roots were taken to solve the constraints), every comparison of systems on three"
+        in PAGE
+    )
+    assert exact._REAL_POINTS == 12
