@@ -43,7 +43,7 @@ from lagrange.solution import solve
 Read = Callable[[str], Problem]
 
 FOLDER = Path(__file__).parent / "systems"
-SHIPPED = {p.stem: p for p in sorted(PROBLEMS.rglob("*.yaml")) if Find.MOTION in load(p).find}
+SHIPPED = {p.stem: p for p in sorted(PROBLEMS.glob("*/*.yaml")) if Find.MOTION in load(p).find}
 HARDER = """
     atwood charged_particle damped_oscillator driven_wire dumbbell_with_blade_at_end free_top free_top_quasi
     heavy_sleigh heavy_slider_crank moved_support pars pushed_plate rod_twice rolling_cylinder_by_velocities

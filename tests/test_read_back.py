@@ -27,7 +27,7 @@ from lagrange.report import Report, report
 from lagrange.vectors import Vector
 
 
-@pytest.fixture(scope="module", params=sorted(PROBLEMS.rglob("*.yaml")), ids=lambda p: p.stem)
+@pytest.fixture(scope="module", params=sorted(PROBLEMS.glob("*/*.yaml")), ids=lambda p: p.stem)
 def solved(request: pytest.FixtureRequest) -> Report:
     return report(load(request.param))
 

@@ -30,7 +30,8 @@ from second_route import (
     solved,
     states,
 )
-from shipped_systems import SHIPPED
+from further_systems import FURTHER
+from shipped_systems import SHIPPED as FIRST
 from textbook_systems import SYSTEMS as PARTICLES
 from textbook_systems import Textbook
 
@@ -43,6 +44,7 @@ from lagrange.report import Report, report
 from lagrange.solution import ChoiceSolution
 from lagrange.spot import Spot
 
+SHIPPED = {**FIRST, **FURTHER}
 SYSTEMS = {**PARTICLES, **BODIES, **SHIPPED}
 FOLDER = Path(__file__).parent / "systems"
 STATES = 3

@@ -17,7 +17,7 @@ def root() -> Path:
 def entries() -> dict[str, Path]:
     """name -> file of every shipped problem; the name is `chapter6/ex11-ideal-pendulum`."""
     base = root()
-    named = {p.relative_to(base).with_suffix("").as_posix(): p for p in base.rglob("*.yaml")}
+    named = {p.relative_to(base).with_suffix("").as_posix(): p for p in base.glob("*/*.yaml")}
     return dict(sorted(named.items()))
 
 
