@@ -57,6 +57,13 @@ def bead_on_lemniscate() -> tuple[Route, ...]:
     return (newton("x y", [(m, (x, y), (0, -m * g))], {"wire": wire}),)
 
 
+def bead_on_any_wire() -> tuple[Route, ...]:
+    """The wire sin x + x^2 stands for any."""
+    x, y = moving("x y")
+    m, g = constants("m g")
+    return (newton("x y", [(m, (x, y), (0, -m * g))], {"wire": y - sin(x) - x**2}),)
+
+
 def cycloidal_pendulum() -> tuple[Route, ...]:
     """Lagrange's equations with the arc as a constraint; and Huygens: along the arc the motion is harmonic."""
     phi, s = moving("phi s")
@@ -158,6 +165,13 @@ def four_bar_linkage() -> tuple[Route, ...]:
         "closure.2": a * sin(alpha) + b * sin(beta) - c * sin(gamma),
     }
     return (newton_euler("alpha beta gamma", bodies, closure),)
+
+
+def trolley_on_three_wheels() -> tuple[Route, ...]:
+    x, y, phi = moving("x y phi")
+    m, inertia, a, h, pull, g = constants("m J a h F g")
+    trolley = flat(m, (x - h * sin(phi), y + h * cos(phi)), inertia, phi, force=(pull, -m * g, 0))
+    return (newton_euler("x y phi", [trolley], {"middle": y, "front": y + a * sin(phi)}),)
 
 
 def skate_on_springs() -> tuple[Route, ...]:
@@ -268,6 +282,9 @@ FURTHER: dict[str, Textbook] = {
     "ballistic-curve": Textbook(
         ballistic_curve, HOLONOMIC, 2, 0, functions={"D": ("v", "v**2 + 3*v + sin(v)")}
     ),
+    "bead-on-any-wire": Textbook(
+        bead_on_any_wire, HOLONOMIC, 1, 1, functions={"f": ("X", "sin(X) + X**2")}
+    ),
     "bead-on-lemniscate": Textbook(bead_on_lemniscate, HOLONOMIC, 1, 1, ranges={"a": (2, 3)}),
     "charge-and-monopole": Textbook(charge_and_monopole, HOLONOMIC, 3, 0),
     "clockwork-skate": Textbook(clockwork_skate, "nonholonomic rheonomic catastatic", 1, 0, ("blade",)),
@@ -285,6 +302,7 @@ FURTHER: dict[str, Textbook] = {
     "snakeboard": Textbook(snakeboard, NONHOLONOMIC, 3, 0, ("front_wheels", "rear_wheels")),
     "suslov-body": Textbook(suslov_body, NONHOLONOMIC, 2, 0, ("no_spin",)),
     "toda-lattice": Textbook(toda_lattice, HOLONOMIC, 3, 0),
+    "trolley-on-three-wheels": Textbook(trolley_on_three_wheels, HOLONOMIC, 1, 2, redundant=("rear",)),
     "two-body-problem": Textbook(two_body_problem, HOLONOMIC, 4, 0),
     "ziegler-column": Textbook(ziegler_column, HOLONOMIC, 2, 0),
 }

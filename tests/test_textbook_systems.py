@@ -226,7 +226,7 @@ def test_reactions_in_a_choice(name: str) -> None:
             f"lambda_{n}": concrete(v, book) for n, v in found.dynamics.reactions.multipliers.items() if v is not None
         }
         configuration = found.motion.configuration
-        expressed = {q.name: e for q, e in configuration.expressed.items()}
+        expressed = {q.name: concrete(e, book) for q, e in configuration.expressed.items()}
         unknowns = [a.name for a in configuration.slots.accelerations]
         rows = derived_rows(configuration, found.motion.expressions, book)
         signs = {s.name: mpf(1) for s in found.coordinates.signs}
@@ -299,7 +299,7 @@ def test_accelerations_in_a_choice(name: str, choice: str) -> None:
     found = next(c for c in solution.choices if c.name == choice)
     configuration = found.motion.configuration
     written = substitution_of_file(name, choice, configuration)
-    expressed = written or {q.name: e for q, e in configuration.expressed.items()}
+    expressed = written or {q.name: concrete(e, book) for q, e in configuration.expressed.items()}
     route = routes_of(name)[0]
     branches = list(product((-1, 1), repeat=len(found.coordinates.signs)))
     assert found.coordinates.branches == len(branches)
@@ -400,7 +400,7 @@ def test_spot_value(name: str, choice: str) -> None:
         found = next(c for c in solution.choices if c.name == choice)
         spot, configuration = found.spot, found.motion.configuration
         written = substitution_of_file(name, choice, configuration)
-        expressed = written or {q.name: e for q, e in configuration.expressed.items()}
+        expressed = written or {q.name: concrete(e, book) for q, e in configuration.expressed.items()}
     else:
         spot, configuration, expressed = solution.spot, solution.configuration, {}
     if spot is None:
