@@ -279,12 +279,8 @@ ROLLING = ("rolling.1", "rolling.2")
 
 FURTHER: dict[str, Textbook] = {
     "ball-on-a-ball": Textbook(ball_on_a_ball, NONHOLONOMIC, 3, 0, ("downward", "sideways")),
-    "ballistic-curve": Textbook(
-        ballistic_curve, HOLONOMIC, 2, 0, functions={"D": ("v", "v**2 + 3*v + sin(v)")}
-    ),
-    "bead-on-any-wire": Textbook(
-        bead_on_any_wire, HOLONOMIC, 1, 1, functions={"f": ("X", "sin(X) + X**2")}
-    ),
+    "ballistic-curve": Textbook(ballistic_curve, HOLONOMIC, 2, 0, functions={"D": ("v", "v**2 + 3*v + sin(v)")}),
+    "bead-on-any-wire": Textbook(bead_on_any_wire, HOLONOMIC, 1, 1, functions={"f": ("X", "sin(X) + X**2")}),
     "bead-on-lemniscate": Textbook(bead_on_lemniscate, HOLONOMIC, 1, 1, ranges={"a": (2, 3)}),
     "charge-and-monopole": Textbook(charge_and_monopole, HOLONOMIC, 3, 0),
     "clockwork-skate": Textbook(clockwork_skate, "nonholonomic rheonomic catastatic", 1, 0, ("blade",)),

@@ -17,6 +17,7 @@ import sympy as sp
 import yaml
 from body_systems import BODIES
 from conftest import PROBLEMS
+from further_systems import FURTHER
 from mpmath import mp, mpf
 from second_route import (
     AGREED,
@@ -30,7 +31,6 @@ from second_route import (
     solved,
     states,
 )
-from further_systems import FURTHER
 from shipped_systems import SHIPPED as FIRST
 from textbook_systems import SYSTEMS as PARTICLES
 from textbook_systems import Textbook
