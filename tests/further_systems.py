@@ -176,7 +176,7 @@ def trolley_on_three_wheels() -> tuple[Route, ...]:
 
 def skate_on_springs() -> tuple[Route, ...]:
     x, y, theta = moving("x y theta")
-    m, inertia, c, kappa = constants("m I_P c kappa")
+    m, inertia, c, kappa = constants("m J c kappa")
     skate = flat(m, (x, y), inertia, theta, force=(-c * x, -c * y, 0), moment=(0, 0, -kappa * theta))
     return (newton_euler("x y theta", [skate], kinematic={"blade": d(y) * cos(theta) - d(x) * sin(theta)}),)
 
@@ -280,7 +280,7 @@ ROLLING = ("rolling.1", "rolling.2")
 FURTHER: dict[str, Textbook] = {
     "ball-on-a-ball": Textbook(ball_on_a_ball, NONHOLONOMIC, 3, 0, ("downward", "sideways")),
     "ballistic-curve": Textbook(ballistic_curve, HOLONOMIC, 2, 0, functions={"D": ("v", "v**2 + 3*v + sin(v)")}),
-    "bead-on-any-wire": Textbook(bead_on_any_wire, HOLONOMIC, 1, 1, functions={"f": ("X", "sin(X) + X**2")}),
+    "bead-on-any-wire": Textbook(bead_on_any_wire, HOLONOMIC, 1, 1, functions={"f": ("x", "sin(x) + x**2")}),
     "bead-on-lemniscate": Textbook(bead_on_lemniscate, HOLONOMIC, 1, 1, ranges={"a": (2, 3)}),
     "charge-and-monopole": Textbook(charge_and_monopole, HOLONOMIC, 3, 0),
     "clockwork-skate": Textbook(clockwork_skate, "nonholonomic rheonomic catastatic", 1, 0, ("blade",)),
