@@ -346,11 +346,11 @@ def rocking_plane() -> Known:
 
 
 def pursuit() -> Known:
-    """The velocity of the dog is parallel to the line of sight from (x, y) to (0, v t)."""
+    """The velocity of the dog is parallel to the line of sight from (x, y) to (0, u)."""
     x, y = q = coordinates("x y")
-    (v,) = constants("v")
+    u = concrete(sp.Symbol("u", real=True), (sp.Symbol("u", real=True),))
     rates = sp.symbols("v:2")
-    sight = Matrix([[-x, v * t - y], list(rates)]).det()
+    sight = Matrix([[-x, u - y], list(rates)]).det()
     return Known(
         q, {"sight": velocity_form(sight, q, rates)}, {"sight": False}, (1, 0), 1, words="rheonomic catastatic"
     )

@@ -11,6 +11,7 @@ from conftest import PROBLEMS
 from sweep import equations_in, unreadable
 
 from lagrange.answer_files import equations_in_file
+from lagrange.answers import Verdict
 from lagrange.derivation import Display, Mathematics
 from lagrange.diagnostics import Fragment, ProblemError, Source
 from lagrange.exact import is_zero
@@ -47,6 +48,13 @@ def holds(text: str, result: Report, carried: bool = False) -> bool:
         rates = zip(solution.problem.slots.coordinates, solution.carried, strict=True)
         difference = difference.xreplace({differential(q): variation(q) + w * differential(t) for q, w in rates})
     return all(is_zero(c) is True for c in difference.components)
+
+
+def test_it_passes_its_own_checks_and_agrees_with_its_answers(solved: Report) -> None:
+    assert [c.name for c in solved.solution.checks if c.passed is not True] == []
+    assert [a.name for a in solved.answers if a.verdict is not Verdict.EQUIVALENT] == []
+    assert all(c.integrable is not None or not c.pfaffian for c in solved.solution.classification.constraints)
+    assert solved.holds, solved.shortcomings
 
 
 def test_equations_can_be_read_again(solved: Report) -> None:

@@ -413,6 +413,13 @@ def test_an_index_of_a_number_and_a_letter_is_written_as_one():
     assert unicode(sp.Symbol("a_1q")) == "a_1q"  # there is no small q below the line
 
 
+def test_a_slope_before_brackets_is_not_taken_there():
+    """`\\frac{\\partial f}{\\partial X} (x + y)` would be read as the slope at x + y."""
+    rise = Unspecified.of("h", ("x",), x).partial(0)
+    printed = latex(-rise * (g + rise.partial(0) * D(x) ** 2) / (1 + rise**2))
+    assert printed.startswith(r"-\frac{\left( \frac{\partial h}{\partial x} \right) \left( \frac{"), printed
+
+
 def test_latex_does_not_stack_fractions_of_slopes():
     slope = f.partial(1) / f.partial(0)
     assert latex(-slope * delta(y)) == r"-\frac{\partial f / \partial Y}{\partial f / \partial X} \, \delta y"

@@ -21,6 +21,7 @@ from solution_counts import roots
 
 from lagrange.equilibrium import Equilibrium
 from lagrange.loader import load
+from lagrange.notation import Unspecified
 from lagrange.positivity import Condition
 from lagrange.report import Report, report
 from lagrange.stability import Stability, Verdict
@@ -204,7 +205,19 @@ def force(name: str, **values: float) -> float:
     [b] = found.branches
     [r] = b.relations
     assert r.lhs == sp.Symbol("P", real=True)
-    return float(r.rhs.xreplace({s: sp.Float(values[s.name]) for s in r.rhs.free_symbols}))
+    return value(r.rhs, values)
+
+
+def forces(name: str, **values: float) -> dict[str, float]:
+    """All unknown forces that a problem asks for, at numbers."""
+    found = solved(name).solution.equilibrium
+    assert found is not None
+    [b] = found.branches
+    return {r.lhs.name: value(r.rhs, values) for r in b.relations}
+
+
+def value(e: sp.Expr, values: dict[str, float]) -> float:
+    return float(e.xreplace({s: sp.Float(values[s.name]) for s in e.free_symbols}))
 
 
 def test_ladder_by_moments() -> None:
@@ -296,3 +309,34 @@ def test_rocking_plank_is_stable_when_it_is_thin() -> None:
         height = [(1 + h) * cos(t) + t * sin(t) for t in (-0.01, 0, 0.01)]
         least = height[1] < min(height[0], height[2])
         assert bool((condition.lhs - condition.rhs).xreplace({radius: 1, half: h}) > 0) is least
+
+
+def test_bifilar_suspension_by_the_tension_of_the_strings() -> None:
+    """Each string carries W/2 upward and is inclined: its horizontal pull W/2 · (chord)/z has the lever a cos(θ/2)."""
+    a, length, theta, w = 0.3, 2.0, 0.8, 40.0
+    chord = 2 * a * sin(theta / 2)
+    z = sqrt(length**2 - chord**2)
+    expected = 2 * (w / 2 * chord / z) * a * cos(theta / 2)
+    assert isclose(forces("bifilar-suspension", W=w, a=a, theta=theta, z=z)["M"], expected, rel_tol=1e-12)
+
+
+def test_lorry_on_a_bridge_by_moments() -> None:
+    """Moments about the ends of 10 m, 60 kN in the middle and 40 kN at 2.5 m: 60 kN on the left, 40 kN on the right."""
+    assert forces("lorry-on-a-bridge", l=10, b=2.5, B=60, W=40) == {"P": 60, "Q": 40}
+
+
+def test_drawbridge_needs_no_force_with_the_right_curve() -> None:
+    """Where the height of all weights is constant, Q f(u) = W l/2 cos θ + const, no force is needed: f is a parabola.
+
+    With u = L − 2 l sin(θ/2), cos θ = 1 − (L − u)²/(2 l²), so that f = −W (L − u)²/(4 Q l) + const does it.
+    """
+    found = solved("drawbridge").solution.equilibrium
+    assert found is not None
+    [b] = found.branches
+    [r] = b.relations
+    length, rope, w, q, theta = 3.0, 5.0, 20.0, 7.0, 0.9
+    slope = w * (2 * length * sin(theta / 2)) / (2 * q * length)
+    [partial] = [e for e in sp.preorder_traversal(r.rhs) if isinstance(e, Unspecified)]
+    numbers = {"W": w, "Q": q, "theta": theta, "L": rope, "l": length}
+    assert isclose(value(r.rhs.xreplace({partial: sp.Float(slope)}), numbers), 0, abs_tol=1e-12)
+    assert isclose(value(r.rhs.xreplace({partial: sp.S.Zero}), numbers), w / 2 * sin(theta))

@@ -17,6 +17,7 @@ import sympy as sp
 import yaml
 from body_systems import BODIES
 from conftest import PROBLEMS
+from further_systems import FURTHER
 from mpmath import mp, mpf
 from second_route import (
     AGREED,
@@ -30,7 +31,7 @@ from second_route import (
     solved,
     states,
 )
-from shipped_systems import SHIPPED
+from shipped_systems import SHIPPED as FIRST
 from textbook_systems import SYSTEMS as PARTICLES
 from textbook_systems import Textbook
 
@@ -43,6 +44,7 @@ from lagrange.report import Report, report
 from lagrange.solution import ChoiceSolution
 from lagrange.spot import Spot
 
+SHIPPED = {**FIRST, **FURTHER}
 SYSTEMS = {**PARTICLES, **BODIES, **SHIPPED}
 FOLDER = Path(__file__).parent / "systems"
 STATES = 3
@@ -224,7 +226,7 @@ def test_reactions_in_a_choice(name: str) -> None:
             f"lambda_{n}": concrete(v, book) for n, v in found.dynamics.reactions.multipliers.items() if v is not None
         }
         configuration = found.motion.configuration
-        expressed = {q.name: e for q, e in configuration.expressed.items()}
+        expressed = {q.name: concrete(e, book) for q, e in configuration.expressed.items()}
         unknowns = [a.name for a in configuration.slots.accelerations]
         rows = derived_rows(configuration, found.motion.expressions, book)
         signs = {s.name: mpf(1) for s in found.coordinates.signs}
@@ -297,7 +299,7 @@ def test_accelerations_in_a_choice(name: str, choice: str) -> None:
     found = next(c for c in solution.choices if c.name == choice)
     configuration = found.motion.configuration
     written = substitution_of_file(name, choice, configuration)
-    expressed = written or {q.name: e for q, e in configuration.expressed.items()}
+    expressed = written or {q.name: concrete(e, book) for q, e in configuration.expressed.items()}
     route = routes_of(name)[0]
     branches = list(product((-1, 1), repeat=len(found.coordinates.signs)))
     assert found.coordinates.branches == len(branches)
@@ -398,7 +400,7 @@ def test_spot_value(name: str, choice: str) -> None:
         found = next(c for c in solution.choices if c.name == choice)
         spot, configuration = found.spot, found.motion.configuration
         written = substitution_of_file(name, choice, configuration)
-        expressed = written or {q.name: e for q, e in configuration.expressed.items()}
+        expressed = written or {q.name: concrete(e, book) for q, e in configuration.expressed.items()}
     else:
         spot, configuration, expressed = solution.spot, solution.configuration, {}
     if spot is None:

@@ -90,10 +90,10 @@ def _lines(
         if line is None:
             return
         e1, e2 = p.at(rotation.axes[0]), p.at(rotation.axes[1])
-        yield (
-            (inner(line.direction, e1), inner(line.direction, e2)),
-            (inner(line.nearest, e1), inner(line.nearest, e2)),
-        )
+        direction = inner(line.direction, e1), inner(line.direction, e2)
+        if math.hypot(*direction) < _SAME:  # across the plane in which the body turns, as what holds it up
+            return
+        yield direction, (inner(line.nearest, e1), inner(line.nearest, e2))
 
 
 def _common_point(

@@ -209,6 +209,9 @@ class Writer:
         pieces += self._unmistakable(factors) if whole and len(pieces) + len(factors) > 1 else self._factors(factors)
         if whole and len(pieces) > 1 and isinstance(factors[-1][0], Wedge) and BREAK in pieces[-2].code:
             return self._broken_before(pieces)
+        first_of_several = self.style.by_hand and not numbers and len(pieces) > 1
+        if first_of_several and pieces[1].level <= Level.DIVISION and _is_slope(factors[0]):
+            pieces[0] = Piece(self.style.bracketed(pieces[0].code), Level.POWER)  # ∂f/∂x (a + b) is f's slope at a + b
         if not pieces:
             return self.style.number(sp.S.One)
         return pieces[0] if len(pieces) == 1 else self._joined(pieces)
@@ -316,6 +319,12 @@ def _ambiguous(expressions: Iterable[sp.Basic]) -> frozenset[str]:
         for function in expression.atoms(Unspecified):
             lists.setdefault(function.name, set()).add(function.arguments)
     return frozenset(name for name, found in lists.items() if len(found) > 1)
+
+
+def _is_slope(factor: Factor) -> bool:
+    """Whether it is a derivative of an undefined function, to the first power."""
+    base, exponent = factor
+    return isinstance(base, Unspecified) and any(base.orders) and exponent == 1
 
 
 def _is_letter(factor: Factor) -> bool:
