@@ -28,6 +28,13 @@ def named(name: str) -> dict[str, Path]:
     return exact or {n: p for n, p in known.items() if f"/{name}-" in f"/{n}"}
 
 
+def short_names() -> dict[str, str]:
+    """name -> the shortest that means this problem and no other: its last part, where no two problems share it."""
+    known = list(entries())
+    last = [n.rpartition("/")[2] for n in known]
+    return {n: short if last.count(short) == 1 else n for n, short in zip(known, last, strict=True)}
+
+
 def path_of(name: str) -> Path:
     """The file of the one problem that a name means. Raises ProblemError where there is none, or several."""
     found = named(name)
@@ -38,7 +45,14 @@ def path_of(name: str) -> Path:
     if found:
         message = f"`{name}` may be any of {', '.join(f'`{n}`' for n in found)}"
         raise ProblemError(Diagnostic("several-problems", message, help="write the whole name"))
-    near = nearest(name, [n.rsplit("/", 1)[-1] for n in entries()])
+    near = nearest(name, short_names().values())
     meant = f"did you mean `{near}`? " if near else ""
-    help_ = f"{meant}`lagsolve list` shows the library, `lagsolve --help` the commands"
-    raise ProblemError(Diagnostic("no-such-problem", f"there is no file and no shipped problem `{name}`", help=help_))
+    help_ = topic_hint(name) or f"{meant}`lagsolve list` shows the library"
+    raise ProblemError(Diagnostic("no-such-problem", f"there is no shipped problem `{name}`", help=help_))
+
+
+def topic_hint(name: str) -> str:
+    """What to do where the name is that of a topic; empty where it is none."""
+    topic = name.rstrip("/")
+    known = {n.rpartition("/")[0] for n in entries()}
+    return f"`{topic}` is a topic: `lagsolve list {topic}` shows its problems" if topic in known else ""

@@ -113,7 +113,7 @@ def test_a_name_that_means_several(monkeypatch: pytest.MonkeyPatch, tmp_path: Pa
     for name in ("a/ex1-b.yaml", "b/ex1-b.yaml", "b/ex1-c.yaml"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(OSCILLATOR, encoding="utf-8")
-    monkeypatch.setattr(library, "root", lambda: tmp_path)
+    monkeypatch.setattr("lagrange.library.root", lambda: tmp_path)
     assert set(library.named("ex1")) == {"a/ex1-b", "b/ex1-b", "b/ex1-c"}
     assert set(library.named("ex1-b")) == {"a/ex1-b", "b/ex1-b"}
     assert set(library.named("b/ex1-b")) == {"b/ex1-b"}

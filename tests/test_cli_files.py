@@ -86,6 +86,7 @@ def test_a_library_without_an_index(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     (tmp_path / "b").mkdir()
     (tmp_path / "b" / "a.yaml").write_text("title: A\ncoordinates: [x]\n")
     monkeypatch.setattr(library, "root", lambda: tmp_path)
+    monkeypatch.setattr("lagrange.library.root", lambda: tmp_path)
     assert library.index() == Index({}, {})
     assert library.containing(()) == (Entry("b/a", "A", "", ("constraints",), ""),)
     assert catalogue.page(library.containing(()), library.index(), {"b/a": "a"}, 40, whole=False, styled=False) == (

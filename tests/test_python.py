@@ -98,15 +98,6 @@ def test_a_mistake_is_shown_as_by_the_command(tmp_path: Path) -> None:
         lagrange.load(3)  # type: ignore[arg-type]
 
 
-def test_the_library_is_that_of_the_command() -> None:
-    from lagrange import library
-    from lagsolve import library as commands
-
-    assert library.entries() == commands.entries()
-    for name in ("ex11", "ex15", "chapter6", "sleigh", "nothing"):
-        assert library.named(name) == commands.named(name)
-
-
 # solve
 
 

@@ -1,4 +1,4 @@
-"""The shipped library of problems: where it is, finding a problem by name or by words, what each is about.
+"""The shipped library of problems: what each is about, finding some by words. Names are in `lagrange.library`.
 
 A folder of the library is a topic. `index.yaml` beside the folders has a heading for each, and a sentence on what a
 problem exercises; a library without it has the folders' names.
@@ -11,7 +11,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-HERE = Path(__file__).resolve().parent
+from lagrange.library import entries, named, path_of, root, short_names, topic_hint
+
+__all__ = ["Entry", "Index", "containing", "entries", "index", "named", "path_of", "short_names", "topic_hint"]
 QUESTIONS = ("constraints", "equilibrium", "motion", "linearization")
 
 
@@ -46,56 +48,6 @@ class Index:
     def exercised(self, name: str) -> str:
         """What a problem exercises. The index may name it with its topic or without."""
         return self.exercises.get(name) or self.exercises.get(name.rpartition("/")[2], "")
-
-
-def root() -> Path:
-    """The folder of the library: inside the installed package, or beside `cli/` in a checkout."""
-    installed = HERE / "problems"
-    return installed if installed.is_dir() else HERE.parents[1] / "problems"
-
-
-def entries() -> dict[str, Path]:
-    """name -> file of every shipped problem; the name is `chapter6/ex11-ideal-pendulum`."""
-    base = root()
-    named = {p.relative_to(base).with_suffix("").as_posix(): p for p in base.glob("*/**/*.yaml")}
-    return dict(sorted(named.items()))
-
-
-def named(name: str) -> dict[str, Path]:
-    """The problems that a name may mean: the whole name, its last part, or the beginning of that (`ex11`)."""
-    known = entries()
-    exact = {n: p for n, p in known.items() if f"/{n}".endswith(f"/{name}")}
-    return exact or {n: p for n, p in known.items() if f"/{name}-" in f"/{n}"}
-
-
-def short_names() -> dict[str, str]:
-    """name -> the shortest that means this problem and no other: its last part, where no two problems share it."""
-    known = list(entries())
-    last = [n.rpartition("/")[2] for n in known]
-    return {n: short if last.count(short) == 1 else n for n, short in zip(known, last, strict=True)}
-
-
-def path_of(name: str) -> Path:
-    """The file of the one problem that a name means. Raises ProblemError where there is none, or several."""
-    found = named(name)
-    if len(found) == 1:
-        return next(iter(found.values()))
-    from lagrange.diagnostics import Diagnostic, ProblemError, nearest
-
-    if found:
-        message = f"`{name}` may be any of {', '.join(f'`{n}`' for n in found)}"
-        raise ProblemError(Diagnostic("several-problems", message, help="write the whole name"))
-    near = nearest(name, short_names().values())
-    meant = f"did you mean `{near}`? " if near else ""
-    help_ = topic_hint(name) or f"{meant}`lagsolve list` shows the library"
-    raise ProblemError(Diagnostic("no-such-problem", f"there is no shipped problem `{name}`", help=help_))
-
-
-def topic_hint(name: str) -> str:
-    """What to do where the name is that of a topic; empty where it is none."""
-    topic = name.rstrip("/")
-    known = {n.rpartition("/")[0] for n in entries()}
-    return f"`{topic}` is a topic: `lagsolve list {topic}` shows its problems" if topic in known else ""
 
 
 def title_of(path: Path) -> str:
