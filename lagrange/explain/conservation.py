@@ -15,6 +15,8 @@ SMALL = ("epsilon", "eta", "delta", "zeta")
 """What a small number may be called; the first that the problem does not use."""
 LONGEST = 150
 """Operations of an integral that is still shown without being asked for."""
+MOST_TERMS = 6
+"""Equations of motion whose multiples are named, where they add up to the rate of an integral."""
 
 
 def explain_conserved(found: Conserved, choice: str = "", taken: Collection[str] = ()) -> Step | None:
@@ -158,6 +160,8 @@ def _proof(found: Conserved, integral: Integral) -> tuple[Part, ...]:
         terms.append((reference,) if m == 1 else (*factor, " times ", reference))
     if len(terms) < 2:
         return terms[0] if terms else ()
+    if len(terms) > MOST_TERMS:
+        return ("a combination of the equations of motion",)
     parts = [part for n, term in enumerate(terms) for part in (*((_between(n, len(terms)),) if n else ()), *term)]
     return ("the sum of ", *parts)
 
