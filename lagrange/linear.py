@@ -225,6 +225,10 @@ def _leading(row: Sequence[sp.Expr], found: Sequence[sp.Expr | None], tidied: Ti
 def _inverse(block: Sequence[Sequence[sp.Expr]], surface: Decides) -> list[list[sp.Expr]] | None:
     """M⁻¹ of a constant matrix; None where it is singular or large."""
     size = len(block)
+    if all((e != 0) == (r == c) for r, row in enumerate(block) for c, e in enumerate(row)) and all(
+        row[r].is_nonzero for r, row in enumerate(block)
+    ):  # of particles in Cartesian coordinates
+        return [[1 / e if e != 0 else e for e in row] for row in block]
     tidied = _Bounded(tidy_quotient)
     work = [[*row, *(sp.Integer(k == r) for k in range(size))] for r, row in enumerate(block)]
     try:
