@@ -1,5 +1,6 @@
 """The program: `lagsolve` and `python -m lagsolve`. Ctrl-C ends it without a traceback from its first line on."""
 
+import os
 import sys
 
 
@@ -12,6 +13,22 @@ def run() -> None:
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")
         sys.exit(130)  # status.INTERRUPTED, which may not be there yet
+    except SystemExit as end:
+        _leave_at_once(end.code)
+        raise
+
+
+def _leave_at_once(status: object) -> None:
+    """Ends the process where only memory is left to be freed: with SymPy that takes a twentieth of the whole time."""
+    threading = sys.modules.get("threading")
+    if not isinstance(status, int) or (threading and threading.active_count() > 1):
+        return
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except (OSError, AttributeError, ValueError):
+        return
+    os._exit(status)
 
 
 if __name__ == "__main__":
