@@ -2,8 +2,8 @@
 
 Each answer of the table (`test_answers_table`) is judged once by a reference that has judged one other answer, as in
 a marked pile of answers; a verdict is with its remarks and reasons, without the diagnosis, which has its own benchmark.
-Beside it stands what a student of SymPy would do, `simplify` of the difference of the accelerations that two systems
-give.
+Beside it stands what a student of SymPy would do: `simplify` and `.equals(0)` of the difference of the accelerations that
+two systems give. All times are medians of five, a verdict's and its peers' in turn; ratios are medians of the ratios.
 """
 
 from __future__ import annotations
@@ -48,8 +48,8 @@ def given(system: str) -> str:
 
 
 def verdicts(text_of: Callable[[str], str]) -> dict[str, float]:
-    """row of the table -> milliseconds of its first verdict, the best of some runs."""
-    found: dict[str, float] = {}
+    """row of the table -> milliseconds of its first verdict, the median of some runs."""
+    found: dict[str, list[float]] = {}
     for _ in range(RUNS):
         references = {system: reference(read_problem(Source(system, text_of(system)))) for system in SOLVED}
         for against in references.values():
@@ -61,8 +61,8 @@ def verdicts(text_of: Callable[[str], str]) -> dict[str, float]:
                 )
             except ProblemError:
                 continue
-            found[row] = min(found.get(row, took), took)
-    return found
+            found.setdefault(row, []).append(took)
+    return {row: statistics.median(times) for row, times in found.items()}
 
 
 def accelerations(system: str, equations: list[str]) -> list[sp.Expr]:
@@ -75,12 +75,29 @@ def accelerations(system: str, equations: list[str]) -> list[sp.Expr]:
     return list(matrix.adjugate() * right / matrix.det(method="berkowitz"))
 
 
-def simplification(row: str) -> float:
-    """What `simplify` of the differences from the right accelerations takes."""
+def by_sympy(row: str, decide: Callable[[sp.Expr], object]) -> float:
+    """What deciding about the differences from the right accelerations takes."""
     system, answer, _ = TABLE[row]
     ours, theirs = accelerations(system, GIVEN[system][2]), accelerations(system, answer.split(";"))
     clear_cache()
-    return milliseconds(lambda: [sp.simplify(a - b) for a, b in zip(ours, theirs, strict=True)])
+    return milliseconds(lambda: [decide(a - b) for a, b in zip(ours, theirs, strict=True)])
+
+
+def verdict(row: str, text_of: Callable[[str], str]) -> float:
+    """One verdict, the reference having judged another answer."""
+    system, answer, _ = TABLE[row]
+    against = reference(read_problem(Source(system, text_of(system))))
+    check_equations(fragments("0 = 0"), against)
+    return milliseconds(lambda: check_equations(fragments(answer), against, diagnosing=False))
+
+
+def compared(row: str, text_of: Callable[[str], str]) -> tuple[float, ...]:
+    """Medians of a verdict, of `simplify`, of `.equals`, and of the ratios of the two to the verdict."""
+    found = [
+        (verdict(row, text_of), by_sympy(row, sp.simplify), by_sympy(row, lambda d: d.equals(0))) for _ in range(RUNS)
+    ]
+    rows = [*zip(*found, strict=True), *zip(*((s / v, e / v) for v, s, e in found), strict=True)]
+    return tuple(statistics.median(column) for column in rows)
 
 
 def main() -> None:
@@ -89,11 +106,10 @@ def main() -> None:
         times = verdicts(text_of)
         median, worst = statistics.median(times.values()), max(times, key=times.__getitem__)
         print(f"verdict, {name}: median {median:.2f} ms (goal {GOAL:g}), longest {times[worst]:.1f} ms ({worst})")
+        print(f"  {'answer':8}{'verdict ms':>12}{'simplify ms':>13}{'1 to':>7}{'equals ms':>12}{'1 to':>7}")
         for row in COMPARED:
-            simplify = simplification(row)
-            print(
-                f"  {row:>3}  verdict {times[row]:6.2f} ms   simplify {simplify:7.1f} ms   ratio {simplify / times[row]:6.1f}"
-            )
+            ours, simplify, equals, first, second = compared(row, text_of)
+            print(f"  {row:8}{ours:12.2f}{simplify:13.1f}{first:7.0f}{equals:12.1f}{second:7.0f}", flush=True)
 
 
 if __name__ == "__main__":
