@@ -452,6 +452,11 @@ def test_everything_may_be_left_out_of_the_notation():
     assert unicode(m * g * l * sin(th) + m * l**2 * D(th, 2)) == "m l² θ̈ + m g l sin θ"
 
 
+def test_the_second_particle_stands_before_the_tenth():
+    work = sp.Add(*(Dot(VectorSymbol(f"F_P{n}"), VectorSymbol(f"r_P{n}")) for n in (10, 2, 1)))
+    assert unicode(work) == "F_P₁·r_P₁ + F_P₂·r_P₂ + F_P₁₀·r_P₁₀"
+
+
 def test_quasi_velocities_count_as_velocities():
     v = symbols("v")
     notation = Notation(coordinates=(x,), speeds=(v,))

@@ -10,6 +10,7 @@ that could begin with a plus (l^2 - y^2). Terms with differentials or unit vecto
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from enum import IntEnum
 
@@ -25,6 +26,7 @@ Degrees = dict[Kind, dict[Place, float]]
 
 FUNCTIONS = ("exp", "log", "sinh", "cosh", "tanh", "sin", "cos", "tan", "cot", "sec", "csc")
 MASSES = frozenset({"m", "M"})
+_DIGITS = re.compile(r"\d+")  # P2 before P10
 _END = ((1 << 30,),)  # after everything: x y stands before x, as a longer word after a shorter one
 
 
@@ -272,7 +274,7 @@ class Order:
             parts = [self.signature(a) for a in expression.args]
             if isinstance(expression, sp.Add | sp.Mul):
                 parts.sort()
-            name = str(expression) if not parts else type(expression).__name__
+            name = type(expression).__name__ if parts else _DIGITS.sub(lambda n: n[0].zfill(4), str(expression))
             found = self._signatures[expression] = f"{name}({','.join(parts)})" if parts else name
         return found
 
