@@ -18,6 +18,7 @@ import sympy as sp
 from lagrange.balance import Balance
 from lagrange.comparison import affine_rows, state, symbols_of
 from lagrange.displacements import Elimination
+from lagrange.eliminated_rates import closed
 from lagrange.energies import energies
 from lagrange.equations import EquationsOfMotion, WithMultipliers, equations_of_motion, equations_with_multipliers
 from lagrange.exact import Point
@@ -126,6 +127,13 @@ class Motion:
     def written(self) -> EquationsOfMotion:
         """The equations as they are written down."""
         return self.symbolic or self.equations
+
+    def closed(self, through_rates: Sequence[sp.Symbol]) -> Motion:
+        """The same with the velocities put in of the coordinates that are known through them only."""
+        if not through_rates:
+            return self
+        symbolic = None if self.symbolic is None else closed(self.symbolic, through_rates)
+        return replace(self, equations=closed(self.equations, through_rates), symbolic=symbolic)
 
     @cached_property
     def with_multipliers(self) -> WithMultipliers | None:

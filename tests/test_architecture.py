@@ -36,7 +36,7 @@ LAYERS = {
         render.style_unicode render.style_latex render.mathematics""",
     "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
         coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
-        multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
+        eliminated_rates multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
         quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
         statics rest linear_stability linearization linearization_checks""",
     "results": """solution letters benches edits conventions diagnosis dimensions advice answer_readings references reference_systems
