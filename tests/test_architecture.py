@@ -39,7 +39,7 @@ LAYERS = {
         eliminated_rates multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
         quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
         statics rest linear_stability linearization linearization_checks""",
-    "results": """solution letters benches edits conventions diagnosis dimensions advice answer_readings references reference_systems
+    "results": """solution letters benches edits conventions diagnosis dimensions advice answer_readings radii references reference_systems
         validity recognition answers reaction_answers
         equilibrium_comparison equilibrium_answers frequency_answers checked checking grading""",
     "derivations": """explain explain.words explain.bodies explain.statement explain.nonlinear
