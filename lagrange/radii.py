@@ -1,11 +1,11 @@
 """Coordinates that are distances: r of polar, cylindrical and spherical coordinates.
 
-In x = r cos φ, y = r sin φ nothing says that r is positive: (−r, φ + π) is the same place as (r, φ). The distance from the
-origin is |r|, and Newton's attraction G/(r |r|). Books take r > 0, which leaves no place out, and write G/r². So an
+In x = r cos φ, y = r sin φ nothing says that r is positive: (−r, φ + π) is the same place as (r, φ). The distance from
+the origin is |r|, and Newton's attraction G/(r |r|). Books take r > 0, which leaves no place out, and write G/r². So an
 answer that is right where r > 0 is right, and it is said where.
 
-A coordinate is a radius where every place with r < 0 has another name with r > 0: the positions stay what they are when r
-changes its sign and some angles become φ + π, or π − θ. Bodies must not be turned by that.
+A coordinate is a radius where every place with r < 0 has another name with r > 0: the positions stay what they are when
+r changes its sign and some angles become φ + π, or π − θ. Bodies must not be turned by that.
 """
 
 from __future__ import annotations
@@ -52,10 +52,9 @@ def _is_radius(r: sp.Symbol, configuration: Configuration) -> bool:
     places = [c for p in configuration.points for c in p.position.fixed().components]
     if len(others) > MOST_ANGLES or not any(r in c.free_symbols for c in places):
         return False
+    coordinates = configuration.slots.coordinates
     turning = {
-        q
-        for q, *partials in zip(configuration.slots.coordinates, *(b.partials for b in configuration.rotations))
-        if any(not w.is_zero for w in partials)
+        q for b in configuration.rotations for q, w in zip(coordinates, b.partials, strict=True) if not w.is_zero
     }
     angles = [q for q in others if q not in turning and any(_is_turned_by(c, q) for c in places)]
     return r not in turning and any(_stay(places, {r: -r, **turned}) for turned in _turns(angles))
