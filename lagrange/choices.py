@@ -24,6 +24,7 @@ from lagrange.reading import Reading, size
 from lagrange.reference_frame import coordinate
 from lagrange.sections import Section, entries_of, items_of, mapping_of, scalar_of
 from lagrange.symbols import RATE, SUBSTITUTION
+from lagrange.tidying import tidied
 
 _EXAMPLE = "{coordinates: [theta], substitute: {x: l*sin(theta)}}"
 
@@ -44,7 +45,7 @@ def read_speeds(node: Node | None, reading: Reading) -> tuple[Speed, ...]:
 
 def _speed(key: Scalar, node: Node, reading: Reading) -> sp.Expr:
     what = f"the quasi-velocity `{key.text}`"
-    value = reading.scalar(node, what, RATE)
+    value = tidied(reading.scalar(node, what, RATE))
     if value.free_symbols.isdisjoint(reading.scope.slots.velocities):
         help_ = "write it with the velocities, as `x'*cos(theta) + y'*sin(theta)`"
         raise ProblemError(Diagnostic("no-velocity", f"{what} has no velocity in it", node.span, help=help_))
