@@ -45,12 +45,13 @@ def read_speeds(node: Node | None, reading: Reading) -> tuple[Speed, ...]:
 
 def _speed(key: Scalar, node: Node, reading: Reading) -> sp.Expr:
     what = f"the quasi-velocity `{key.text}`"
-    value = tidied(reading.scalar(node, what, RATE))
+    value = reading.scalar(node, what, RATE)
     if value.free_symbols.isdisjoint(reading.scope.slots.velocities):
         help_ = "write it with the velocities, as `x'*cos(theta) + y'*sin(theta)`"
         raise ProblemError(Diagnostic("no-velocity", f"{what} has no velocity in it", node.span, help=help_))
     _check_linear(what, value, node, reading)
-    return value
+    short = tidied(value)
+    return value if short.free_symbols.isdisjoint(reading.scope.slots.velocities) else short
 
 
 def _check_linear(what: str, value: sp.Expr, node: Node, reading: Reading) -> None:
