@@ -23,7 +23,7 @@ from lagrange.energies import energies
 from lagrange.equations import EquationsOfMotion, WithMultipliers, equations_of_motion, equations_with_multipliers
 from lagrange.exact import Point
 from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
-from lagrange.kinematics import Configuration, Load
+from lagrange.kinematics import Configuration, Load, is_pfaffian
 from lagrange.matrix_form import MatrixForm, matrix_form
 from lagrange.multipliers import lagrange_motion
 from lagrange.newton import Newton, Reaction, newton_equations
@@ -176,7 +176,8 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
     if not with_reactions or _is_left_out(law, configuration):
         equations = law.equations(configuration, elimination)
         return Motion(equations, None, (), configuration, multipliers=multipliers)
-    reactions = solved_reactions(law.system, law.newton, law.used, configuration)
+    resting = () if law.frictions else _resting(configuration, elimination)
+    reactions = solved_reactions(law.system, law.newton, law.used, configuration, resting=resting)
     rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
     if not rubbed:
         equations = law.equations(configuration, elimination)
@@ -197,6 +198,18 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
         signs=signs,
         symbolic=law.equations(shown, elimination) if long else None,
         multipliers=multipliers,
+    )
+
+
+def _resting(configuration: Configuration, elimination: Elimination) -> tuple[sp.Symbol, ...]:
+    """The velocities that the constraints keep zero: a reaction is not written with them."""
+    if not is_pfaffian(configuration.rows):
+        return ()
+    rates = zip(elimination.dependent, elimination.solution, elimination.drift, strict=True)
+    return tuple(
+        configuration.slots.velocities[d]
+        for d, row, drift in rates
+        if all(e == 0 or configuration.states.is_zero(e) for e in (*row, drift))
     )
 
 
