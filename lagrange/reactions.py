@@ -171,13 +171,15 @@ def solved_reactions(
 
     Forces are written in the coordinates of the configuration.
     """
-    rule = {**_positions_and_velocities(configuration), **dict.fromkeys(resting, sp.S.Zero)}
     tidy = tidy_quotient if configuration.expressed else _on_surface(configuration)
     rows, right = _in_coordinates(system, configuration, dragging)
     for k, force in enumerate(applied):
         right[k] = right[k] + force
+    inside = {s for b in right for f in b.atoms(Unspecified) for s in f.free_symbols}  # F(x, x') stays as it is written
+    still = dict.fromkeys([v for v in resting if v not in inside], sp.S.Zero)
+    right = [b.xreplace(still) for b in right]
+    rule = _positions_and_velocities(configuration)
     place = Place(lambda e: e.xreplace(rule), configuration.states, tidy, over_one_denominator)
-    right = [b.xreplace(dict.fromkeys(resting, sp.S.Zero)) for b in right]
     there = LinearSystem(tuple(tuple(row) for row in rows), tuple(right), system.unknowns)
     return reactions_at(place, there, newton, used, configuration)
 
