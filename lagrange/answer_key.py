@@ -138,7 +138,10 @@ class AnswerReader:
         for node in nodes:
             scalar = self.findings.attempt(lambda n=node: scalar_of(n, f"an entry of {what}"))  # type: ignore[misc]
             if scalar is not None:
-                self._try(read_value, scalar.fragment)
+                try:
+                    self._try(read_value, scalar.fragment)
+                except ProblemError as error:
+                    raise ProblemError([_of_frequency(d) for d in error.diagnostics]) from None
                 yield scalar.fragment
 
     def _classification(self, node: Node | None) -> tuple[str, ...]:
@@ -231,3 +234,9 @@ def _truth_value(node: Node) -> bool:
         message = f"`{scalar.text}` is neither `true` nor `false`"
         raise ProblemError(Diagnostic("not-a-truth-value", message, scalar.span, help="write `true` or `false`"))
     return scalar.text == "true"
+
+
+def _of_frequency(mistake: Diagnostic) -> Diagnostic:
+    """A mistake in a stated frequency: of an imaginary one, what can be stated."""
+    help_ = "state the real frequencies only: a root with omega^2 < 0 grows as an exponential function, and is left out"
+    return replace(mistake, help=help_) if mistake.code == "not-real" else mistake

@@ -140,21 +140,46 @@ class _Attempt:
     standings: tuple[tuple[Standing, ...], ...] = ()
 
     @property
-    def quality(self) -> tuple[int, int, int]:
-        """The better verdict; of two wrong ones that with more right equations, then with more that are linear."""
+    def quality(self) -> tuple[int, int, int, bool]:
+        """The better verdict; of two wrong ones that with more right equations, then with more that are linear.
+
+        Then with radii taken as positive: what is wrong there is not the sign of a radius.
+        """
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
         bent = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
-        return _QUALITY.index(self.verdict.verdict), right, -bent
+        return _QUALITY.index(self.verdict.verdict), right, -bent, bool(self.candidate.positive)
 
 
 def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_Attempt]:
-    """The verdicts in all sets of coordinates that know the answer's, until it is right in one."""
+    """The verdicts in all sets of coordinates that know the answer's, until it is right in one.
+
+    After that, where it is not right, with radii taken as positive.
+    """
+    tried = []
     for candidate in reference.candidates:
         attempt = _attempt(readings, candidate, reference)
         if attempt is not None:
             yield attempt
             if attempt.verdict.verdict is Verdict.EQUIVALENT:
                 return
+            tried.append((candidate, attempt))
+    for candidate, before in tried:
+        there = candidate.where_positive()
+        attempt = None if there is None else _attempt(readings, there, reference)
+        if there is not None and attempt is not None:
+            yield replace(attempt, verdict=_where_positive(attempt.verdict, before.verdict, there))
+
+
+def _where_positive(verdict: AnswerVerdict, before: AnswerVerdict, candidate: Candidate) -> AnswerVerdict:
+    """The verdict with a remark on the equations that are right only because radii are positive."""
+    where = " and ".join(f"{r} > 0" for r in candidate.positive)
+    equations = tuple(
+        replace(e, remarks=(*e.remarks, f"valid where {where}"))
+        if e.verdict is Verdict.EQUIVALENT and b.verdict is not Verdict.EQUIVALENT
+        else e
+        for e, b in zip(verdict.equations, before.equations, strict=True)
+    )
+    return replace(verdict, equations=equations)
 
 
 def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Reference) -> _Attempt | None:
@@ -298,7 +323,8 @@ def _convention(attempt: _Attempt, system: System) -> Convention | None:
     standings = [s for several in attempt.standings for s in several]
     if Standing.CONTRADICTS not in standings or Standing.NOT_LINEAR in standings:
         return None
-    return other_convention([e for es in attempt.components for e in es], system)
+    found = other_convention([e for es in attempt.components for e in es], system)
+    return None if found is not None and found.coordinate in attempt.candidate.positive else found
 
 
 def _has_one_equation(system: System) -> bool:

@@ -141,6 +141,7 @@ class _Search:
     def _prepared(self, state: _State) -> _State | None:
         """The equations with the known values put in, as polynomials; None where they contradict themselves."""
         kept = []
+        state = self._with_roots(state)
         for e in state.equations:
             changed = resolved(e, state.values) if state.values else e
             parts = numerator(changed)
@@ -165,6 +166,19 @@ class _Search:
             if e not in kept:
                 kept.append(e)
         return replace(state, equations=tuple(sorted(kept, key=lambda e: (e.count_ops(), str(e)))))
+
+    def _with_roots(self, state: _State) -> _State:
+        """The state with the values put in under square roots too: √(x² + y²) is √x², another letter, where y is 0."""
+        used = {s for e in state.equations for s in e.free_symbols}
+        found: dict[sp.Symbol, sp.Expr] = {}
+        for root in [r for r in self.letters.roots if r in used and r not in state.values]:
+            radicand = self.letters.roots[root]
+            if radicand.free_symbols.isdisjoint(state.values):
+                continue
+            changed = tidied(resolved(radicand, state.values))
+            if self.letters.unknowns_in(changed):
+                found[root] = self.letters.root(changed)
+        return replace(state, values={**state.values, **found}, common={**state.common, **found}) if found else state
 
     def _without_squares(self, e: sp.Expr) -> sp.Expr:
         """The shorter of the polynomial and its reduction by C² + S² = 1; 0 where it is zero."""
@@ -229,6 +243,10 @@ class _Search:
                             solved=(*state.solved, u),
                         )
                     )
+            return
+        turned = self._turned(state)
+        if turned is not None:
+            yield from self.branches(turned)
             return
         for other in self._linear(state, with_unknowns=True) or ():
             yield from self.branches(other)
@@ -301,6 +319,43 @@ class _Search:
                     found.append(replace(state, equations=(*rest, a, b)))
                 return found
         return None
+
+    def _turned(self, state: _State) -> _State | None:
+        """What comes of eliminating an angle that another one gives, θ = ψ + α; None where there is none."""
+        letters = {s for a in self.letters.angles.values() for s in a.letters}
+        for n, e in enumerate(state.equations):
+            if not e.free_symbols.isdisjoint(letters):
+                continue
+            for u in [u for u in self.letters.unknowns if u in self.letters.angles and u not in state.solved]:
+                parts = self._as_linear(e, u)
+                if parts is None or self.letters.unknowns_in(parts[0]):
+                    continue
+                value = tidied(-parts[1] / parts[0])
+                pair = self._pair_of(self.letters.angles[u].measure.xreplace({u: value}))
+                if pair is None:
+                    continue
+                values = {u: value, **dict(zip(self.letters.angles[u].letters, pair, strict=True))}
+                return replace(
+                    state,
+                    equations=(*state.equations[:n], *state.equations[n + 1 :]),
+                    values={**state.values, **values},
+                    common={**state.common, **values},
+                    relations=(*state.relations, Relation(u, value)),
+                    conditions=(*state.conditions, *self._nonzero(parts[0])),
+                    solved=(*state.solved, u),
+                )
+        return None
+
+    def _pair_of(self, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+        """Cosine and sine of an angle in the letters of the unknowns; None where it is no sum of multiples of them."""
+        for term in sp.Add.make_args(sp.expand(angle)):
+            unknown = self.letters.unknowns_in(term)
+            if unknown and not (term.as_coeff_Mul()[1] in unknown and term.as_coeff_Mul()[1] in self.letters.angles):
+                return None
+        try:
+            return self.letters.pair(angle)
+        except NotAlgebraicError:
+            return None
 
     def _nonzero(self, coefficient: sp.Expr) -> list[Condition]:
         """The conditions under which what is divided by does not vanish: k l ≠ m g."""

@@ -24,6 +24,7 @@ from lagrange.reading import Reading, size
 from lagrange.reference_frame import coordinate
 from lagrange.sections import Section, entries_of, items_of, mapping_of, scalar_of
 from lagrange.symbols import RATE, SUBSTITUTION
+from lagrange.tidying import tidied
 
 _EXAMPLE = "{coordinates: [theta], substitute: {x: l*sin(theta)}}"
 
@@ -49,7 +50,8 @@ def _speed(key: Scalar, node: Node, reading: Reading) -> sp.Expr:
         help_ = "write it with the velocities, as `x'*cos(theta) + y'*sin(theta)`"
         raise ProblemError(Diagnostic("no-velocity", f"{what} has no velocity in it", node.span, help=help_))
     _check_linear(what, value, node, reading)
-    return value
+    short = tidied(value)
+    return value if short.free_symbols.isdisjoint(reading.scope.slots.velocities) else short
 
 
 def _check_linear(what: str, value: sp.Expr, node: Node, reading: Reading) -> None:

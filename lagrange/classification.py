@@ -32,6 +32,7 @@ from lagrange.integrability import Flag, derived_flag
 from lagrange.kinematics import Row, admitted_states, is_pfaffian
 from lagrange.notation import Slots, base, t
 from lagrange.problem import Constraint, Problem
+from lagrange.quasi_coordinates import QuasiCoordinates, quasi_coordinates
 from lagrange.rank_loss import RankLoss, rank_losses
 
 
@@ -135,17 +136,19 @@ def classify(problem: Problem) -> Classification:
     names = {r.name for r in redundant}
     independent = [r for r in rows if r.name not in names]
     finite = [r for r in independent if r.finite is not None]
+    quasi = quasi_coordinates(problem) if any(r.finite is None for r in rows) else None
     constraints = tuple(
-        analysis(c, row, finite, surface, slots) for c, row in zip(problem.constraints, rows, strict=True)
+        analysis(c, row, finite, surface, slots, quasi) for c, row in zip(problem.constraints, rows, strict=True)
     )
     rank = _rank(rows, states)
-    flag = _flag(rows, rank, slots, surface, states)
+    true = [r for r in rows if quasi is None or not quasi.occur_in(r.form, slots)]
+    flag = _flag(rows, rank, slots, surface, states, None if len(true) == len(rows) else quasi)
     return Classification(
         constraints=constraints,
         rank=rank,
         flag=flag,
         redundancies=redundant,
-        hidden=_hidden(constraints, independent, flag, surface, slots),
+        hidden=_hidden(constraints, [r for r in independent if r in true], flag, surface, slots),
         losses=rank_losses(independent, surface, slots) if is_pfaffian(rows) else (),
         moving=_moving_positions(problem),
         driven=_driven_rotations(problem),
@@ -153,13 +156,27 @@ def classify(problem: Problem) -> Classification:
     )
 
 
-def _flag(rows: Sequence[Row], rank: int, slots: Slots, surface: Surface, states: Surface) -> Flag:
+def _flag(
+    rows: Sequence[Row],
+    rank: int,
+    slots: Slots,
+    surface: Surface,
+    states: Surface,
+    quasi: QuasiCoordinates | None = None,
+) -> Flag:
     """The derived flag of the Pfaffian rows, which is that of all rows if the others bend enough.
+
+    Of rows with quasi-coordinates it is that of the forms in true ones.
 
     Where the constraints leave no freedom, q' is a function of q and t, and all of them together are finite relations.
     """
     pfaffian = [r for r in rows if r.nonlinear is None]
     forms = [(*r.coefficients, r.drift) for r in pfaffian]
+    if quasi is not None:
+        turned = [quasi.in_angles(form, slots) for form in forms]
+        if len(pfaffian) < len(rows) or None in turned:
+            return Flag((rank,), None, "some coordinates are quasi-coordinates")
+        return derived_flag([f for f in turned if f is not None], quasi.slots, surface.constraints)
     flag = derived_flag(forms, slots, surface.constraints) if forms else Flag((0,), 0)
     if len(pfaffian) == len(rows):
         return flag

@@ -29,6 +29,7 @@ from lagrange.kinematics import Row, admitted_states
 from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
+from lagrange.quasi_coordinates import QuasiCoordinates
 from lagrange.textbook import textbook_form
 from lagrange.tidying import in_differences, tidied
 
@@ -54,6 +55,7 @@ class ConstraintAnalysis:
     integrable       whether it is a finite relation, on its own and where the geometric constraints hold
     integral         F, where the finite form is given or was found; F stays constant
     finite_form      the factor that makes the form exact, where it is not and one was found
+    quasi            the quasi-coordinates in its form, because of which partial derivatives say nothing of it
     frobenius        the components of ω ∧ dω ∧ df_1 ∧ ... that are not written as 0, where the form is not exact; the f
                      are the geometric constraints, so that only what is seen on their surface counts
     depends_on_time  t occurs: in the finite relation if it is one, in the form otherwise
@@ -73,6 +75,7 @@ class ConstraintAnalysis:
     contains_time: bool
     bending: Bending | None = None
     finite_form: FiniteForm | None = None
+    quasi: tuple[sp.Symbol, ...] = ()
 
     @property
     def pfaffian(self) -> bool:
@@ -110,11 +113,18 @@ def _coefficient(f: sp.Expr, velocity: sp.Symbol, slots: Slots) -> sp.Expr | Non
 
 
 def analysis(
-    constraint: Constraint, row: Row, geometric: Sequence[Row], surface: Surface, slots: Slots
+    constraint: Constraint,
+    row: Row,
+    geometric: Sequence[Row],
+    surface: Surface,
+    slots: Slots,
+    quasi: QuasiCoordinates | None = None,
 ) -> ConstraintAnalysis:
     """What a constraint is. `geometric` are the rows of the geometric constraints, `surface` is where they hold."""
     if row.nonlinear is not None:
         return _of_nonlinear(constraint, row, row.nonlinear, geometric, slots)
+    if quasi is not None and row.finite is None and quasi.occur_in(row.form, slots):
+        return _in_quasi_coordinates(constraint, row, geometric, surface, slots, quasi)
     form, variables = (*row.coefficients, row.drift), (*slots.coordinates, t)
     pairs = exactness(form, variables, slots)
     integral = _integral(row, pairs.exact, slots)
@@ -140,6 +150,37 @@ def analysis(
         catastatic=surface.is_zero(row.drift),
         contains_time=_contains_time(constraint.function, slots),
         finite_form=found,
+    )
+
+
+def _in_quasi_coordinates(
+    constraint: Constraint,
+    row: Row,
+    geometric: Sequence[Row],
+    surface: Surface,
+    slots: Slots,
+    quasi: QuasiCoordinates,
+) -> ConstraintAnalysis:
+    """What a constraint is that has quasi-coordinates: whether it is integrable is decided in true ones."""
+    turned = quasi.in_angles(row.form, slots)
+    integrable: bool | None = None
+    frobenius: tuple[FrobeniusComponent, ...] = ()
+    if turned is not None:
+        integrable = is_integrable(turned, quasi.slots, surface.constraints)
+        frobenius = _frobenius(Row(row.name, turned[:-1], turned[-1]), geometric, surface, quasi.slots)
+    timed = row.drift != 0 or _contains_time(constraint.function, slots)
+    used = (q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0)
+    return ConstraintAnalysis(
+        constraint=constraint,
+        row=row,
+        exactness=Exactness((), False if integrable is False else None),
+        integrable=integrable,
+        integral=None,
+        frobenius=frobenius,
+        depends_on_time=_depends_on_time(row, integrable, None, surface, slots) if timed else False,
+        catastatic=surface.is_zero(row.drift),
+        contains_time=_contains_time(constraint.function, slots),
+        quasi=tuple(q for q in used if q in quasi.coordinates),
     )
 
 

@@ -18,11 +18,12 @@ import sympy as sp
 from lagrange.balance import Balance
 from lagrange.comparison import affine_rows, state, symbols_of
 from lagrange.displacements import Elimination
+from lagrange.eliminated_rates import closed
 from lagrange.energies import energies
 from lagrange.equations import EquationsOfMotion, WithMultipliers, equations_of_motion, equations_with_multipliers
 from lagrange.exact import Point
 from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
-from lagrange.kinematics import Configuration, Load
+from lagrange.kinematics import Configuration, Load, is_pfaffian
 from lagrange.matrix_form import MatrixForm, matrix_form
 from lagrange.multipliers import lagrange_motion
 from lagrange.newton import Newton, Reaction, newton_equations
@@ -127,6 +128,13 @@ class Motion:
         """The equations as they are written down."""
         return self.symbolic or self.equations
 
+    def closed(self, through_rates: Sequence[sp.Symbol]) -> Motion:
+        """The same with the velocities put in of the coordinates that are known through them only."""
+        if not through_rates:
+            return self
+        symbolic = None if self.symbolic is None else closed(self.symbolic, through_rates)
+        return replace(self, equations=closed(self.equations, through_rates), symbolic=symbolic)
+
     @cached_property
     def with_multipliers(self) -> WithMultipliers | None:
         """The same with multipliers; None where no constraint is left."""
@@ -168,7 +176,8 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
     if not with_reactions or _is_left_out(law, configuration):
         equations = law.equations(configuration, elimination)
         return Motion(equations, None, (), configuration, multipliers=multipliers)
-    reactions = solved_reactions(law.system, law.newton, law.used, configuration)
+    resting = () if law.frictions else _resting(configuration, elimination)
+    reactions = solved_reactions(law.system, law.newton, law.used, configuration, resting=resting)
     rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
     if not rubbed:
         equations = law.equations(configuration, elimination)
@@ -189,6 +198,18 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
         signs=signs,
         symbolic=law.equations(shown, elimination) if long else None,
         multipliers=multipliers,
+    )
+
+
+def _resting(configuration: Configuration, elimination: Elimination) -> tuple[sp.Symbol, ...]:
+    """The velocities that the constraints keep zero: a reaction is not written with them."""
+    if not is_pfaffian(configuration.rows):
+        return ()
+    rates = zip(elimination.dependent, elimination.solution, elimination.drift, strict=True)
+    return tuple(
+        configuration.slots.velocities[d]
+        for d, row, drift in rates
+        if all(e == 0 or configuration.states.is_zero(e) for e in (*row, drift))
     )
 
 

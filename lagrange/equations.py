@@ -16,7 +16,7 @@ by must not vanish.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -26,7 +26,7 @@ from lagrange.balance import Balance
 from lagrange.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
 from lagrange.displacements import Elimination
 from lagrange.exact import NoPointError, Point, UnsupportedError
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, Row
 from lagrange.notation import prime, variation
 from lagrange.principle import Principle
 from lagrange.textbook import Factor, Textbook, common_factor, normalised
@@ -48,17 +48,38 @@ class EquationOfMotion:
 
 
 @dataclass(frozen=True)
+class Closed:
+    """The equations of a choice with velocities and accelerations put in that constraints on velocities give.
+
+    velocities  each of these velocities, by the others
+    rates       these velocities and their accelerations
+    equations   of motion, all that is put in included; a factor is what was divided out after that
+    used        the names of the constraints that the velocities come from
+    rows        the constraints that complete the equations
+    """
+
+    velocities: Mapping[sp.Symbol, sp.Expr]
+    rates: Mapping[sp.Symbol, sp.Expr]
+    equations: tuple[EquationOfMotion, ...]
+    used: tuple[str, ...]
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
 class EquationsOfMotion:
     """The equations of one configuration; the rows of the configuration complete them.
 
     principle    what they follow from
     elimination  of the dependent virtual displacements
+    equations    in all coordinates of the configuration, as they come from the principle
+    closed       the same in the chosen coordinates, where some are known through their velocities only
     """
 
     configuration: Configuration
     principle: Balance
     elimination: Elimination
     equations: tuple[EquationOfMotion, ...]
+    closed: Closed | None = field(default=None, kw_only=True)
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -68,7 +89,17 @@ class EquationsOfMotion:
     @property
     def conditions(self) -> tuple[sp.Expr, ...]:
         """What has been divided by and may vanish: these equations are good where none of it does."""
-        return excluded(self.elimination.pivots, self.equations)
+        return excluded(self.elimination.pivots, (*self.equations, *(self.closed.equations if self.closed else ())))
+
+    @property
+    def final(self) -> tuple[EquationOfMotion, ...]:
+        """The equations in which the derivation ends."""
+        return self.closed.equations if self.closed else self.equations
+
+    @property
+    def completing(self) -> tuple[Row, ...]:
+        """The constraints that complete these."""
+        return self.closed.rows if self.closed else self.configuration.rows
 
 
 @dataclass(frozen=True)

@@ -96,7 +96,7 @@ class Formulation:
     @property
     def equations(self) -> tuple[sp.Expr, ...]:
         """The equations of motion, each zero, shape (k,); `constraints` complete them."""
-        return () if self.found.motion is None else self.found.motion.expressions
+        return () if self.found.motion is None else tuple(e.expression for e in self.found.motion.final)
 
     @property
     def conditions(self) -> tuple[sp.Expr, ...]:

@@ -1,8 +1,9 @@
 """Stated frequencies of small oscillations: are they right, and all of them?
 
 A list has the ω of one equilibrium: each a root of its characteristic equation, by exact substitution, so that this
-needs no closed form; as many different ones as there are, the frequency 0 left out or not. Several lists are those of
-several equilibria. A list is tried at every equilibrium, in every set of coordinates, and the best verdict counts.
+needs no closed form; as many different ones as there are, the frequency 0 left out or not. A root ω² that is negative
+whatever the parameters is no frequency, and is left out. Several lists are those of several equilibria. A list is tried
+at every equilibrium, in every set of coordinates, and the best verdict counts.
 """
 
 from __future__ import annotations
@@ -17,6 +18,7 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.expressions import read_value
 from lagrange.linearization import Linearization, SmallOscillations
+from lagrange.positivity import sign_of
 from lagrange.references import Reference
 from lagrange.vectors import Vector
 
@@ -66,8 +68,9 @@ def _verdict(claims: Sequence[sp.Expr], s: SmallOscillations, values: dict[sp.Sy
 
 
 def _degrees(s: SmallOscillations) -> Iterator[int]:
-    """How many different roots each factor has, zero left out."""
+    """How many different frequencies each factor has, zero left out, and roots ω² that are known to be negative."""
     factors = {f.factor: f for f in s.frequencies}
+    growing = {(f.factor, f.square) for f in s.frequencies if f.square is not None and sign_of(f.square) == -1}
     for f in factors.values():
         if f.factor != f.letter:
-            yield int(sp.degree(f.factor, f.letter))
+            yield int(sp.degree(f.factor, f.letter)) - sum(factor == f.factor for factor, _ in growing)

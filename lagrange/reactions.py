@@ -14,7 +14,7 @@ Shapes: M (n, n), A (m, n), h (n,), β (m,).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -161,19 +161,24 @@ def solved_reactions(
     configuration: Configuration,
     dragging: Sequence[Dragging] = (),
     applied: Sequence[sp.Expr] = (),
+    resting: Collection[sp.Symbol] = (),
 ) -> Reactions:
     """The unknowns of a system, in the coordinates of a configuration: the file's own, or those of a choice.
 
     dragging  applied forces that are proportional to a multiplier
     applied   further generalized forces for the file's coordinates, shape (n,)
+    resting   velocities that the constraints keep zero
 
-    Both are written in the coordinates of the configuration.
+    Forces are written in the coordinates of the configuration.
     """
-    rule = _positions_and_velocities(configuration)
     tidy = tidy_quotient if configuration.expressed else _on_surface(configuration)
     rows, right = _in_coordinates(system, configuration, dragging)
     for k, force in enumerate(applied):
         right[k] = right[k] + force
+    inside = {s for b in right for f in b.atoms(Unspecified) for s in f.free_symbols}  # F(x, x') stays as it is written
+    still = dict.fromkeys([v for v in resting if v not in inside], sp.S.Zero)
+    right = [b.xreplace(still) for b in right]
+    rule = _positions_and_velocities(configuration)
     place = Place(lambda e: e.xreplace(rule), configuration.states, tidy, over_one_denominator)
     there = LinearSystem(tuple(tuple(row) for row in rows), tuple(right), system.unknowns)
     return reactions_at(place, there, newton, used, configuration)

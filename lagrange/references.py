@@ -26,6 +26,7 @@ from lagrange.multipliers import LagrangeMotion
 from lagrange.notation import prime, variation
 from lagrange.problem import Problem
 from lagrange.quasi_velocities import quasi_variation
+from lagrange.radii import radii, where_positive
 from lagrange.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.vectors import Vector
 from lagrange.verification import multiplier_system
@@ -42,6 +43,7 @@ class Candidate:
     only_for     names one of which an answer must use, for this reading of it to be another one
     values       the numbers that the file gives to parameters
     certain      magnitudes and signs that the file settles: |N| is N
+    positive     radii that are taken as positive
     """
 
     choice: str
@@ -53,6 +55,7 @@ class Candidate:
     named: frozenset[str] = frozenset()
     values: Mapping[sp.Symbol, sp.Rational] = field(default_factory=dict)
     certain: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict)
+    positive: tuple[sp.Symbol, ...] = ()
 
     @cached_property
     def system(self) -> System:
@@ -71,7 +74,16 @@ class Candidate:
     def read(self, expression: sp.Expr) -> sp.Expr:
         """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
         meant = expression.xreplace(dict(self.certain)).xreplace(dict(self.meanings))
-        return self.configuration.rewritten(meant).xreplace(dict(self.values))
+        there = self.configuration.rewritten(meant).xreplace(dict(self.values))
+        return where_positive(there, self.positive) if self.positive else there
+
+    def where_positive(self) -> Candidate | None:
+        """The same at the states at which the radii are positive; None where their signs do not matter."""
+        positive = () if self.positive else radii(self.system)
+        if not positive:
+            return None
+        equations = tuple(where_positive(e, positive) for e in self.system.equations)
+        return replace(self, build=lambda: replace(self.system, equations=equations), positive=positive)
 
 
 @dataclass(frozen=True)

@@ -289,6 +289,7 @@ def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution
         configuration = c.coordinates.configuration
         elimination = _elimination_in(c)
         there = motion(law, configuration, elimination)
+        there = there.closed(c.coordinates.through_rates)
         if complete:
             there = replace(there, solved=solved_accelerations(there.matrices))
         checks += check_displacements(configuration, elimination)

@@ -95,14 +95,14 @@ class Letters:
         if e.is_Pow and e.exp.is_Integer:
             return self.read(e.base) ** e.exp
         if e.is_Pow and e.exp.is_Rational and e.exp.q == 2 and self._has_unknown(e.base):
-            return self._root(self.read(e.base)) ** e.exp.p
+            return self.root(self.read(e.base)) ** e.exp.p
         if not self._has_unknown(e):
             return e
         if isinstance(e, sp.Abs):
-            return self._root(self.read(e.args[0]) ** 2)
+            return self.root(self.read(e.args[0]) ** 2)
         if isinstance(e, sp.sign):
             inner = self.read(e.args[0])
-            return inner / self._root(inner**2)
+            return inner / self.root(inner**2)
         raise NotAlgebraicError
 
     def write(self, e: sp.Expr) -> sp.Expr:
@@ -136,7 +136,7 @@ class Letters:
     def _has_unknown(self, e: sp.Expr) -> bool:
         return any(u in e.free_symbols for u in self.unknowns)
 
-    def _root(self, radicand: sp.Expr) -> sp.Expr:
+    def root(self, radicand: sp.Expr) -> sp.Expr:
         """√radicand, as a multiple of a letter."""
         radicand = self.reduced(radicand) if radicand.is_polynomial(*radicand.free_symbols) else radicand
         for letter, known in self.roots.items():

@@ -251,7 +251,7 @@ def _left_by_other(configuration: Configuration, method: Method) -> tuple[sp.Exp
 def _agrees_with_other(motion: EquationsOfMotion, multipliers: tuple[sp.Symbol, ...], method: Method) -> bool | None:
     configuration = motion.configuration
     system = multiplier_system(configuration, _left_by_other(configuration, method), multipliers)
-    result = compare(motion.expressions, system)
+    result = compare([e.expression for e in motion.final], system)
     return None if result is None else result.agree
 
 
@@ -326,7 +326,7 @@ def with_accelerations(point: Point, system: System) -> Point | None:
 def check_choice(original: EquationsOfMotion, motion: EquationsOfMotion) -> Check:
     """Whether the equations in a choice of coordinates describe the same motion as those of the file."""
     rewritten = [motion.configuration.rewritten(e) for e in original.expressions]
-    result = compare(rewritten, System(motion.configuration, motion.expressions))
+    result = compare(rewritten, System(motion.configuration, tuple(e.expression for e in motion.final)))
     passed = None if result is None else result.agree
     return Check(
         "the equations in the file's coordinates describe the same motion",

@@ -34,16 +34,16 @@ LAYERS = {
     "a derivation": "scene derivation",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",
-    "stages": """links rigid_bodies kinematics bending consistency rank_loss constraints classification displacements
+    "stages": """links rigid_bodies kinematics bending consistency rank_loss quasi_coordinates constraints classification displacements
         coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
-        multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
+        eliminated_rates multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
         quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
         statics rest linear_stability linearization linearization_checks""",
-    "results": """solution letters benches edits conventions diagnosis dimensions advice answer_readings references reference_systems
+    "results": """solution letters benches edits conventions diagnosis dimensions advice answer_readings radii references reference_systems
         validity recognition answers reaction_answers
         equilibrium_comparison equilibrium_answers frequency_answers checked checking grading""",
     "derivations": """explain explain.words explain.bodies explain.statement explain.nonlinear
-        explain.displacements explain.factors explain.systems explain.constraints explain.newton explain.motion
+        explain.displacements explain.factors explain.systems explain.quasi_coordinates explain.constraints explain.newton explain.motion
         explain.energies explain.lagrange explain.matrix_form explain.quasi_velocities explain.reactions
         explain.conservation explain.static_reactions explain.statics explain.linearization explain.checks explain.pictures""",
     "pictures": """pictures pictures.floats pictures.poses pictures.views pictures.labels pictures.sketch pictures.shapes

@@ -77,6 +77,11 @@ ONE_PLAIN = [
     "(a + k)*x - (b - c)*a",
 ]
 SYSTEMS = [
+    (("theta - phi", "k*(2*theta - phi) - p*sin(theta - phi)"), "theta phi"),  # Ziegler's column: θ = φ is put in
+    (("theta + phi", "a*sin(theta) + b*cos(phi) - c"), "theta phi"),
+    (("theta - 2*phi", "a*sin(theta) - b*sin(phi)"), "theta phi"),
+    (("y", "x*(k/(x^2 + y^2)^(3/2) - 3*n^2)"), "x y"),  # Hill's moon: y = 0 is put in under the root
+    (("y - a", "x*(sqrt(x^2 + y^2) - b)"), "x y"),
     (("a*sin(theta) - P*cos(theta)", "b*sin(phi) - P*cos(phi)"), "theta phi"),
     (("k*x - k*(y - x) - a", "k*(y - x) - b"), "x y"),
     (("x - l*sin(theta)", "sin(theta)*(a*cos(theta) - b)"), "x theta"),

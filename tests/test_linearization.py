@@ -17,7 +17,7 @@ from mpmath import cos, diff, matrix, mp, mpc, mpf, polyroots, sin, sqrt
 
 from lagrange.checking import compared_answers
 from lagrange.derivation import Display
-from lagrange.diagnostics import NotCoveredError, Source
+from lagrange.diagnostics import NotCoveredError, ProblemError, Source
 from lagrange.linearization import Linearization, SmallOscillations
 from lagrange.loader import read_problem
 from lagrange.report import report
@@ -597,6 +597,14 @@ def test_what_is_refused(text: str, said: str) -> None:
     assert caught.value.exit_status == 3
 
 
+PASS = """
+parameters: [m, c, f]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+forces: {saddle: {potential: c*x^2/2 - f*y^2/2}}
+"""
+
+
 @pytest.mark.parametrize(
     ("text", "stated", "verdict"),
     [
@@ -614,6 +622,8 @@ def test_what_is_refused(text: str, said: str) -> None:
         (HOOP, '[["sqrt(g/R - Omega^2)"], ["sqrt(Omega^2 - g^2/(Omega^2*R^2))"]]', "equivalent"),
         (HOOP, '[["sqrt(g/R - Omega^2)"], ["sqrt(g/R + Omega^2)"]]', "wrong"),
         (DAMPED, "[sqrt(c/m)]", "undecided"),
+        (PASS, "[sqrt(c/m)]", "equivalent"),  # ω² = −f/m grows, and is no frequency
+        (PASS, "[sqrt(f/m)]", "wrong"),
     ],
 )
 def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
@@ -621,6 +631,12 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
     [answer] = compared_answers(solution)
     assert answer.name == "frequencies"
     assert answer.verdict.value == verdict
+
+
+def test_an_imaginary_frequency_cannot_be_stated() -> None:
+    with pytest.raises(ProblemError, match="state the real frequencies only") as caught:
+        solved(PASS, 'find: linearization\nanswers: {frequencies: [sqrt(c/m), "sqrt(-f/m)"]}')
+    assert [d.code for d in caught.value.diagnostics] == ["not-real"]
 
 
 def test_equilibria_of_the_motion_in_answers() -> None:

@@ -423,3 +423,18 @@ def test_what_is_printed_is_right() -> None:
     wrong = [e.replace("- b*omega", "- 2*b*omega") for e in kinematic]
     assert wrong != kinematic
     assert check_equations([Fragment.of(e) for e in wrong], reference).verdict is Verdict.WRONG
+
+
+def test_definitions_are_read_short(problem: Read) -> None:
+    """The components of ω along the axes, multiplied out by the file, are what Euler's kinematic equations have."""
+    text_ = """
+title: Suslov
+parameters: {A: positive, C: positive, delta_0: real}
+coordinates: [phi, theta, psi]
+bodies: {top: {inertia: [A, A, C], position: "[0, 0, 0]", orientation: {axes: 313, angles: [phi, theta, psi]}}}
+constraints: {no_spin: "dot(omega_top, sin(delta_0)*e1_top + cos(delta_0)*e3_top) = 0"}
+speeds: {u: "dot(omega_top, cos(delta_0)*e1_top - sin(delta_0)*e3_top)", q: "dot(omega_top, e2_top)"}
+"""
+    u, q = problem(text_).speeds
+    assert u.definition.count_ops() < 20
+    assert str(q.definition) == "phi'*sin(theta)*cos(psi) - theta'*sin(psi)"

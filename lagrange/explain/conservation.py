@@ -8,6 +8,7 @@ import sympy as sp
 
 from lagrange.conservation import Because, Conserved, EnergyRate, Integral, Quantity
 from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
+from lagrange.explain.motion import label_of
 from lagrange.explain.words import plural, spoken
 from lagrange.notation import CONSTANT, Rate, variation
 
@@ -150,12 +151,10 @@ def _between(n: int, number: int) -> str:
 
 def _proof(found: Conserved, integral: Integral) -> tuple[Part, ...]:
     """`the sum of θ̇ times (11) and φ̇ times (12)`: what of the equations of motion is the rate of an integral."""
-    configuration = found.motion.configuration
-    suffix = f"-{configuration.name}" if configuration.name else ""
     used = [(m, e) for m, e in zip(integral.multipliers, found.motion.equations, strict=False) if m != 0]
     terms: list[tuple[Part, ...]] = []
     for m, e in used:
-        reference = Ref(f"motion{suffix}-{e.coordinate.name}")
+        reference = Ref(label_of(found.motion, e))
         factor: tuple[Part, ...] = ("(", math(m), ")") if m.is_Add else (math(m),)
         terms.append((reference,) if m == 1 else (*factor, " times ", reference))
     if len(terms) < 2:

@@ -29,6 +29,7 @@ from lagrange.derivation import (
 from lagrange.displacements import possible_displacement
 from lagrange.explain.factors import SHOWN_PAIRS, equal, explain_factor
 from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
+from lagrange.explain.quasi_coordinates import explain_quasi
 from lagrange.explain.systems import (
     explain_hidden,
     explain_losses,
@@ -121,12 +122,15 @@ def explain_integrability(classification: Classification, slots: Slots, taken: C
     finite = [c for c in classification.constraints if c.row.finite is not None]
     independent = [c for c in finite if c.row.name not in classification.redundant]
     body = _explain_finite(finite)
-    explained = False
+    explained = in_angles = False
     for c in classification.constraints:
         if c.row.finite is not None:
             continue
         if not c.pfaffian:
             body += explain_bending(c)
+        elif c.quasi:
+            body += explain_quasi(c, letter, likewise=in_angles)
+            in_angles = True
         elif c.exactness.exact:
             body += _explain_exact(c)
         elif explained and c.exactness.differing:

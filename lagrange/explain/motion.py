@@ -177,9 +177,33 @@ def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     """The boxed equations, with the constraints that complete them."""
     configuration = motion.configuration
     suffix = suffix_of(configuration)
-    lines = [Equation((e.expression, ZERO), label=f"motion{suffix}-{e.coordinate.name}") for e in motion.equations]
-    lines += [_constraint(configuration, r.name, problem) for r in configuration.rows]
-    return [display(*lines, boxed=True, detail=Detail.BRIEF)]
+    lines = [Equation((e.expression, ZERO), label=f"motion{suffix}-{e.coordinate.name}") for e in motion.final]
+    lines += [_constraint(configuration, r.name, problem) for r in motion.completing]
+    return [*_put_in(motion), display(*lines, boxed=True, detail=Detail.BRIEF)]
+
+
+def label_of(motion: EquationsOfMotion, equation: EquationOfMotion) -> str:
+    """The label of an equation as it comes from the principle, before eliminated velocities are put in."""
+    return f"{'open' if motion.closed else 'motion'}{suffix_of(motion.configuration)}-{equation.coordinate.name}"
+
+
+def _put_in(motion: EquationsOfMotion) -> list[Block]:
+    """The equations as they come from the principle, and the velocities and accelerations that are put into them."""
+    if motion.closed is None:
+        return []
+    closed, name = motion.closed, motion.configuration.name
+    before = [Equation((e.expression, ZERO), label=label_of(motion, e)) for e in motion.equations]
+    rates = [Equation(pair) for pair in closed.rates.items()]
+    refs = listed(Ref(f"rate-{name}-{n}") for n in closed.used)
+    gives = plural(len(closed.used), " gives", " give")
+    clauses = scaling(closed.equations)
+    left = plural(len(before), "This leaves", "These leave")
+    return [
+        display(*before),
+        prose(*refs, gives, ", solved for the velocities and differentiated,"),
+        display(*rates),
+        prose("Put in, ", f"{left[0].lower()}{left[1:]}", *((" (", *clauses, ")") if clauses else ()), ":"),
+    ]
 
 
 def _with_multipliers(motion: EquationsOfMotion, multiplied: WithMultipliers | None) -> list[Block]:

@@ -24,6 +24,9 @@ def motion(dynamics: Motion, write: Write) -> dict[str, Any]:
         "equations": _equations(dynamics.written, write),
         "conditions": _nonzero(dynamics.written.conditions, write),
     }
+    if dynamics.written.closed is not None:
+        velocities = dynamics.written.closed.velocities
+        found["through_velocities"] = {v.name: write(e) for v, e in velocities.items()}
     if dynamics.with_multipliers is not None:
         found["equations_with_multipliers"] = [
             f"{write(a)} = {write(b)}" for a, b in dynamics.with_multipliers.equations
@@ -38,8 +41,8 @@ def _nonzero(excluded: Sequence[sp.Expr], write: Write) -> list[str]:
 def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
     """The equations of motion and the constraints that complete them."""
     slots = motion.configuration.slots
-    rows = (r.velocity_form(slots) if r.finite is None else r.finite for r in motion.configuration.rows)
-    return [f"{write(e)} = 0" for e in (*motion.expressions, *rows)]
+    rows = (r.velocity_form(slots) if r.finite is None else r.finite for r in motion.completing)
+    return [f"{write(e)} = 0" for e in (*(e.expression for e in motion.final), *rows)]
 
 
 def speeds(found: InSpeeds, write: Write) -> dict[str, Any]:
