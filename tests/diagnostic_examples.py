@@ -25,9 +25,10 @@ class Checked(File):
 
 @dataclass(frozen=True)
 class Command:
-    """Arguments of `lagsolve`."""
+    """Arguments of `lagsolve`, and the name of a file that is there."""
 
     arguments: tuple[str, ...]
+    beside: str = ""
 
 
 def problem(more: str, coordinates: str = "[x, y]", parameters: str = "[m, l, g]") -> File:
@@ -121,6 +122,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "merge-key": ("Write the keys out.", None),
     "missing-space": ("A colon is followed by a space.", None),
     "more-mistakes": ("Only the first mistakes of a file are shown.", None),
+    "file-beside": (
+        "A name without `.yaml` is a problem of the library, whatever files there are. The exit status is not changed.",
+        Command(("check", "ex11", "-e", "theta'' + g/l*sin(theta) = 0"), beside="ex11.yaml")),
     "no-such-file": ("Check the name.", Command(("nothing.yaml",))),
     "no-such-problem": ("`lagsolve list` shows the library.", Command(("ideal-pendulum",))),
     "several-problems": ("Several problems of the library begin with that.", None),
