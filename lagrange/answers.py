@@ -181,6 +181,8 @@ def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Refer
     verdict = _verdict(readings, standings, result.missing, candidate.choice)
     if candidate.named:
         verdict = _saying_more(verdict, readings, candidate)
+    if candidate.remarks:
+        verdict = _saying_what_is_meant(verdict, readings, candidate)
     return _Attempt(verdict, candidate, () if free else components, standings)
 
 
@@ -190,6 +192,15 @@ def _saying_more(verdict: AnswerVerdict, readings: Sequence[Reading], candidate:
         replace(e, remarks=tuple(x for x in e.remarks if x != REDUNDANT))
         if any(s.name in candidate.named for c in r.components for s in c.free_symbols)
         else e
+        for e, r in zip(verdict.equations, readings, strict=True)
+    )
+    return replace(verdict, equations=equations)
+
+
+def _saying_what_is_meant(verdict: AnswerVerdict, readings: Sequence[Reading], candidate: Candidate) -> AnswerVerdict:
+    """The right equations, with what the names of forces in them are taken for."""
+    equations = tuple(
+        replace(e, remarks=(*e.remarks, *candidate.said_of(r.components))) if e.verdict is Verdict.EQUIVALENT else e
         for e, r in zip(verdict.equations, readings, strict=True)
     )
     return replace(verdict, equations=equations)

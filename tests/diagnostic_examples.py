@@ -251,6 +251,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-answer": ("Give equations with -e, or in a file.", None),
     "method-without-motion": ("A note: `--method` chooses how equations of motion are derived, and none are asked for.",
         Command(("ladder", "--method", "lagrange"))),
+    "not-compared": (
+        "What the file's answers say in coordinates that `--choice` leaves out is read, and not compared.",
+        Command(("ex11", "--choice", "depth", "--detail", "brief"))),
     "no-equations": ("The problem asks for no motion.", Command(("check", "ex05", "-e", "x' = 0"))),
     "reference-contradictory": ("No motion satisfies all of the equations that are given to check answers against.", Checked(
         "title: Example\ncoordinates: [x]\nequations: [x'' = 1, x'' = 2]\nanswers: {equations: [x'' = 1]}\n")),
