@@ -17,7 +17,7 @@ from lagrange.advice import Advisor
 from lagrange.answer_readings import Reading, read_answer
 from lagrange.comparison import Standing, System, compare
 from lagrange.conventions import Convention, other_convention
-from lagrange.diagnosis import diagnosed
+from lagrange.diagnosis import diagnosed, in_letters
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.latex_layout import separated
@@ -289,6 +289,9 @@ def _with_reasons(
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
             asked = diagnosing and kind in _TO_BE_DIAGNOSED
             change = diagnosed(equation, system) if asked else None
+            if change is not None and attempt.candidate.values:
+                written = readings[n].components[es.index(equation)]
+                change = in_letters(change, attempt.candidate.in_letters(written), attempt.candidate.values)
             units = reference.mismatch(readings[n]) if asked else None
             hints = advisor.hints(why, change, units, turned, readings[n].sides)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)

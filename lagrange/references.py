@@ -72,8 +72,12 @@ class Candidate:
 
     def read(self, expression: sp.Expr) -> sp.Expr:
         """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
+        return self.in_letters(expression).xreplace(dict(self.values))
+
+    def in_letters(self, expression: sp.Expr) -> sp.Expr:
+        """The same, with parameters as letters where the file gives numbers."""
         meant = expression.xreplace(dict(self.certain)).xreplace(dict(self.meanings))
-        return self.configuration.rewritten(meant).xreplace(dict(self.values))
+        return self.configuration.rewritten(meant)
 
     def said_of(self, expressions: Iterable[sp.Expr]) -> tuple[str, ...]:
         """What is to be said of the names in the expressions of an answer that is right with these meanings."""
