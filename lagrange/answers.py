@@ -17,7 +17,7 @@ from lagrange.advice import Advisor
 from lagrange.answer_readings import Reading, read_answer
 from lagrange.comparison import Standing, System, compare
 from lagrange.conventions import Convention, other_convention
-from lagrange.diagnosis import diagnosed
+from lagrange.diagnosis import diagnosed, in_letters
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.latex_layout import separated
@@ -206,6 +206,8 @@ def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Refer
     verdict = _verdict(readings, standings, result.missing, candidate.choice)
     if candidate.named:
         verdict = _saying_more(verdict, readings, candidate)
+    if candidate.remarks:
+        verdict = _saying_what_is_meant(verdict, readings, candidate)
     return _Attempt(verdict, candidate, () if free else components, standings)
 
 
@@ -215,6 +217,15 @@ def _saying_more(verdict: AnswerVerdict, readings: Sequence[Reading], candidate:
         replace(e, remarks=tuple(x for x in e.remarks if x != REDUNDANT))
         if any(s.name in candidate.named for c in r.components for s in c.free_symbols)
         else e
+        for e, r in zip(verdict.equations, readings, strict=True)
+    )
+    return replace(verdict, equations=equations)
+
+
+def _saying_what_is_meant(verdict: AnswerVerdict, readings: Sequence[Reading], candidate: Candidate) -> AnswerVerdict:
+    """The right equations, with what the names of forces in them are taken for."""
+    equations = tuple(
+        replace(e, remarks=(*e.remarks, *candidate.said_of(r.components))) if e.verdict is Verdict.EQUIVALENT else e
         for e, r in zip(verdict.equations, readings, strict=True)
     )
     return replace(verdict, equations=equations)
@@ -303,6 +314,9 @@ def _with_reasons(
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
             asked = diagnosing and kind in _TO_BE_DIAGNOSED
             change = diagnosed(equation, system) if asked else None
+            if change is not None and attempt.candidate.values:
+                written = readings[n].components[es.index(equation)]
+                change = in_letters(change, attempt.candidate.in_letters(written), attempt.candidate.values)
             units = reference.mismatch(readings[n]) if asked else None
             hints = advisor.hints(why, change, units, turned, readings[n].sides)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)

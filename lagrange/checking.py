@@ -82,8 +82,8 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[ComparedA
         there = [f for f in found if f is not None]
         verdict = check_frequencies(answers.frequencies, there, reference_of_solution(solution))
         yield ComparedAnswer("frequencies", verdict)
-    if answers.reactions:
-        yield _reactions(solution, answers.reactions)
+    if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
+        yield of_reactions
 
 
 def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> ComparedAnswer:
@@ -108,12 +108,30 @@ def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     verdict = check_equations(answers.equations, reference_of_solution(solution))
     if verdict.unreadable:
         raise ProblemError(verdict.unreadable)
-    some_left_out = len(solution.choices) < len(solution.problem.choices)
-    return None if verdict.verdict is Verdict.UNREADABLE and some_left_out else verdict.verdict
+    return None if verdict.verdict is Verdict.UNREADABLE and _some_left_out(solution) else verdict.verdict
 
 
-def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> ComparedAnswer:
-    """The verdict on all stated reactions together."""
+def _some_left_out(solution: Solution) -> bool:
+    """Whether there are choices of coordinates that were not asked for."""
+    return len(solution.choices) < len(solution.problem.choices)
+
+
+def not_compared(solution: Solution, compared: Sequence[ComparedAnswer]) -> tuple[Diagnostic, ...]:
+    """A note on the answers of the file that are in coordinates of a choice that was not asked for."""
+    answers = solution.problem.answers
+    if answers is None or solution.law is None or not _some_left_out(solution):
+        return ()
+    parts = {a.name: a.equations for a in compared}
+    left_out = ["equations"] if answers.equations and "equations" not in parts else []
+    left_out += [f"reactions: {name}" for name in answers.reactions] if answers.reactions else []
+    said = {f"reactions: {p.text.partition(':')[0]}" for p in parts.get("reactions", ())}
+    names = ", ".join(f"`{name}`" for name in left_out if name not in said)
+    message = f"answers of the file in coordinates of other choices are not compared: {names}"
+    return (Diagnostic("not-compared", message, help="without `--choice` all are").as_note(),) if names else ()
+
+
+def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> ComparedAnswer | None:
+    """The verdict on all stated reactions together, but those in coordinates of a choice that was not asked for."""
     if solution.law is None:
         return ComparedAnswer("reactions", Verdict.UNDECIDED, "no reactions are derived for this problem")
     reactions = {r.name: r for r in solution.law.newton.reactions}
@@ -125,12 +143,17 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> ComparedAn
         error = reading_error(fragment, reference)
         if error is not None:
             messages += error.diagnostics
-            verdict = Verdict.UNREADABLE
+            found = None
         elif at_rest:
-            verdict = at_rest.check_stated(fragment, reactions[name])
+            found = at_rest.check_stated(fragment, reactions[name])
         else:
-            verdict = check_reaction(fragment, reactions[name], reference)
-        parts.append(EquationVerdict(f"{name}: {fragment.text}", verdict))
+            found = check_reaction(fragment, reactions[name], reference)
+        if found is not None:
+            parts.append(found)
+        elif error is not None or not _some_left_out(solution):
+            parts.append(EquationVerdict(f"{name}: {fragment.text}", Verdict.UNREADABLE))
+    if not parts:
+        return None
     order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
     whole = next((v for v in order if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
     return ComparedAnswer("reactions", whole, "", tuple(parts), tuple(messages))

@@ -6,8 +6,9 @@ when its row lies in the row space of the system's rows and of the second deriva
 systems agree when their row spaces do. Any rearrangement, any nonzero factor and any linear combination is taken in.
 Multipliers are columns like the others; where they may be eliminated, their columns are projected out.
 
-Rows are taken exactly at random points (`exact`), so that one point decides, up to a chance of about 2^-50, and the
-others are a precaution; a result that differs from point to point is "undecided".
+Rows are taken exactly at random points. That an equation contradicts is certain, where there are no branches; how sure
+it is that one follows is said in `exact`: it hangs on the prime that all points of a question share, and little on
+their number. A result that differs from point to point is "undecided".
 """
 
 from __future__ import annotations

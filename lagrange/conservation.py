@@ -32,7 +32,7 @@ from lagrange.sampling import agreed
 from lagrange.terms import Exponent
 from lagrange.textbook import Textbook, textbook_form
 from lagrange.trigonometry import Element
-from lagrange.verification import Check, displacement_basis, with_accelerations
+from lagrange.verification import Check, certainty, displacement_basis, with_accelerations
 
 MOST_COLUMNS = 6
 LONGEST_COLUMN = 60
@@ -394,7 +394,7 @@ def check_conserved(found: Conserved) -> list[Check]:
     if found.integrals:
         verdicts = [i.constant for i in found.integrals]
         passed = False if False in verdicts else None if None in verdicts else True
-        how = "exact: its rate along the motion" if len(verdicts) == 1 else "exact: their rates along the motion"
-        what = "what is conserved is constant along the motion"
-        checks.append(Check(what, passed, how, name))
+        whose = "its rate" if len(verdicts) == 1 else "their rates"
+        how = f"{certainty(found.motion.configuration.states)}: {whose} along the motion"
+        checks.append(Check("what is conserved is constant along the motion", passed, how, name))
     return checks

@@ -21,9 +21,17 @@ import sympy as sp
 from lagrange.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.exact import is_zero
 from lagrange.kinematics import Configuration, Row, substituted_configuration
+from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, prime
 from lagrange.problem import Choice
 from lagrange.textbook import textbook_form
+
+LONGEST_SOLVED = 3000
+"""Nodes of an equation that is solved for a coordinate."""
+MOST_TERMS = 1000
+"""Terms that it may have, or what stands under its root, multiplied out."""
+MULTIPLIED_OUT = 60
+"""Nodes of an equation that is multiplied out to see whether it is a polynomial."""
 
 
 @dataclass(frozen=True)
@@ -178,22 +186,28 @@ class SolvedConstraints:
 
 
 def solved_constraints(rows: Sequence[Row], unknown: list[sp.Symbol]) -> SolvedConstraints:
-    """Solves the geometric constraints for the unknown coordinates, one after the other, linear ones first."""
+    """Solves the geometric constraints for the unknown coordinates, one after the other, linear ones first.
+
+    What roots of roots have made too long to be solved once more stays unsolved.
+    """
     waiting = [r.finite for r in rows if r.finite is not None]
     expressed: dict[sp.Symbol, sp.Expr] = {}
     roots: list[Sign] = []
-    total = len(unknown)
-    for degree in (1, 2) * total:
-        for used, f in _candidates(waiting, unknown, degree):
-            solved = solved_for_one(f.xreplace(expressed), unknown, degree, len(roots) + 1)
-            if solved is None:
-                continue
-            q, value, sign = solved
-            expressed = {p: e.xreplace({q: value}) for p, e in expressed.items()} | {q: value}
-            roots.extend(sign)
-            unknown = [u for u in unknown if u != q]
-            waiting = [g for n, g in enumerate(waiting) if n != used]
-            break
+    solving = True
+    while solving and unknown:
+        solving = False
+        for degree in (1, 2):
+            for used, f in _candidates(waiting, unknown, degree):
+                solved = solved_for_one(f.xreplace(expressed), unknown, degree, len(roots) + 1)
+                if solved is None:
+                    continue
+                q, value, sign = solved
+                expressed = {p: e.xreplace({q: value}) for p, e in expressed.items()} | {q: value}
+                roots.extend(sign)
+                unknown = [u for u in unknown if u != q]
+                waiting = [g for n, g in enumerate(waiting) if n != used]
+                solving = True
+                break
     return SolvedConstraints(expressed, tuple(roots))
 
 
@@ -205,17 +219,31 @@ def _candidates(waiting: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], degree
     yield from enumerate(waiting)
     if degree > 1:
         return
-    for (_, f), (n, g) in combinations(enumerate(waiting), 2):
-        for q in unknown:
-            a, b = (sp.expand(h).coeff(q, 2) for h in (f, g))
-            if a.is_number and b.is_number and a != 0 and b != 0:
-                yield n, sp.expand(g * a - f * b)
+    squares = [_squares(f, unknown) for f in waiting]
+    for (m, f), (n, g) in combinations(enumerate(waiting), 2):
+        for q in squares[m]:
+            if q in squares[n]:
+                yield n, sp.expand(g * squares[m][q] - f * squares[n][q])
+
+
+def _squares(f: sp.Expr, unknown: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """The unknowns of which f has the square times a number, and the number; none where f is long."""
+    if _is_long(f):
+        return {}
+    expanded, symbols = sp.expand(f), f.free_symbols
+    found = {q: expanded.coeff(q, 2) for q in unknown if q in symbols}
+    return {q: a for q, a in found.items() if a.is_number and a != 0}
 
 
 def solved_for_one(
     f: sp.Expr, unknown: Sequence[sp.Symbol], degree: int, number: int
 ) -> tuple[sp.Symbol, sp.Expr, tuple[Sign, ...]] | None:
-    """q, its value and the sign of its root, for the first unknown in which f = 0 has the given degree."""
+    """q, its value and the sign of its root, for the first unknown in which f = 0 has the given degree.
+
+    None where there is none, or the equation is too long.
+    """
+    if _is_long(f):
+        return None
     for q in unknown:
         if q not in f.free_symbols:
             continue
@@ -228,12 +256,26 @@ def solved_for_one(
         c, b, a = coefficients
         sign = Sign(f"sigma_{number}")
         half = sp.expand(b / (2 * a))
-        return q, sign * sp.sqrt(sp.expand(half**2 - c / a)) - half, (sign,)
+        radicand = half**2 - c / a
+        if Measures().of(radicand).widest > MOST_TERMS:
+            continue
+        return q, sign * sp.sqrt(sp.expand(radicand)) - half, (sign,)
     return None
 
 
+def _is_long(f: sp.Expr) -> bool:
+    """Whether an equation is too long to be solved: differentiating and multiplying out would not end soon."""
+    found = Measures().of(f)
+    return found.size > LONGEST_SOLVED or found.widest > MOST_TERMS
+
+
 def _polynomial(f: sp.Expr, q: sp.Symbol, degree: int) -> list[sp.Expr] | None:
-    """The coefficients of f as a polynomial of exactly this degree in q, lowest first; None where it is none."""
+    """The coefficients of f as a polynomial of exactly this degree in q, lowest first; None where it is none.
+
+    What is short may be a polynomial once it is multiplied out; of what is long it is asked to be one as it stands.
+    """
+    if Measures().of(f).size > MULTIPLIED_OUT and not f.is_polynomial(q):
+        return None
     coefficients = []
     derivative = f
     for order in range(degree + 1):

@@ -15,8 +15,8 @@ differs is named, if it is one: those with accelerations, those with velocities,
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import Any
@@ -69,6 +69,22 @@ def diagnosed(equation: sp.Expr, system: System) -> Diagnosis | None:
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         return None
     return None if group is None else Diagnosis(group)
+
+
+def in_letters(found: Diagnosis, equation: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]) -> Diagnosis:
+    """The same change of an equation in which parameters are letters; as it is, where no one term becomes that term.
+
+    values  the numbers that were put in before it was diagnosed
+    """
+    if found.term is None or found.times != 1:
+        return found
+    numbers = dict(values)
+    same = [term for term in terms_of(equation) or () if terms_of(term.xreplace(numbers)) == (found.term,)]
+    share = same[0] / found.term if len(same) == 1 else sp.S.Zero
+    alone = found.slip is Slip.NUMBER and abs(share.as_coeff_Mul()[0] * found.term.as_coeff_Mul()[0]) == 1
+    if share == 0 or alone or not share.free_symbols <= set(numbers):
+        return found
+    return replace(found, term=same[0], right=None if found.right is None else found.right * share)
 
 
 def group_of(term: sp.Expr, system: System) -> Group:

@@ -152,7 +152,8 @@ def law_of_motion(
 ) -> Law:
     """Newton's law for the particles of a problem, in the file's coordinates."""
     taken = frozenset(problem.scope.names())
-    newton = newton_equations(configuration, problem.constraints, rank, taken, at_rest)
+    rough = frozenset(f.constraint for f in problem.forces if isinstance(f, Friction))
+    newton = newton_equations(configuration, problem.constraints, rank, taken, at_rest, rough)
     renamed = tuple(
         replace(c, reaction=r.multiplier) for c, r in zip(problem.constraints, newton.reactions, strict=True)
     )
@@ -167,7 +168,7 @@ def law_of_motion(
         return law
     rubbed = symbolic_loads(rubbings(law.frictions, newton, configuration, configuration), configuration)
     loaded = replace(configuration, loads=(*configuration.loads, *rubbed))
-    return replace(law, newton=newton_equations(loaded, problem.constraints, rank, taken))
+    return replace(law, newton=newton_equations(loaded, problem.constraints, rank, taken, rough=rough))
 
 
 def motion(law: Law, configuration: Configuration, elimination: Elimination, with_reactions: bool = True) -> Motion:

@@ -1,9 +1,14 @@
 """Is it zero? What is the rank? Answered exactly, or "undecided" and never guessed.
 
 An expression is evaluated at random points of a random prime field, on the surface of the geometric
-constraints. A rational function of the exact class (`evaluation`) that vanishes at two such points is zero
-but for a chance of about degree/2^89, and one that does not vanish is not zero. Where values depend on signs
-(`branches`), the points must meet all of them, twenty points for each combination at most:
+constraints. A rational function of the exact class (`evaluation`) that does not vanish at one such point is
+not zero. One of degree d that vanishes is zero, but for the chances that
+
+    the point is a zero of it:       d/2^88; in angles, which are among 2^54 points of the circle or more, d/2^53;
+    the prime divides all of it:     2^-46 for every 88 bits of its coefficients.
+
+The points of one question share their prime: two of them square the first chance and leave the second. Where values
+depend on signs (`branches`), the points must meet all of them, twenty points for each combination at most:
 
     zero at all points: zero;   at none: not zero;   at some: what real numbers of eighty digits say.
 

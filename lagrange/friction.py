@@ -150,6 +150,7 @@ def _rubbing(friction: Friction, newton: Newton, original: Configuration, config
         along, sense = slip / textbook_form(slip.norm()), sp.S.One
     else:
         sense = sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
+    along = _without_moduli(along, configuration)
     contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
     return Rubbing(friction, reaction, _size(direction, reaction, configuration), slip, speed, sense, along, contact)
 
@@ -168,9 +169,11 @@ def _is_placed_freely(point: MassPoint) -> bool:
 
 
 def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
-    """|g|; of a rod it is |factor|, which has no coordinates in it."""
-    if reaction.rod is not None:
-        return textbook_form(sp.Abs(reaction.rod.factor.xreplace(configuration.substitution)))
+    """|g|; where a distance is kept, |factor|, if that is shorter: of x² + y² = R² it is 2R."""
+    if reaction.rough is not None:
+        size = textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))
+        if size.free_symbols.isdisjoint(configuration.slots.coordinates):
+            return size
     return textbook_form(sp.sqrt(textbook_form(direction.dot(direction))))
 
 
@@ -244,6 +247,24 @@ def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tup
         return None
     speed = sp.Add(*(v * textbook_form(p.dot(w) / square) for v, p in zip(velocities, partials, strict=True)))
     return speed + textbook_form(rest.dot(w) / square), (w / textbook_form(sp.sqrt(square))).map(textbook_form)
+
+
+def _without_moduli(vector: Vector, configuration: Configuration) -> Vector:
+    """|r| is r where a constraint says r = R, which is positive."""
+    moduli = {a for c in vector.components for a in c.atoms(sp.Abs)}
+    if not moduli:
+        return vector
+    coordinates = set(configuration.slots.coordinates)
+    known: dict[sp.Basic, sp.Basic] = {}
+    for f in configuration.finite_constraints:
+        moving = f.free_symbols & coordinates
+        slope = f.diff(*moving) if len(moving) == 1 else sp.S.Zero
+        if slope.is_number and slope != 0:
+            [q] = moving
+            known[q] = -f.xreplace({q: sp.S.Zero}) / slope
+    there = {a: a.args[0].xreplace(known) for a in moduli}
+    signed = {a: a.args[0] * (1 if v.is_positive else -1) for a, v in there.items() if v.is_positive or v.is_negative}
+    return vector.map(lambda c: textbook_form(c.xreplace(signed))) if signed else vector
 
 
 def _symbols(vector: Vector) -> set[sp.Basic]:

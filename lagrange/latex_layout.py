@@ -56,7 +56,7 @@ class Mark:
 _MARK = re.compile(
     r"(?P<comment>%[^\n]*)|\\(?P<side>begin|end)\s?\{(?P<name>[A-Za-z]{1,20}\*?)\}"
     r"|(?P<row>\\\\\*?(?:\[[0-9a-z. ]{1,20}\])?|\\newline(?![A-Za-z]))"
-    r"|(?P<words>\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{(?:[^{}]|\{[^{}]{0,80}\}){0,200}\})"
+    r"|(?P<words>\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{)"
     r"|(?P<label>\\(?:label|tag\*?|eqref|ref|cite)\s?\{[^{}]{0,200}\})|(?P<box>\\(?:boxed|fbox)\s?\{)"
     r"|(?P<wide>\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\{[^{}]{0,20}\}|\\hfill(?![A-Za-z]))"
     r"|(?P<thin>\\(?:[,;:! ]|nonumber|notag|displaystyle|hline|centering|noindent)(?![A-Za-z]))"
@@ -66,6 +66,7 @@ _MARK = re.compile(
 )
 ALTERNATIVE = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
 """What stands between alternatives: it parts no equations that hold together."""
+_BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _OPEN = {"$": "$", "$$": "$$", r"\(": r"\)", r"\[": r"\]"}
 _DISPLAYS = ("$$", r"\[", r"\]")
 _PRINTED = ("verbatim", "verbatim*", "lstlisting", "comment", "thebibliography")
@@ -108,6 +109,7 @@ def equations(fragment: Fragment) -> Sequence[Fragment]:
 def marks_of(text: str) -> list[Mark]:
     """What matters for the layout, in the order of the text. What is printed as it is typed is passed over."""
     found = []
+    closing = _closing_braces(text)
     at, printed = 0, ""
     while match := _MARK.search(text, at):
         start, at = match.start(), match.end()
@@ -120,10 +122,25 @@ def marks_of(text: str) -> list[Mark]:
             if name.rstrip("*") in _WITH_ARGUMENTS and side == "begin" and (arguments := _ARGUMENTS.match(text, at)):
                 at = arguments.end()
             found.append(Mark(f"{side} {name}", start, at))
+        elif match["words"] and at - 1 not in closing:
+            found.append(Mark("{", at - 1, at))
         elif match.lastgroup:
+            at = closing[at - 1] if match["words"] else at
             kind = match[0] if match.lastgroup == "sign" else match.lastgroup
-            kind = "or" if ALTERNATIVE.fullmatch(match[0]) else kind
+            kind = "or" if ALTERNATIVE.fullmatch(text, start, at) else kind
             found.append(Mark(kind, start, at))
+    return found
+
+
+def _closing_braces(text: str) -> dict[int, int]:
+    """Where each brace `{` stands that is closed, and the place behind the one that closes it."""
+    found: dict[int, int] = {}
+    opened: list[int] = []
+    for match in _BRACE.finditer(text):
+        if match[0] == "{":
+            opened.append(match.start())
+        elif match[0] == "}" and opened:
+            found[opened.pop()] = match.end()
     return found
 
 

@@ -15,7 +15,7 @@ each component of R and Γ; after, each constraint has one: its multiplier.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import sympy as sp
 
@@ -37,6 +37,7 @@ class Reaction:
     moments     the same of its moment on each body, about the mass centre: Γ = λ · moment
     others      a_k of the coordinates that move no particle: the generalized force on them is λ a_k
     rod         the distance that is kept, where it is one
+    rough       the same where something slides there with friction: a surface, in which there is no tension
     tension     what the tension of the rod is called; `named` if the file calls it so
     """
 
@@ -49,6 +50,7 @@ class Reaction:
     tension: sp.Symbol | None = None
     named: bool = False
     moments: Mapping[str, Vector] = field(default_factory=dict)
+    rough: Rod | None = None
 
     @property
     def name(self) -> str:
@@ -200,6 +202,7 @@ def newton_equations(
     rank: int,
     taken: frozenset[str] = frozenset(),
     at_rest: bool = False,
+    rough: frozenset[str] = frozenset(),
 ) -> Newton:
     """Newton's law for the particles of a configuration.
 
@@ -207,13 +210,16 @@ def newton_equations(
     rank         the number of independent constraints
     taken        names that have a meaning, and cannot be that of a tension
     at_rest      nothing is accelerated; then massless points count as particles on which reactions may act
+    rough        names of constraints on which something slides with friction
     """
     placed = placed_freely(configuration)
     if at_rest and placed is not None:
         moving = {p.name for p in configuration.points if any(not e.is_zero for e in p.partials)}
         placed = placed if moving <= {f.name for f in placed if not f.turning} else None
     reactions = tuple(
-        _reaction(row, c, placed, configuration, taken) for row, c in zip(configuration.rows, constraints, strict=True)
+        _without_tension(reaction) if reaction.name in rough else reaction
+        for row, c in zip(configuration.rows, constraints, strict=True)
+        for reaction in [_reaction(row, c, placed, configuration, taken)]
     )
     idle = {
         q: sp.Add(*(r.force * r.others[q] for r in reactions if q in r.others))
@@ -296,6 +302,12 @@ def _reaction(
     tension = sp.Symbol(f"T_{row.name}", real=True)
     free = tension.name not in taken
     return Reaction(constraint, row, given, directions, others, rod, tension if free else None)
+
+
+def _without_tension(reaction: Reaction) -> Reaction:
+    """The reaction of a surface, whatever distance that keeps: its name is that of the multiplier."""
+    multiplier = reaction.constraint.reaction
+    return replace(reaction, multiplier=multiplier, rod=None, tension=None, named=False, rough=reaction.rod)
 
 
 def _along(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:

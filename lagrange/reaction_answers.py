@@ -9,7 +9,7 @@ Of a system at rest it is right when it holds at every equilibrium, exactly.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -22,7 +22,7 @@ from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, read_equation, read_value
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import base
-from lagrange.references import Candidate, Reference
+from lagrange.references import AS_MULTIPLIER, AS_THRUST, Candidate, Reference
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
@@ -30,15 +30,47 @@ if TYPE_CHECKING:
     from lagrange.static_reactions import StaticReactions
 
 
-def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference) -> Verdict:
-    """The verdict on what is stated of one reaction."""
+def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference) -> EquationVerdict | None:
+    """The verdict on what is stated of one reaction; None where no set of coordinates has all that it uses.
+
+    Where it is right with another meaning of the reaction than the derivation's, the remark says which was taken.
+    """
+    text = f"{reaction.name}: {fragment.text}"
     try:
         claims = _claims(fragment, reaction, reference)
     except ProblemError:
-        return Verdict.UNREADABLE
-    verdicts = {_verdict(claim, c, reference) for claim in claims for c in reference.candidates}
-    order = (Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG)
-    return next((v for v in order if v in verdicts), Verdict.UNREADABLE)
+        claims = []
+    if not claims:
+        return EquationVerdict(text, Verdict.UNREADABLE)
+    return _best(_judged(text, claims, reference), _STATED)
+
+
+_STATED = (Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG)
+
+
+def _best(found: Iterable[EquationVerdict], order: Sequence[Verdict]) -> EquationVerdict | None:
+    """The first with the first verdict of an order, otherwise any; None where there are none. No more are asked for."""
+    best: EquationVerdict | None = None
+    for judged in found:
+        if judged.verdict is order[0]:
+            return judged
+        if best is None or _rank(judged.verdict, order) < _rank(best.verdict, order):
+            best = judged
+    return best
+
+
+def _rank(verdict: Verdict, order: Sequence[Verdict]) -> int:
+    return order.index(verdict) if verdict in order else len(order)
+
+
+def _judged(text: str, claims: Sequence[Claim], reference: Reference) -> Iterator[EquationVerdict]:
+    """The verdicts on all that may be meant, in all sets of coordinates that have what it uses."""
+    for claim, said in claims:
+        for c in reference.candidates:
+            verdict = _verdict(claim, c, reference)
+            if verdict is not None:
+                right = verdict is Verdict.EQUIVALENT
+                yield EquationVerdict(text, verdict, remarks=(*said, *c.said_of([claim])) if right else ())
 
 
 def reading_error(fragment: Fragment, reference: Reference) -> ProblemError | None:
@@ -53,28 +85,37 @@ def reading_error(fragment: Fragment, reference: Reference) -> ProblemError | No
     return None
 
 
-def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[sp.Expr]:
-    """What may be meant, each of these being zero."""
+Claim = tuple[sp.Expr, tuple[str, ...]]
+"""What may be meant, being zero; and what is to be said where it is right."""
+
+
+def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[Claim]:
+    """What may be meant, what the derivation means first."""
     if "=" in fragment.text:
         equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS, latex=True)
         lhs, rhs = equation.lhs, equation.rhs
-        return [] if isinstance(lhs, Vector) or isinstance(rhs, Vector) else [lhs - rhs]
+        return [] if isinstance(lhs, Vector) or isinstance(rhs, Vector) else [(lhs - rhs, ())]
     value = read_value(fragment, reference.scope, [], latex=True)
-    return [] if isinstance(value, Vector) else [force - value for force in _meanings(reaction)]
+    if isinstance(value, Vector):
+        return []
+    return [(force - value, (said,) if said else ()) for force, said in _meanings(reaction)]
 
 
-def _meanings(reaction: Reaction) -> Iterator[sp.Expr]:
-    """What the one number of a reaction may be."""
+def _meanings(reaction: Reaction) -> Iterator[tuple[sp.Expr, str]]:
+    """What the one number of a reaction may be, and what is to be said of that."""
     multiplier = reaction.multiplier
-    yield multiplier
     if reaction.rod is not None:
-        yield reaction.rod.factor * multiplier
-        yield -reaction.rod.factor * multiplier
-    elif reaction.is_normal and reaction.directions:
+        tension = reaction.rod.factor * multiplier
+        yield tension, ""
+        yield -tension, "it is taken as a force that pushes, the opposite of the tension"
+        yield multiplier, f"it is taken as the multiplier `{multiplier}`, not as the tension"
+        return
+    yield multiplier, ""
+    if reaction.is_normal and reaction.directions:
         [direction] = reaction.directions.values()
         size = textbook_form(sp.sqrt(textbook_form(direction.dot(direction))))
-        yield size * multiplier
-        yield -size * multiplier
+        yield size * multiplier, ""
+        yield -size * multiplier, "it is taken as the normal force against the gradient of the constraint"
 
 
 def _verdict(claim: sp.Expr, candidate: Candidate, reference: Reference) -> Verdict | None:
@@ -107,15 +148,16 @@ class AtRest:
         self.reference = reference
         self.names = {*newton.multipliers_by_name.values(), *newton.tensions}
 
-    def check_stated(self, fragment: Fragment, reaction: Reaction) -> Verdict:
-        """The verdict on what the file states of one reaction."""
+    def check_stated(self, fragment: Fragment, reaction: Reaction) -> EquationVerdict | None:
+        """The verdict on what the file states of one reaction; None where no coordinates have all that it uses."""
+        text = f"{reaction.name}: {fragment.text}"
         try:
             claims = _claims(fragment, reaction, self.reference)
         except ProblemError:
-            return Verdict.UNREADABLE
-        verdicts = {self._verdict([claim]) for claim in claims}
-        order = (Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG)
-        return next((v for v in order if v in verdicts), Verdict.UNREADABLE)
+            claims = []
+        if not claims:
+            return EquationVerdict(text, Verdict.UNREADABLE)
+        return _best((v for claim, said in claims for v in self._judged(text, [claim], said)), _STATED)
 
     def is_about(self, reading: Reading) -> bool:
         """Whether an equation of an answer says something of reactions."""
@@ -123,29 +165,36 @@ class AtRest:
 
     def check(self, reading: Reading) -> EquationVerdict:
         """The verdict on an equation of an answer, which is about reactions."""
-        verdict = self._verdict(reading.components)
+        order = (Verdict.TRIVIAL, *_STATED)
+        found = _best(self._judged(reading.text, reading.components), order)
+        verdict = found.verdict if found is not None else Verdict.UNREADABLE
         diagnosis = {
             Verdict.WRONG: "it does not hold at every equilibrium",
             Verdict.UNDECIDED: "it could not be decided whether it is right",
             Verdict.UNREADABLE: "it divides by what is exactly zero, or mixes coordinates of several choices",
             Verdict.TRIVIAL: "it is an identity",
         }
-        return EquationVerdict(reading.text, verdict, diagnosis.get(verdict, ""))
+        return EquationVerdict(reading.text, verdict, diagnosis.get(verdict, ""), found.remarks if found else ())
 
-    def _verdict(self, claims: Sequence[sp.Expr]) -> Verdict:
-        """The best verdict, over the meanings of names and the sets of coordinates, on claims that are all meant."""
-        verdicts = {self._holds(claims, meaning, f) for meaning in self._meanings() for f in self.found}
-        order = (Verdict.TRIVIAL, Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG)
-        return next((v for v in order if v in verdicts), Verdict.UNREADABLE)
+    def _judged(self, text: str, claims: Sequence[sp.Expr], said: tuple[str, ...] = ()) -> Iterator[EquationVerdict]:
+        """The verdicts on claims that are all meant, over the meanings of names and the sets of coordinates."""
+        used = set().union(*(e.free_symbols for e in claims))
+        for meaning, words in self._meanings():
+            of_names = tuple(said_of for s, said_of in words.items() if s in used)
+            for found in self.found:
+                verdict = self._holds(claims, meaning, found)
+                if verdict is not None:
+                    right = verdict is Verdict.EQUIVALENT
+                    yield EquationVerdict(text, verdict, remarks=(*said, *of_names) if right else ())
 
-    def _meanings(self) -> Iterator[Mapping[sp.Symbol, sp.Expr]]:
-        """What names of forces stand for; that of a rod may mean its tension, the multiplier, or the thrust."""
+    def _meanings(self) -> Iterator[tuple[Mapping[sp.Symbol, sp.Expr], Mapping[sp.Symbol, str]]]:
+        """What names of forces stand for; that of a rod its tension, thrust or multiplier, with what is said of it."""
         tensions = self.newton.tensions
-        yield tensions
-        named = [r for r in self.newton.reactions if r.named and r.tension is not None]
+        yield tensions, {}
+        named = {r.tension: r.multiplier for r in self.newton.reactions if r.named and r.tension is not None}
         if named:
-            yield {**tensions, **{r.tension: r.multiplier for r in named}}
-            yield {**tensions, **{r.tension: -tensions[r.tension] for r in named}}
+            yield {**tensions, **{s: -tensions[s] for s in named}}, {s: AS_THRUST.format(s) for s in named}
+            yield {**tensions, **named}, {s: AS_MULTIPLIER.format(s) for s in named}
 
     def _holds(
         self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], found: StaticReactions

@@ -34,10 +34,14 @@ Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
 
 @dataclass(frozen=True)
 class Determined:
-    """A combination Σ c_j λ_j of multipliers that is determined where they are not: `terms` are pairs (c_j, λ_j)."""
+    """A combination Σ c_j λ_j of multipliers that is determined where they are not: `terms` are pairs (c_j, λ_j).
+
+    written  both sides with the tensions that the file has names for, the first force with the factor 1
+    """
 
     terms: tuple[tuple[sp.Expr, sp.Symbol], ...]
     value: sp.Expr | None
+    written: tuple[sp.Expr, sp.Expr] | None = None
 
 
 @dataclass(frozen=True)
@@ -298,7 +302,21 @@ def _combinations(
                 return ()
             if c != 0:
                 terms[r.multiplier].append((c, u.multiplier))
-    return tuple(Determined(tuple(t), values[symbol]) for symbol, t in terms.items())
+    reactions = {r.multiplier: r for r in (*used, *unused)}
+    return tuple(
+        Determined(tuple(t), value, None if value is None else _with_tensions(t, value, reactions, place))
+        for symbol, t in terms.items()
+        for value in [values[symbol]]
+    )
+
+
+def _with_tensions(
+    terms: Sequence[tuple[sp.Expr, sp.Symbol]], value: sp.Expr, reactions: Mapping[sp.Symbol, Reaction], place: Place
+) -> tuple[sp.Expr, sp.Expr]:
+    """Σ c_j λ_j = value with T/factor for the λ of rods that the file names, times the factor of the first."""
+    scale = 1 / place.write(reactions[terms[0][1]].per_force)
+    left = (textbook_form(scale * c * place.write(reactions[s].per_force)) * reactions[s].force for c, s in terms)
+    return sp.Add(*left), place.show(textbook_form(scale * value))
 
 
 def _on_surface(configuration: Configuration) -> Tidy:

@@ -8,7 +8,7 @@ the file's own equations, rewritten in the choice.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -44,6 +44,7 @@ class Candidate:
     values       the numbers that the file gives to parameters
     certain      magnitudes and signs that the file settles: |N| is N
     positive     radii that are taken as positive
+    remarks      of names of forces that do not mean here what they mean in the derivation: what they are taken for
     """
 
     choice: str
@@ -56,6 +57,7 @@ class Candidate:
     values: Mapping[sp.Symbol, sp.Rational] = field(default_factory=dict)
     certain: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict)
     positive: tuple[sp.Symbol, ...] = ()
+    remarks: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def system(self) -> System:
@@ -73,8 +75,12 @@ class Candidate:
 
     def read(self, expression: sp.Expr) -> sp.Expr:
         """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
+        return self.in_letters(expression).xreplace(dict(self.values))
+
+    def in_letters(self, expression: sp.Expr) -> sp.Expr:
+        """The same, with parameters as letters where the file gives numbers."""
         meant = expression.xreplace(dict(self.certain)).xreplace(dict(self.meanings))
-        there = self.configuration.rewritten(meant).xreplace(dict(self.values))
+        there = self.configuration.rewritten(meant)
         return where_positive(there, self.positive) if self.positive else there
 
     def where_positive(self) -> Candidate | None:
@@ -84,6 +90,15 @@ class Candidate:
             return None
         equations = tuple(where_positive(e, positive) for e in self.system.equations)
         return replace(self, build=lambda: replace(self.system, equations=equations), positive=positive)
+
+    def said_of(self, expressions: Iterable[sp.Expr]) -> tuple[str, ...]:
+        """What is to be said of the names in the expressions of an answer that is right with these meanings."""
+        used = {s.name for e in expressions for s in e.free_symbols}
+        return tuple(said for name, said in self.remarks.items() if name in used)
+
+
+AS_THRUST = "`{}` is taken as a force that pushes; in the derivation it is a tension, positive where it pulls"
+AS_MULTIPLIER = "`{}` is taken as the multiplier of the constraint; in the derivation it is the tension"
 
 
 @dataclass(frozen=True)
@@ -160,18 +175,19 @@ def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[
     """The candidates, with the names of forces explained.
 
     The name that a file gives to the reaction of a rod is its tension; but who follows R = λ ∂f/∂r may mean the
-    multiplier by it, and who thinks of a strut or of a sphere the thrust. Beside |λ|, which is not linear, a multiplier
-    is what it was found to be.
+    multiplier by it, and who thinks of a strut or of a sphere the thrust: that is right too, with a remark. Beside |λ|,
+    which is not linear, a multiplier is what it was found to be.
     """
     newton = solution.law.newton if solution.law else None
     tensions = newton.tensions if newton else {}
     yield from (replace(c, meanings=tensions) for c in candidates)
     named = {r.tension: r for r in newton.reactions if r.named and r.tension is not None} if newton else {}
-    as_multiplier: dict[sp.Symbol, sp.Expr] = {s: r.multiplier for s, r in named.items()}
     as_thrust: dict[sp.Symbol, sp.Expr] = {s: -tensions[s] for s in named}
-    for meaning in (as_multiplier, as_thrust):
-        only = frozenset(s.name for s in named)
-        yield from (replace(c, meanings={**tensions, **meaning}, only_for=only) for c in candidates if only)
+    as_multiplier: dict[sp.Symbol, sp.Expr] = {s: r.multiplier for s, r in named.items()}
+    for meaning, words in ((as_thrust, AS_THRUST), (as_multiplier, AS_MULTIPLIER)):
+        meanings, only = {**tensions, **meaning}, frozenset(s.name for s in named)
+        said = {s.name: words.format(s.name) for s in named}
+        yield from (replace(c, meanings=meanings, only_for=only, remarks=said) for c in candidates if only)
     yield from _with_values_of_rubbed(candidates, solution)
 
 

@@ -10,7 +10,7 @@ import sympy as sp
 
 from lagrange.answers import Verdict
 from lagrange.checked import ComparedAnswer
-from lagrange.checking import compared_answers
+from lagrange.checking import compared_answers, not_compared
 from lagrange.conservation import Conserved
 from lagrange.derivation import Derivation, Step
 from lagrange.diagnostics import Diagnostic
@@ -91,7 +91,7 @@ def report(
     notation = notation_of(solution)
     steps = tuple(illustrated(_steps(solution, answers, complete), solution, notation))
     derivation = Derivation(problem.title, problem.source, steps)
-    remarks = _remarks(problem, method)
+    remarks = (*_remarks(problem, method), *not_compared(solution, answers))
     return Report(solution, answers, derivation, notation, remarks)
 
 
@@ -138,7 +138,9 @@ def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...], complete: bo
             yield from _reactions(solution, c.dynamics, c.name)
         yield from _conserved(c.conserved, problem, c.name)
         yield from _small_oscillations(c.linearization)
-    yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers])
+    stated = (e for a in answers if a.name == "reactions" for e in a.equations)
+    remarks = [(e.text.partition(":")[0], said) for e in stated for said in e.remarks]
+    yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], remarks)
 
 
 def names_of(problem: Problem) -> frozenset[str]:

@@ -24,9 +24,7 @@ from lagrange.notation import base, t
 from lagrange.problem import AppliedForce, AppliedMoment, Damper, Potential, Problem, Spring
 from lagrange.static_reactions import StaticReactions
 from lagrange.unit_circle import NotAlgebraicError
-from lagrange.verification import Check
-
-EXACT = "exact"
+from lagrange.verification import Check, certainty
 
 
 def check_statics(problem: Problem, configuration: Configuration) -> None:
@@ -93,11 +91,8 @@ def _has_time(e: sp.Expr, problem: Problem) -> bool:
 def check_equilibrium(found: Equilibrium, original: Equilibrium) -> list[Check]:
     """The checks of the equilibria of one configuration; `original` is in the file's coordinates."""
     name = found.configuration.name
-    checks = [
-        Check(
-            "Lagrange's generalized forces at rest are the same", _same_forces(found), "exact, at random points", name
-        )
-    ]
+    how = f"{certainty(found.configuration.surface)}, at random points"
+    checks = [Check("Lagrange's generalized forces at rest are the same", _same_forces(found), how, name)]
     if any(not b.left for b in found.branches):
         checks.append(
             Check("every equilibrium satisfies the conditions", found.solution.verified, "exact, put back", name)

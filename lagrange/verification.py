@@ -49,6 +49,16 @@ class Check:
     choice: str = ""
 
 
+def certainty(surface: Surface) -> str:
+    """How sure is what was found on a surface: in a prime field, or at points that only Newton's iteration finds."""
+    return "exact" if surface.exact else "to sixty digits"
+
+
+def at_random_states(configuration: Configuration) -> str:
+    """How a check is made at states that the constraints of a configuration admit."""
+    return f"{certainty(configuration.states)}, at random states"
+
+
 def multiplier_system(
     configuration: Configuration, left: tuple[sp.Expr, ...], multipliers: tuple[sp.Symbol, ...]
 ) -> System:
@@ -91,14 +101,14 @@ def check_finite_forms(classification: Classification, slots: Slots, surface: Su
         if c.finite_form is not None:
             multiplied = [c.finite_form.factor * a for a in coefficients]
             passed = _vanishes_beside(exterior_derivative(multiplied, variables, slots), around, there)
-            how = f"exact: its exterior derivative is 0{where}"
+            how = f"{certainty(there)}: its exterior derivative is 0{where}"
             found.append(Check(f"the factor makes {name} exact", passed, how))
         if c.integral is not None:
             gradient = one_form([differentiated(c.integral, v, slots) for v in variables])
             proportional = _vanishes_beside(wedge(gradient, one_form(coefficients)), around, there)
             constant = _vanishes_beside(gradient, around, there)
             passed = None if None in (proportional, constant) else proportional and not constant
-            how = f"exact: dF ∧ ω = 0{where}"
+            how = f"{certainty(there)}: dF ∧ ω = 0{where}"
             found.append(Check(f"the finite relation has a differential proportional to {name}", passed, how))
     return found
 
@@ -123,7 +133,7 @@ def check_hidden(classification: Classification, elimination: Elimination, confi
         for column in columns
     ]
     passed = False if False in verdicts else None if None in verdicts else True
-    how = "exact: their differentials in the solved displacements"
+    how = f"{certainty(configuration.surface)}: their differentials in the solved displacements"
     return [Check("the hidden relations hold in every virtual displacement", passed, how)]
 
 
@@ -147,7 +157,7 @@ def check_displacements(
     """The solved virtual displacements, and the rates at which moving constraints carry (n,), put into A and a_t."""
     if not configuration.rows:
         return []
-    how = "exact: the solved displacements put into the constraints"
+    how = f"{certainty(configuration.states)}: the solved displacements put into the constraints"
     passed = _displacements_hold(configuration, elimination)
     found = [Check("the virtual displacements satisfy the constraints", passed, how, configuration.name)]
     if any(carried):
@@ -157,7 +167,7 @@ def check_displacements(
             for row in configuration.rows
         ]
         passed = False if False in verdicts else None if None in verdicts else True
-        how = "exact: put into the constraints"
+        how = f"{certainty(configuration.surface)}: put into the constraints"
         found.append(
             Check("the displacement that the moving constraints force satisfies them", passed, how, configuration.name)
         )
@@ -175,23 +185,22 @@ def check_motion(
     multipliers = tuple(reactions[row.name] for row in configuration.rows)
     name = configuration.name
     other = "Lagrange's equations give" if method is Method.DALEMBERT else "d'Alembert's principle gives"
-    found = [Check(f"{other} the same motion", _agrees_with_other(motion, multipliers, method), EXACT, name)]
+    how = at_random_states(configuration)
+    found = [Check(f"{other} the same motion", _agrees_with_other(motion, multipliers, method), how, name)]
     if _conserves_reactions(configuration):
-        how = "exact: dT/dt along the motion against the power of the forces"
+        how = f"{certainty(configuration.states)}: dT/dt along the motion against the power of the forces"
         found.append(Check("the rate of the energy is the power of the forces", _energy_rate_holds(motion), how, name))
     return found
 
 
-EXACT = "exact, at random states"
-
-
-def check_workless(works: Sequence[WorkOfReaction]) -> list[Check]:
-    """The virtual work of the reactions, the dependent displacements put in."""
+def check_workless(works: Sequence[WorkOfReaction], configuration: Configuration) -> list[Check]:
+    """The virtual work of the reactions of a configuration, the dependent displacements put in."""
     if not works:
         return []
     verdicts = [w.vanishes for w in works]
     passed = False if False in verdicts else None if None in verdicts else True
-    return [Check("the reactions do no virtual work", passed, "exact: where the constraints hold")]
+    how = f"{certainty(configuration.states)}: where the constraints hold"
+    return [Check("the reactions do no virtual work", passed, how)]
 
 
 def check_reactions(
@@ -229,7 +238,7 @@ def check_reactions(
         else (f"accelerations, solved for, satisfy {equations}")
     )
     name = f"the {what}"
-    return [Check(name, passed, EXACT, configuration.name)]
+    return [Check(name, passed, at_random_states(configuration), configuration.name)]
 
 
 def _claims(found: Reactions) -> list[sp.Expr]:
@@ -331,6 +340,6 @@ def check_choice(original: EquationsOfMotion, motion: EquationsOfMotion) -> Chec
     return Check(
         "the equations in the file's coordinates describe the same motion",
         passed,
-        EXACT,
+        at_random_states(motion.configuration),
         motion.configuration.name,
     )

@@ -25,9 +25,10 @@ class Checked(File):
 
 @dataclass(frozen=True)
 class Command:
-    """Arguments of `lagsolve`."""
+    """Arguments of `lagsolve`, and the name of a file that is there."""
 
     arguments: tuple[str, ...]
+    beside: str = ""
 
 
 def problem(more: str, coordinates: str = "[x, y]", parameters: str = "[m, l, g]") -> File:
@@ -121,6 +122,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "merge-key": ("Write the keys out.", None),
     "missing-space": ("A colon is followed by a space.", None),
     "more-mistakes": ("Only the first mistakes of a file are shown.", None),
+    "file-beside": (
+        "A name without `.yaml` is a problem of the library, whatever files there are. The exit status is not changed.",
+        Command(("check", "ex11", "-e", "theta'' + g/l*sin(theta) = 0"), beside="ex11.yaml")),
     "no-such-file": ("Check the name.", Command(("nothing.yaml",))),
     "no-such-problem": ("`lagsolve list` shows the library.", Command(("ideal-pendulum",))),
     "several-problems": ("Several problems of the library begin with that.", None),
@@ -247,6 +251,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-answer": ("Give equations with -e, or in a file.", None),
     "method-without-motion": ("A note: `--method` chooses how equations of motion are derived, and none are asked for.",
         Command(("ladder", "--method", "lagrange"))),
+    "not-compared": (
+        "What the file's answers say in coordinates that `--choice` leaves out is read, and not compared.",
+        Command(("ex11", "--choice", "depth", "--detail", "brief"))),
     "no-equations": ("The problem asks for no motion.", Command(("check", "ex05", "-e", "x' = 0"))),
     "reference-contradictory": ("No motion satisfies all of the equations that are given to check answers against.", Checked(
         "title: Example\ncoordinates: [x]\nequations: [x'' = 1, x'' = 2]\nanswers: {equations: [x'' = 1]}\n")),

@@ -42,6 +42,8 @@ LAYOUTS: dict[str, list[str]] = {
     r"x^2 = l^2 \quad (2a)": ["x^2 = l^2"],
     r"x^2 = l^2\,(3)": [r"x^2 = l^2\,(3)"],
     r"x = \text{ma}": [r"x = \text{ma}"],
+    r"x = 0 \text{, where $\mathbf{v_{\mathrm{P}}} = 0$ at {{\em all}} times}": ["x = 0"],
+    r"x = 0 \text{ at the brace \} } \\ y = 1": ["x = 0", "y = 1"],
     r"x = 0 \label{eq:one} \tag{1}": ["x = 0"],
     r"\label{eq=one} x = 0 \nonumber": ["x = 0"],
     r"\boxed{\ddot x = 0}": [r"\ddot x = 0"],
@@ -255,6 +257,8 @@ def test_any_file_is_taken_apart_or_refused(parts: list[str], ending: str) -> No
         "(1) ",
         "%\n",
         "\\text{and} = ",
+        "\\text{",
+        "\\text{{{{}",
     ],
 )
 @pytest.mark.parametrize("ending", [".txt", ".md", ".tex"])

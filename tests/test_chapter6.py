@@ -359,8 +359,11 @@ def test_reactions_of_the_chapter(name: str, reaction: str, formula: str) -> Non
     assert solution.law is not None
     [found] = [r for r in solution.law.newton.reactions if r.name == reaction]
     reference = reference_of_solution(solution)
-    assert check_reaction(Fragment.of(formula), found, reference) is Verdict.EQUIVALENT
-    assert check_reaction(Fragment.of(formula.replace("cos(theta)", "sin(theta)")), found, reference) is Verdict.WRONG
+    right = check_reaction(Fragment.of(formula), found, reference)
+    wrong = check_reaction(Fragment.of(formula.replace("cos(theta)", "sin(theta)")), found, reference)
+    assert right is not None
+    assert wrong is not None
+    assert (right.verdict, wrong.verdict) == (Verdict.EQUIVALENT, Verdict.WRONG)
 
 
 @pytest.mark.parametrize(

@@ -221,6 +221,28 @@ def test_method_detail_and_choice() -> None:
         assert [c["name"] for c in json.loads(result.stdout)["choices"]] == [name]
 
 
+@pytest.mark.parametrize(
+    ("stated", "compared"), [("m*g*y/l + m*(x'^2 + y'^2)/l", True), ("m*g*cos(theta) + m*l*theta'^2", False)]
+)
+def test_answers_in_coordinates_of_a_choice_that_is_left_out(
+    stated: str, compared: bool, file: Callable[..., str]
+) -> None:
+    """They are read, and a note says that they are not compared; the exit status does not count them."""
+    own = run("show", PENDULUM).stdout
+    beginning, rod, _ = own.rpartition("    rod: ")
+    text = file(f'{beginning}{rod}"{stated}"\n')
+    result = run(text, "--choice", "depth", "--format", "json")
+    assert result.exit_code == 0, result.stderr
+    assert "note[not-compared]" in result.stderr
+    assert "`equations`" in result.stderr
+    assert ("`reactions: rod`" in result.stderr) != compared
+    answers = [a["name"] for a in json.loads(result.stdout)["answers"]]
+    assert answers == ["degrees_of_freedom", "classification", "integrable", *["reactions"] * compared]
+    whole = run(text, "--format", "json")
+    assert (whole.exit_code, whole.stderr) == (0, "")
+    assert [a["name"] for a in json.loads(whole.stdout)["answers"]][-2:] == ["equations", "reactions"]
+
+
 def test_lagranges_equations_as_the_method() -> None:
     result = run(PENDULUM, "--method", "lagrange")
     assert (result.exit_code, result.stderr) == (0, "")

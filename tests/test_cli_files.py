@@ -290,6 +290,21 @@ def test_what_a_name_may_mean(name: str, said: str, here: Path) -> None:
     assert said in result.stderr
 
 
+def test_a_file_whose_name_is_that_of_a_shipped_problem(here: Path) -> None:
+    """A name without its ending is the library's, and standard error says that the file was not meant."""
+    (here / "ex11.yaml").write_text(TEMPLATE)
+    (here / "bead.yml").write_text(TEMPLATE)
+    shipped = run("ex11", "--detail", "brief")
+    assert shipped.exit_code == 0
+    assert "note[file-beside]: `ex11` is the problem `ex11-ideal-pendulum` of the library" in shipped.stderr
+    assert "write `ex11.yaml`" in shipped.stderr
+    for name in ("ex11.yaml", "./ex11.yaml", "ex12"):
+        assert "file-beside" not in run(name, "--detail", "brief").stderr
+    several = run("bead")
+    assert (several.exit_code, several.stdout) == (2, "")
+    assert several.stderr.endswith("write the whole name, or `bead.yml` for the file of that name\n")
+
+
 # Shell completion
 
 

@@ -16,7 +16,7 @@ from test_answers_table import GIVEN
 
 from lagrange.answer_readings import read_answer
 from lagrange.answers import Verdict, check_equations
-from lagrange.checking import reference
+from lagrange.checking import check_answer, reference
 from lagrange.conventions import Turn, other_convention
 from lagrange.diagnosis import Group, diagnosed
 from lagrange.diagnostics import Fragment, Source
@@ -408,3 +408,33 @@ def test_it_is_shown_when_asked_for() -> None:
     assert '"reference": [\n  "l*theta\'\' + g*sin(theta) = 0"\n ]' in said(
         "-e", "theta'' = 0", "--reveal", "--format", "json"
     )
+
+
+# -- parameters with numbers -------------------------------------------------------------------------------------------
+
+WITH_VALUES = """
+title: Double pendulum
+parameters: {m: positive, g: positive, l: {assume: positive, value: 1}, L: {assume: positive, value: 2}}
+coordinates: [phi, psi]
+let: {out: sin(phi)*i + cos(phi)*j, further: sin(psi)*i + cos(psi)*j}
+particles: {A: {mass: m, position: L*out}, B: {mass: m, position: L*out + l*further}}
+gravity: g*j
+"""
+
+
+@pytest.mark.parametrize(
+    ("velocities", "said"),
+    [
+        ("- l*psi'^2*sin(phi - psi)", "the sign of the term l*psi'^2*sin(phi - psi)"),
+        ("- psi'^2*sin(phi - psi)", "the sign of the term psi'^2*sin(phi - psi)"),
+        ("+ 2*l*psi'^2*sin(phi - psi)", "l*psi'^2*sin(phi - psi) in place of 2*l*psi'^2*sin(phi - psi)"),
+        ("+ L*psi'^2*sin(phi - psi)", "L*psi'^2*sin(phi - psi)/2 in place of L*psi'^2*sin(phi - psi)"),
+        ("+ l*psi'^2*cos(phi - psi)", "l*psi'^2*sin(phi - psi) in place of l*psi'^2*cos(phi - psi)"),
+        ("+ l*psi'^2*sin(phi - psi) + m*L*cos(psi)", "the term m*L*cos(psi) does not belong there"),
+    ],
+)
+def test_a_term_is_named_as_it_was_written(velocities: str, said: str) -> None:
+    """The file gives l = 1 and L = 2; the answer has letters, and so has what is said of it."""
+    answer = Fragment.of(f"2*L*phi'' + l*psi''*cos(phi - psi) {velocities} + 2*g*sin(phi) = 0")
+    found = check_answer(read_problem(Source("problem", WITH_VALUES)), (answer,))
+    assert said in found.equations.equations[0].diagnosis

@@ -60,8 +60,13 @@ def shown(example: str | File | Command, folder: Path) -> str:
             result = runner.invoke(main, ["check", "ex11-ideal-pendulum", "-e", example])
             found = re.search(r"^(error|note)\[.*", result.output, re.DOTALL | re.MULTILINE)
             return found[0].strip() if found else result.output
-        case Command(arguments=arguments):
-            return runner.invoke(main, list(arguments)).stderr.strip()
+        case Command(arguments=arguments, beside=beside):
+            if not beside:
+                return runner.invoke(main, list(arguments)).stderr.strip()
+            (folder / beside).touch()
+            said = runner.invoke(main, list(arguments)).stderr.strip()
+            (folder / beside).unlink()
+            return said
         case File(text=text):
             path = folder / "problem.yaml"
             path.write_bytes(text if isinstance(text, bytes) else text.encode())

@@ -8,10 +8,12 @@ import pytest
 import sympy as sp
 
 from lagrange.answers import Verdict, check_equations
+from lagrange.checking import compared_answers
 from lagrange.diagnostics import Fragment, ProblemError
 from lagrange.notation import Sign
 from lagrange.problem import Problem
 from lagrange.references import reference_of_solution
+from lagrange.render import pretty
 from lagrange.report import report
 from lagrange.solution import Solution, solve
 
@@ -245,3 +247,47 @@ def test_a_particle_that_its_coordinates_keep_on_a_line(problem: Read) -> None:
 def test_the_derivation_says_when_the_law_holds(problem: Read) -> None:
     said = str(report(problem("title: Example\n" + INCLINE.format(more=""))).derivation)
     assert "This holds where the slip is not zero" in said
+
+
+# -- a surface that keeps a distance -----------------------------------------------------------------------------------
+
+DOME = """parameters: [m, R, mu, g]
+coordinates: [{coordinate}, theta]
+let: {{out: sin(theta)*i + cos(theta)*j}}
+particles: {{block: {{mass: m, position: {radius}*out}}}}
+constraints: {{dome: {{equation: {dome}, reaction: N}}}}
+gravity: -g*j
+forces: {{rub: {{friction: mu, constraint: dome, on: block, slip: positive, contact: positive}}}}
+generalized_coordinates: {{angle: {{coordinates: [theta]}}}}
+"""
+
+
+def test_a_rough_surface_has_no_tension(problem: Read) -> None:
+    """N is what `contact` is the sign of: the page has it positive, and has no other name for it."""
+    found = solution(problem, DOME.format(coordinate="r", radius="r", dome="r = R"))
+    assert found.law is not None
+    [reaction] = found.law.newton.reactions
+    assert (reaction.rod, reaction.tension, reaction.multiplier.name, reaction.is_normal) == (None, None, "N", True)
+    told = report(problem("title: Example\n" + DOME.format(coordinate="r", radius="r", dome="r = R")))
+    page = pretty.text(told.derivation, told.notation, 120)
+    assert "N = m g cos θ − m r θ̇²" in page
+    assert "r θ̈ + 2ṙ θ̇ − μ r θ̇² − g sin θ + μ g cos θ = 0" in page
+    for word in ("tension", "λ", "|"):
+        assert word not in page.replace("│", "").replace("|R|", "")
+    assert verdict(found, "r*theta'' + 2*r'*theta' = g*sin(theta) - mu*N/m") is Verdict.EQUIVALENT
+
+
+@pytest.mark.parametrize(("stated", "expected"), [("N = m*g*cos(theta) - m*R*theta'^2", 0), ("N = m*R*theta'^2 - m*g*cos(theta)", 1)])  # fmt: skip
+def test_the_sign_of_the_contact_is_that_of_the_reaction(problem: Read, stated: str, expected: int) -> None:
+    text = DOME.format(coordinate="r", radius="r", dome="r = R") + f'answers: {{reactions: {{dome: "{stated}"}}}}\n'
+    [answer] = compared_answers(solution(problem, text))
+    assert answer.verdict is (Verdict.EQUIVALENT, Verdict.WRONG)[expected]
+    assert answer.equations[0].remarks == ()
+
+
+def test_the_distance_may_be_negative(problem: Read) -> None:
+    """Below the centre, as s = -R says it: |s| is -s there."""
+    found = solution(problem, DOME.format(coordinate="s", radius="(s)", dome="s = -R"))
+    assert verdict(found, "s*theta'' = g*sin(theta) + mu*(g*cos(theta) + R*theta'^2)") is Verdict.EQUIVALENT
+    assert found.motion is not None
+    assert not any(e.atoms(sp.Abs) for e in found.motion.expressions)

@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+import tomllib
 import zipfile
 from pathlib import Path
 
@@ -109,6 +110,19 @@ def test_its_metadata(wheel: Path, contents: set[str]) -> None:
     dependencies = [line.partition(": ")[2] for line in lines if line.startswith("Requires-Dist: ")]
     assert {d.split(">")[0] for d in dependencies if "extra ==" not in d} == {"sympy", "click", "rich", "pyyaml"}
     assert "Requires-Python: >=3.11" in lines
+    assert "License-File: LICENSE" in lines
+
+
+def test_the_licence_goes_with_it(wheel: Path, contents: set[str], checkout: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        [licence] = (name for name in contents if name.endswith("/LICENSE"))
+        text = archive.read(licence).decode()
+    assert text == (checkout / "LICENSE").read_text(encoding="utf-8")
+    assert text.startswith("MIT License\n\nCopyright (c) 2026 The lagsolve authors\n")
+    with (checkout / "pyproject.toml").open("rb") as file:
+        told = tomllib.load(file)
+    assert told["project"]["license"] == {"text": "MIT"}
+    assert "LICENSE" in told["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
 
 
 def test_the_command_works_elsewhere(installed: Path, tmp_path: Path) -> None:

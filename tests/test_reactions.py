@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
 
 from lagrange.answers import Verdict, check_equations
-from lagrange.checking import compared_answers
+from lagrange.checking import check_answer, compared_answers
 from lagrange.diagnostics import Fragment
 from lagrange.dynamics import MOST_FREE
 from lagrange.exact import Surface, is_zero
@@ -19,6 +19,7 @@ from lagrange.linear import solved_linear
 from lagrange.problem import Problem
 from lagrange.reactions import equilibrium_system, solved_reactions
 from lagrange.references import reference_of_solution
+from lagrange.render import pretty
 from lagrange.render.json import as_object
 from lagrange.report import report
 from lagrange.solution import Solution, solve
@@ -243,6 +244,83 @@ def test_the_same_functions_at_rest(problem: Read) -> None:
 def test_stated_reactions(problem: Read, stated: str, verdict: str) -> None:
     found = solution(problem, f'{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n')
     assert [(a.name, a.verdict.value) for a in compared_answers(found)] == [("reactions", verdict)]
+
+
+OPPOSITE = "a force that pushes"
+MULTIPLIER = "the multiplier"
+
+
+@pytest.mark.parametrize(
+    ("stated", "taken_for"),
+    [
+        ("m*g*cos(theta) + m*l*theta'^2", ""),
+        ("T = m*g*cos(theta) + m*l*theta'^2", ""),
+        ("-(m*g*cos(theta) + m*l*theta'^2)", OPPOSITE),
+        ("T = -m*g*cos(theta) - m*l*theta'^2", OPPOSITE),
+        ("-(m*g*cos(theta) + m*l*theta'^2)/(2*l)", MULTIPLIER),
+        ("T = -(m*g*cos(theta) + m*l*theta'^2)/(2*l)", MULTIPLIER),
+    ],
+)
+def test_the_remark_says_what_a_stated_reaction_is_taken_for(problem: Read, stated: str, taken_for: str) -> None:
+    """Of two contradictory statements no more than one is right without a remark."""
+    found = solution(problem, f'{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n')
+    [answer] = compared_answers(found)
+    [said] = answer.equations
+    assert (said.verdict, len(said.remarks)) == (Verdict.EQUIVALENT, 1 if taken_for else 0)
+    assert taken_for in "".join(said.remarks)
+    told = report(problem(f'title: Example\n{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n'))
+    page = pretty.text(told.derivation, told.notation, 1000)
+    assert ("In the answer for rod" in page) == bool(taken_for)
+
+
+def test_the_name_of_a_multiplier_has_one_sign(problem: Read) -> None:
+    """λ_rod is what the contract says: R = λ ∂f/∂r."""
+    for sign, verdict in (("-", Verdict.EQUIVALENT), ("", Verdict.WRONG)):
+        stated = f"lambda_rod = {sign}(m*g*cos(theta) + m*l*theta'^2)/(2*l)"
+        text = PENDULUM.replace(", reaction: T", "") + f'answers: {{reactions: {{rod: "{stated}"}}}}\n'
+        [answer] = compared_answers(solution(problem, text))
+        assert (answer.verdict, answer.equations[0].remarks) == (verdict, ())
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict", "taken_for"),
+    [
+        ("T = m*g*r/l", Verdict.EQUIVALENT, ""),
+        ("m*g", Verdict.EQUIVALENT, ""),
+        ("T = -m*g", Verdict.EQUIVALENT, OPPOSITE),
+        ("-m*g", Verdict.EQUIVALENT, OPPOSITE),
+        ("T = 2*m*g", Verdict.WRONG, ""),
+    ],
+)
+def test_at_rest_the_remark_says_it_too(problem: Read, stated: str, verdict: Verdict, taken_for: str) -> None:
+    text = f"""parameters: [m, g, l, k]
+coordinates: [r, x]
+particles: {{P: {{mass: m, position: r*j}}, Q: {{position: x*i}}}}
+constraints: {{rod: {{equation: r = l, reaction: T}}}}
+gravity: g*j
+forces: {{spring: {{potential: k*x^2/2}}}}
+find: equilibrium
+answers: {{reactions: {{rod: "{stated}"}}}}
+"""
+    [answer] = compared_answers(solution(problem, text))
+    [said] = answer.equations
+    assert (said.verdict, len(said.remarks)) == (verdict, 1 if taken_for else 0)
+    assert taken_for in "".join(said.remarks)
+
+
+@pytest.mark.parametrize(
+    ("equations", "remarks"),
+    [
+        (("m*x'' = -T*x/l", "m*y'' = m*g - T*y/l"), ""),
+        (("m*x'' = 2*T*x", "m*y'' = m*g + 2*T*y"), MULTIPLIER),
+        (("m*x'' = T*x/l", "m*y'' = m*g + T*y/l"), OPPOSITE),
+        (("m*x'' = T*x/l", "m*y'' = m*g - T*y/l"), ""),
+    ],
+)
+def test_equations_say_what_a_tension_is_taken_for(problem: Read, equations: tuple[str, ...], remarks: str) -> None:
+    said = check_answer(problem(f"title: Example\n{PENDULUM}"), tuple(map(Fragment.of, equations))).equations
+    for e in said.equations:
+        assert [remarks in r for r in e.remarks] == ([True] if remarks else [])
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source, nearest
@@ -12,16 +13,19 @@ from lagrange.loader import read_source
 from lagrange.yaml_nodes import MAX_BYTES, decode
 from lagsolve import library
 from lagsolve.group import COMMANDS
+from lagsolve.status import say
 
 
 def problem_source(name: str) -> Source:
     """The text of a problem: a file, standard input, or a problem of the library.
 
-    Raises ProblemError where there is none.
+    Says so where a problem of the library is taken and a file may have been meant. Raises ProblemError where there is
+    none.
     """
     if name == "-":
         return _standard_input()
     path = problem_path(name)
+    _say_which(name, path)
     meant = _meant(path)
     if meant:
         found = Diagnostic("no-such-file", f"there is no file {path}", help=f"did you mean {meant}?")
@@ -39,7 +43,26 @@ def problem_path(name: str) -> Path:
         return Path(name)
     if not library.named(name):
         raise ProblemError(_no_problem(name))
-    return library.path_of(name)
+    try:
+        return library.path_of(name)
+    except ProblemError as several:
+        beside = _file_beside(name)
+        help_ = f", or `{beside}` for the file of that name" if beside else ""
+        raise ProblemError(replace(d, help=d.help + help_) for d in several.diagnostics) from None
+
+
+def _say_which(name: str, path: Path) -> None:
+    """A note where a name stands for a problem of the library, and there is a file of that name as well."""
+    beside = _file_beside(name)
+    if not beside or path == Path(name):
+        return
+    message = f"`{name}` is the problem `{path.stem}` of the library; there is a file `{beside}` too"
+    say(str(Diagnostic("file-beside", message, help=f"to solve the file, write `{beside}`").as_note()))
+
+
+def _file_beside(name: str) -> str:
+    """The file that a name without its ending may mean; empty where there is none."""
+    return next((file for file in (f"{name}.yaml", f"{name}.yml") if os.path.isfile(file)), "")
 
 
 def _meant(path: Path) -> str:

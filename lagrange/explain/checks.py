@@ -12,9 +12,15 @@ from lagrange.solution import Solution
 from lagrange.verification import Check
 
 
-def explain_checks(solution: Solution, answers: Sequence[tuple[str, str]]) -> Step:
-    """The checks, the comparison with the textbook's answers, the spot values."""
+def explain_checks(
+    solution: Solution, answers: Sequence[tuple[str, str]], remarks: Sequence[tuple[str, str]] = ()
+) -> Step:
+    """The checks, the comparison with the textbook's answers, the spot values.
+
+    remarks  on what the file says of reactions: the constraint, and how that is taken
+    """
     body: list[Block] = [*_grouped(solution.checks), *_answers(answers)]
+    body += [prose(f"In the answer for {spoken(name)} {said.replace('`', '')}.") for name, said in remarks]
     if not body:
         body.append(prose("The file has no answers to compare with, and nothing was asked that has a second route."))
     spots = [("", solution.spot), *((c.name, c.spot) for c in solution.choices)]

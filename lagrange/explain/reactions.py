@@ -79,11 +79,9 @@ def _undetermined(reactions: Reactions, newton: Newton) -> list[Block]:
     loose = [r for r in newton.reactions if r.name not in reactions.multipliers]
     if not loose:
         return []
-    names = listed(math(r.multiplier) for r in loose)
+    names = listed(math(r.force) for r in loose)
     words: tuple[Part, ...] = (*names, " are not determined one by one, because the constraints depend on one another.")
-    lines = [
-        Equation((sp.Add(*(c * s for c, s in d.terms)), d.value)) for d in reactions.combinations if d.value is not None
-    ]
+    lines = [Equation(d.written) for d in reactions.combinations if d.written is not None]
     if not lines:
         return [prose(*words)]
     return [prose(*words, " What is determined is"), display(*lines)]
