@@ -17,17 +17,19 @@ from typing import Any
 import sympy as sp
 from sympy.polys.rings import PolyRing
 
+from lagrange.common_factor import common_factor
 from lagrange.fourier import Element
 from lagrange.generators import Basis
 from lagrange.packing import lowest, pack, unpack
+from lagrange.terms import Term
 from lagrange.textbook import Textbook
 from lagrange.trigonometry import Ring
 
-LONGEST = 60
+LONGEST = 120
 """Terms of a numerator or denominator that is still looked at."""
 HIGHEST = 8
 """The highest multiple of an angle in them."""
-MOST_OPERATIONS = 400
+MOST_OPERATIONS = 800
 """Operations of a quotient of which common factors are still looked for."""
 
 
@@ -52,19 +54,59 @@ def in_lowest_terms(value: sp.Expr) -> sp.Expr:
     """A quotient, in textbook form, without common factors that only show by sin² + cos² = 1; the value itself where
     there are none, or where the result were no shorter.
     """
-    if value.count_ops() > MOST_OPERATIONS or not any(e.has(sp.sin, sp.cos) for e in _denominators(value)):
+    if not any(e.has(sp.sin, sp.cos) for e in _denominators(value)):
         return value
     ring = Ring()
-    above, below = (ring.from_sympy(e) for e in sp.fraction(sp.together(value)))
-    if not below or any(e < 0 for m, _ in (*above.terms, *below.terms) for i, e in unpack(m) if i in ring.related):
-        return value
-    reduced = lowest_terms(above, below)
+    above, below = _fraction(value, ring)
+    reduced = None if below is None else lowest_terms(above, below)
     if reduced is None:
         return value
     textbook = Textbook(ring)
     n, d = (textbook.form(e) for e in reduced)
     shorter: sp.Expr = textbook.form(ring.from_sympy(n) / ring.from_sympy(d))
     return shorter if shorter.count_ops() < value.count_ops() else value
+
+
+def as_one_quotient(value: sp.Expr) -> sp.Expr:
+    """A value with sums below the line as one quotient of two sums; itself where that were no shorter."""
+    if not _denominators(value):
+        return value
+    ring = Ring()
+    above, below = _fraction(value, ring)
+    if below is None:
+        return value
+    reduced = lowest_terms(above, below)
+    above, below = reduced or (above, below)
+    textbook = Textbook(ring)
+    numerator = textbook.form(above)
+    factor = common_factor(numerator)
+    rest = factor.divide(numerator)
+    terms = sp.Add.make_args(rest)
+    sign = -1 if all(term.could_extract_minus_sign() for term in terms) else 1
+    denominator = textbook.product(below)
+    if reduced is None:
+        denominator = _with_its_sign(denominator)
+    front = Term(sign * Fraction(factor.number.p, factor.number.q), dict(factor.powers)) / denominator
+    shorter: sp.Expr = front.to_sympy() * sp.Add(*(sign * term for term in terms))
+    return shorter if shorter.count_ops() < value.count_ops() else value
+
+
+def _with_its_sign(product: Term) -> Term:
+    """−(a − b − c) as b + c − a: a determinant has the sign that it came with, which often is that of its value."""
+    turned = next((f for f, e in product.factors.items() if f.is_Add and e == 1), None)
+    if product.number > 0 or turned is None:
+        return product
+    factors = {sp.Add(*(-term for term in f.args)) if f is turned else f: e for f, e in product.factors.items()}
+    return Term(-product.number, factors)
+
+
+def _fraction(value: sp.Expr, ring: Ring) -> tuple[Element, Element | None]:
+    """Numerator and denominator as elements; the latter None where there are roots, or where they are too long."""
+    if value.count_ops() > MOST_OPERATIONS:
+        return ring.zero, None
+    above, below = (ring.from_sympy(e) for e in sp.fraction(sp.together(value)))
+    related = (e for m, _ in (*above.terms, *below.terms) for i, e in unpack(m) if i in ring.related)
+    return above, below if below and all(e > 0 for e in related) else None
 
 
 def _denominators(value: sp.Expr) -> list[sp.Expr]:

@@ -39,6 +39,9 @@ class Term:
     def __mul__(self, other: Term) -> Term:
         return Term(self.number * other.number, multiplied(self.factors, other.factors))
 
+    def __truediv__(self, other: Term) -> Term:
+        return Term(self.number / other.number, divided(self.factors, other.factors))
+
 
 def exponent_of(number: sp.Rational) -> Exponent:
     """SymPy's number as Python's."""
