@@ -267,6 +267,13 @@ def test_order_of_writing(expression, terminal):
     assert unicode(expression, N) == terminal
 
 
+def test_ell_is_one_letter_among_the_latin_ones():
+    ell = symbols("ell")
+    assert unicode(m * ell**2 * omega * D(symbols("ell_1")), N) == "m ℓ² ω ℓ̇₁"
+    assert latex(alpha * ell * m, N) == r"m \ell \alpha"
+    assert text(alpha * ell * m, N) == "m*ell*alpha"
+
+
 def test_an_unknown_frequency_stands_before_time_and_first_among_terms():
     notation = Notation(coordinates=(x,), frequencies=(omega,))
     assert unicode(a * cos(omega * t), notation) == "a cos ωt"

@@ -119,6 +119,6 @@ class Notation:
 def alphabetic(name: str) -> tuple[str, tuple[str, ...]]:
     """Latin before Greek, and otherwise as in a dictionary; x_2 before x_10."""
     parts = Name.of(name)
-    greek = "1" if parts.letter in GREEK else "0"
+    greek = "1" if parts.letter in GREEK and parts.letter != "ell" else "0"
     indices = (index.zfill(4) if index.isdigit() else index for index in parts.indices)
     return f"{greek}{parts.letter.lower()}{parts.letter}", tuple(indices)
