@@ -211,7 +211,7 @@ class Field:
         coefficients = [c.xreplace(back) for c in reversed(x.all_coeffs())]
         constant = coefficients[0]
         slope = coefficients[1] if len(coefficients) > 1 else sp.S.Zero
-        return _sum(sp.factor(constant + slope * centre), sp.factor_terms(sp.together(slope * half)))
+        return _sum(sp.factor(constant + slope * centre), sp.factor_terms(sp.together(sp.factor(slope) * half)))
 
 
 def modes(

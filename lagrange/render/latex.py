@@ -79,7 +79,7 @@ def render(
 
 
 def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS, prefix: str = "") -> str:
-    """What one derivation contributes; its labels begin with `prefix`, the slug of its title unless another one has it."""
+    """What one derivation contributes; its labels begin with `prefix`, the slug of its title where that is empty."""
     return "\n".join(_Article(derivation, notation, detail, prefix or slug(derivation.title)).all()) + "\n"
 
 
