@@ -216,7 +216,13 @@ def _mode(f: Frequency, s: SmallOscillations, found: Linearization) -> tuple[Par
     if not f.modes or len(s.free) == 1:
         return ("twice",) if f.multiplicity == 2 else ()
     modes = (math(*mode, relation=":") for mode in f.modes)
-    return ("with ", math(*(found.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
+    ratio = ("with ", math(*(found.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
+    return (*ratio, *_presupposed(f, ", "))
+
+
+def _presupposed(f: Frequency, before: str = "") -> tuple[Part, ...]:
+    """`where y ≠ 0`: what the ratios have been divided by."""
+    return (f"{before}where ", *_listed(f.presupposed)) if f.presupposed else ()
 
 
 def _long_ratios(f: Frequency, s: SmallOscillations, found: Linearization) -> list[Equation]:
@@ -224,7 +230,8 @@ def _long_ratios(f: Frequency, s: SmallOscillations, found: Linearization) -> li
     if len(f.modes) != 1 or f.modes[0][0] != 1 or sum(a.count_ops() for a in f.modes[0]) <= LONGEST_BESIDE:
         return []
     first, *others = (found.displacements[k] for k in s.free)
-    return [Equation((q / first, a)) for q, a in zip(others, f.modes[0][1:], strict=True)]
+    lines = [Equation((q / first, a)) for q, a in zip(others, f.modes[0][1:], strict=True)]
+    return [*lines[:-1], replace(lines[-1], condition=_presupposed(f))]
 
 
 def _damped(n: int, s: SmallOscillations, found: Linearization) -> Iterator[Block]:

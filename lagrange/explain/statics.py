@@ -119,8 +119,9 @@ def _conclusion(found: Equilibrium) -> list[Block]:
         if len(free) == 1
         else " are independent, so what multiplies each of them vanishes"
     )
-    above = [c.factor.numerator.expression for c in found.conditions]
-    below = [e for c in found.conditions for e in (c.below.expression, c.factor.denominator.expression)]
+    numbers = [c.factor.denominator.expression for c in found.conditions if c.factor.expression.is_number]
+    above = [(c.factor.numerator if c.factor.expression.is_number else c.factor).expression for c in found.conditions]
+    below = [*(c.below.expression for c in found.conditions), *numbers]
     divided, multiplied = ([math(e) for e in es if e != 1] for es in (above, below))
     steps: list[tuple[Part, ...]] = []
     if multiplied:
