@@ -24,9 +24,9 @@ GREEK = {
     "ξ": "xi", "ο": "omicron", "π": "pi", "ρ": "rho", "ϱ": "varrho", "σ": "sigma", "ς": "varsigma",
     "τ": "tau", "υ": "upsilon", "φ": "phi", "ϕ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega", "Γ": "Gamma",
     "Δ": "Delta", "Θ": "Theta", "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma", "Υ": "Upsilon",
-    "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega",
+    "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega", "ℓ": "ell",
 }  # fmt: skip
-"""Greek letters and the names that they are read as."""
+"""Greek letters and the names that they are read as; ℓ, which is `l` where no `ell` is declared."""
 
 VARIANTS = {
     "vartheta": "theta",
@@ -34,6 +34,7 @@ VARIANTS = {
     "varrho": "rho",
     "varsigma": "sigma",
     "varepsilon": "epsilon",
+    "ell": "l",
 }
 """A variant of a letter names the plain letter where only that one is declared."""
 
@@ -150,7 +151,7 @@ def _look(char: str) -> str:
         return " "
     if char in _DOTS:
         return DOT * _DOTS[char]
-    if char.isascii() and char.isprintable():
+    if (char.isascii() and char.isprintable()) or char in GREEK:
         return char
     category = unicodedata.category(char)
     if category in _INVISIBLE or ord(char) in _BLANK:

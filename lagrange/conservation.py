@@ -22,7 +22,7 @@ import sympy as sp
 from lagrange.common_factor import as_term, normalised
 from lagrange.comparison import System, affine_rows, state, symbols_of
 from lagrange.dynamics import Motion
-from lagrange.energy_functions import EnergyFunctions, energy_functions
+from lagrange.energy_functions import EnergyFunctions, energy_functions, in_one_term
 from lagrange.equations import EquationsOfMotion
 from lagrange.exact import DivisionByZeroError, Point
 from lagrange.kinematics import Configuration, Row, is_pfaffian
@@ -347,7 +347,7 @@ class _Search:
             ring.from_sympy(self.multipliers[row.name]) * ring.from_sympy(row.drift) for row in self.driven
         )
         rest = found.energy_rate - work + ring.from_sympy(found.damping)
-        rate = sp.Add(found.form(rest), -found.damping)
+        rate = in_one_term(sp.Add(found.form(rest), -found.damping))
         if rate == 0 or self._are_constant([found.energy]) == [True]:
             return [Integral(Quantity.ENERGY, Because.DEPENDENT, found.energy, constant=True)], None
         holds = self._rate_holds(found.energy, rate)

@@ -228,3 +228,11 @@ def _kinetic(configuration: Configuration, ring: Ring) -> Element:
     terms = [ring.from_sympy(p.mass) * dot(p.velocity, p.velocity, ring) for p in configuration.points if p.mass != 0]
     terms += [dot(r.momentum, r.angular_velocity, ring) for r in configuration.rotations if r.has_inertia]
     return ring.total(terms) / 2
+
+
+def in_one_term(rate: sp.Expr) -> sp.Expr:
+    """−x'² D/v − y'² D/v as −v D, with v = √(x'² + y'²); what has no root below the line as it is."""
+    if not any(p.exp.is_negative and not p.exp.is_Integer for p in rate.atoms(sp.Pow)):
+        return rate
+    joined: sp.Expr = sp.factor_terms(rate)
+    return joined if joined.count_ops() < rate.count_ops() else rate

@@ -126,6 +126,15 @@ class Equilibrium:
         used = {s for b in self.branches for r in b.relations for s in r.rhs.free_symbols}
         return tuple(f for f in self.forces if f in used) if self.given else ()
 
+    @property
+    def presupposed(self) -> tuple[sp.Expr, ...]:
+        """What must not vanish at a given position for the forces to be determined there: factors of conditions."""
+        if not self.given or self.needs_multipliers:
+            return ()
+        coordinates = set(self.configuration.slots.coordinates)
+        factors = (f for c in self.conditions for f in common_factor(c.expression).nonzero)
+        return tuple(dict.fromkeys(f for f in factors if f.free_symbols & coordinates and f not in self.forces))
+
 
 def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None:
     """Whether there is equilibrium at a point; `at` gives the value of an expression there. None: undecided.

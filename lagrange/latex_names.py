@@ -48,7 +48,8 @@ class Names:
 
     def spelled(self, stem: str, parts: tuple[str, ...] = ()) -> str | None:
         """The declared name that a letter with subscripts is; None where there is none."""
-        for letter in (stem, *([VARIANTS[stem]] if stem in VARIANTS else [])):
+        plain = [VARIANTS[stem]] if stem in VARIANTS and stem != "ell" else []  # of \ell it is said that l is meant
+        for letter in (stem, *plain):
             for name in spellings(letter, parts):
                 if self.is_declared(name):
                     return name

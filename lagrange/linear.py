@@ -18,6 +18,7 @@ import sympy as sp
 
 from lagrange.division import exact_quotient
 from lagrange.fourier import Element
+from lagrange.lowest_terms import in_lowest_terms, lowest_terms
 from lagrange.textbook import Textbook, common_factor, textbook_form
 from lagrange.trigonometry import Ring
 
@@ -200,6 +201,10 @@ def _quotient(numerator: Element, denominator: Element, below: sp.Expr, textbook
     exact = exact_quotient(numerator, denominator)
     if exact is not None:
         return textbook.form(exact)
+    reduced = lowest_terms(numerator, denominator)
+    if reduced is not None:
+        numerator, denominator = reduced
+        below = textbook.form(denominator)
     above = textbook.form(numerator)
     if above == 0:
         return sp.S.Zero
@@ -252,7 +257,7 @@ def tidy_quotient(entry: sp.Expr) -> sp.Expr:
     formed = textbook_form(entry)
     if formed.count_ops() > MOST_CANCELLED or formed.is_polynomial():
         return formed
-    return textbook_form(sp.cancel(formed))
+    return in_lowest_terms(textbook_form(sp.cancel(formed)))
 
 
 def _reduce(work: list[list[sp.Expr]], width: int, surface: Decides, tidy: Tidy) -> dict[int, int]:

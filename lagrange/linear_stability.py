@@ -19,7 +19,7 @@ Reference: N. G. Chetaev, The Stability of Motion, 1961.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import sympy as sp
@@ -27,6 +27,7 @@ import sympy as sp
 from lagrange.equilibrium import Equilibrium
 from lagrange.exact import is_zero
 from lagrange.pencils import Frequency, Matrix
+from lagrange.positivity import MOST_OPERATIONS, different_from_zero
 from lagrange.solution_sets import Branch
 from lagrange.stability import Stability, Verdict, conditions_for, definiteness, known_positive, on_branch, sign_on
 
@@ -151,8 +152,24 @@ def _by_roots(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> Judgement:
     a = _led(a, known)
     if len(a) not in (2, 3):
         return UNKNOWN
-    wanted = [-a[1]] if len(a) == 2 else [a[2], -a[1], sp.expand(a[1] ** 2 - 4 * a[0] * a[2])]
-    return _if_positive(wanted, known, Ground.ROOTS, dies=False)
+    if len(a) == 2:
+        return _if_positive([-a[1]], known, Ground.ROOTS, dies=False)
+    discriminant = sp.expand(a[1] ** 2 - 4 * a[0] * a[2])
+    found = _if_positive([a[2], -a[1], discriminant], known, Ground.ROOTS, dies=False)
+    return _where_different(found, discriminant)
+
+
+def _where_different(found: Judgement, discriminant: sp.Expr) -> Judgement:
+    """Stable only where the roots are different: a discriminant (c J − κ m)² is positive unless c J = κ m."""
+    stability = found.stability
+    if stability.verdict not in (Verdict.STABLE, Verdict.CONDITIONAL) or discriminant.count_ops() > MOST_OPERATIONS:
+        return found
+    powers = (f.as_base_exp() for f in sp.Mul.make_args(sp.factor(discriminant)))
+    apart = tuple(c for base, e in powers if e.is_even for c in different_from_zero(base))
+    if not apart:
+        return found
+    conditional = replace(stability, verdict=Verdict.CONDITIONAL, conditions=(*stability.conditions, *apart))
+    return replace(found, stability=conditional)
 
 
 def _led(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> list[sp.Expr]:

@@ -20,7 +20,7 @@ import sympy as sp
 from lagrange.fourier import Element
 from lagrange.generators import Basis
 from lagrange.packing import common, divides, shared, unpack
-from lagrange.polynomials import Polynomial, common_number, factorization, multiplications, negated
+from lagrange.polynomials import Polynomial, common_number, factorization, multiplications, negated, square_of_two
 from lagrange.terms import Factors, Term, multiply, number_apart, sum_of
 
 LONGEST = 24  # a longer polynomial is neither factored nor grouped
@@ -122,7 +122,13 @@ class Parameters:
         return name
 
     def _grouped(self, polynomial: Polynomial) -> list[Term]:
-        """The sum with that common factor taken out which saves most, again and again."""
+        """The sum with squares of two terms, then that common factor taken out which saves most, again and again."""
+        root = square_of_two(polynomial) if 2 < len(polynomial) <= LONGEST else None
+        if root is not None:
+            base = self.factored(root)
+            square = Term(base.number**2, {f: 2 * e for f, e in base.factors.items()})
+            within = {u + v for u in root for v in root}
+            return [square, *self._grouped({m: c for m, c in polynomial.items() if m not in within})]
         best = self._best_group(polynomial)
         if best is None:
             return [self.monomial(m).scaled(c) for m, c in polynomial.items()]
@@ -141,7 +147,8 @@ class Parameters:
         return min(candidates, key=lambda f: (-self._saving(f, polynomial), not self._is_positive(f), self._name(f)))
 
     def _saving(self, factor: int, polynomial: Polynomial) -> int:
-        return (sum(divides(factor, m) for m in polynomial) - 1) * multiplications(factor)
+        numbers = [c for m, c in polynomial.items() if divides(factor, m)]
+        return (len(numbers) - 1) * (multiplications(factor) + (common_number(numbers) != 1))
 
     def _is_coordinate(self, monomial: int) -> bool:
         """Whether it is one symbol that may have either sign."""

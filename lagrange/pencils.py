@@ -24,7 +24,7 @@ from sympy.polys.polyerrors import NotInvertible
 
 from lagrange.elimination import nullspace
 from lagrange.polynomial_roots import MOST_OPERATIONS, square_root
-from lagrange.positivity import sign_of
+from lagrange.positivity import Condition, different_from_zero, sign_of
 
 MOST_ROWS = 6
 MOST_ENTRIES = 400
@@ -53,6 +53,13 @@ class Frequency:
     letter: sp.Symbol
     multiplicity: int
     modes: tuple[tuple[sp.Expr, ...], ...] = ()
+
+    @property
+    def presupposed(self) -> tuple[Condition, ...]:
+        """What must not vanish for the ratios of the modes to be these: y ≠ 0, a denominator."""
+        below = {f for mode in self.modes for a in mode for f in sp.Mul.make_args(sp.fraction(sp.together(a))[1])}
+        short = sorted((f.as_base_exp()[0] for f in below if f.count_ops() <= MOST_OPERATIONS), key=str)
+        return tuple(dict.fromkeys(c for f in short for c in different_from_zero(f)))
 
 
 def with_letters(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
@@ -211,7 +218,7 @@ class Field:
         coefficients = [c.xreplace(back) for c in reversed(x.all_coeffs())]
         constant = coefficients[0]
         slope = coefficients[1] if len(coefficients) > 1 else sp.S.Zero
-        return _sum(sp.factor(constant + slope * centre), sp.factor_terms(sp.together(slope * half)))
+        return _sum(sp.factor(constant + slope * centre), sp.factor_terms(sp.together(sp.factor(slope) * half)))
 
 
 def modes(

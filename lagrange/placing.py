@@ -129,9 +129,22 @@ def form_as_forces(row: Row, placed: Placed, surface: Surface) -> Forces | None:
 
 
 def _root(square: sp.Expr) -> sp.Expr:
-    """A square root: the sense of a unit vector is free, so that R − r serves as well as its magnitude."""
-    root = textbook_form(sp.sqrt(square))
-    return root.args[0] if isinstance(root, sp.Abs) else root
+    """A square root: the sense of a unit vector is free, so that R − r and a sin θ serve as well as their magnitudes,
+    and 2a cos(φ/2) for the root of 2a² (1 + cos φ).
+    """
+    factors = sp.Mul.make_args(textbook_form(sp.sqrt(square)))
+    root = sp.Mul(*(f.args[0] if isinstance(f, sp.Abs) else _half_angle(f) for f in factors))
+    return textbook_form(root)
+
+
+def _half_angle(factor: sp.Expr) -> sp.Expr:
+    """√(1 + cos φ) as √2 cos(φ/2), √(1 − cos φ) as √2 sin(φ/2), and what else there may be as it is."""
+    below, exponent = factor.as_base_exp()
+    number, wave = (below - 1).as_coeff_Mul()
+    if exponent != sp.Rational(1, 2) or abs(number) != 1 or not isinstance(wave, sp.cos):
+        return factor
+    half = wave.args[0] / 2
+    return sp.sqrt(2) * (sp.cos(half) if number == 1 else sp.sin(half))
 
 
 def _tidied(vectors: Mapping[str, Vector]) -> dict[str, Vector]:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from math import gcd, lcm
+from itertools import combinations
+from math import gcd, isqrt, lcm
 from typing import Any
 
 import sympy as sp
@@ -110,6 +111,23 @@ def _linear_variable(polynomial: Any) -> tuple[Any, Any] | None:
     a = ring.from_dict({(*m[:k], 0, *m[k + 1 :]): c for m, c in polynomial.items() if m[k]})
     b = ring.from_dict({m: c for m, c in polynomial.items() if not m[k]})
     return a, b
+
+
+def square_of_two(polynomial: Polynomial) -> Polynomial | None:
+    """The sum of two of which three terms are the square: x_1 − x_2 for x_1² − 2 x_1 x_2 + x_2²."""
+    roots = [(m, root) for m, c in polynomial.items() if (root := _root(m, c)) is not None]
+    for (u, a), (v, b) in combinations(roots, 2):
+        number = polynomial.get((u + v) // 2, Fraction(0))
+        if abs(number) == 2 * a * b:
+            return {u // 2: a, v // 2: b if number > 0 else -b}
+    return None
+
+
+def _root(monomial: int, number: Fraction) -> Fraction | None:
+    """The number in the square root of a term, if it has a root without negative powers."""
+    above, below = (isqrt(abs(n)) for n in (number.numerator, number.denominator))
+    square = Fraction(above, below) ** 2 == number and all(e > 0 and e % 2 == 0 for _, e in unpack(monomial))
+    return Fraction(above, below) if square else None
 
 
 class _Variables:

@@ -14,9 +14,11 @@ def shown(e: sp.Expr) -> sp.Expr:
     if e.is_Atom or e.count_ops() > MOST_OPERATIONS:
         return e
     forms = [e]
-    if e.has(sp.sin, sp.cos) and not any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow)):
+    roots = any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow))
+    if not roots and e.has(sp.sin, sp.cos):
         above, below = sp.fraction(sp.together(e))
         forms.append(textbook_form(above) / textbook_form(below))
+    if not roots and (e.is_Add or e.has(sp.sin, sp.cos)):
         forms.append(textbook_form(e))
     written = [with_tangents(f) for f in forms]
     return min(written, key=lambda f: (f.count_ops(), forms.index(f) if f in forms else 0))

@@ -23,6 +23,7 @@ import sympy as sp
 from lagrange.balance import Balance
 from lagrange.kinematics import Configuration
 from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_in_blocks, solved_linear, tidy_quotient
+from lagrange.lowest_terms import as_one_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import Unspecified, t
 from lagrange.textbook import common_factor, textbook_form
@@ -251,6 +252,10 @@ def written_out(system: LinearSystem, configuration: Configuration, dragging: Se
 
 def over_one_denominator(value: sp.Expr) -> sp.Expr:
     """A sum whose terms have a denominator in common as one quotient, or one product: (m/l) (x'² + y'² + g y)."""
+    return as_one_quotient(_joined(value))
+
+
+def _joined(value: sp.Expr) -> sp.Expr:
     if not value.is_Add:
         return _unnested(value)
     common = common_factor(value)

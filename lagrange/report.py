@@ -295,7 +295,8 @@ def notation_of(solution: Solution) -> Notation:
     return Notation(
         coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
-        speeds=(*(s.symbol for s in problem.speeds), *letters_of_oscillations(solution)),
+        speeds=tuple(s.symbol for s in problem.speeds),
+        frequencies=letters_of_oscillations(solution),
         parameters=tuple(p.symbol for p in problem.parameters),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),

@@ -25,8 +25,8 @@ class Term:
     factors: Factors
 
     def to_sympy(self) -> sp.Expr:
-        """The product; sin w/cos w is written tan w."""
-        factors = with_tangents(self.factors)
+        """The product; sin w/cos w is written tan w, and a product of exponential functions as one."""
+        factors = with_one_exponential(with_tangents(self.factors))
         powers = [f if e == 1 else f ** sp.Rational(e) for f, e in factors.items()]
         if self.number == 1:
             return powers[0] if len(powers) == 1 else sp.Mul(*powers)
@@ -38,6 +38,9 @@ class Term:
 
     def __mul__(self, other: Term) -> Term:
         return Term(self.number * other.number, multiplied(self.factors, other.factors))
+
+    def __truediv__(self, other: Term) -> Term:
+        return Term(self.number / other.number, divided(self.factors, other.factors))
 
 
 def exponent_of(number: sp.Rational) -> Exponent:
@@ -92,6 +95,16 @@ def with_tangents(factors: Factors) -> Factors:
                 power = min(above, -below)
                 for factor, e in ((sine, -power), (cosine, power), (sp.tan(cosine.args[0]), power)):
                     multiply(found, factor, e)
+    return found
+
+
+def with_one_exponential(factors: Factors) -> Factors:
+    """exp(b x_1) exp(−b x_2) written as exp(b (x_1 − x_2))."""
+    exponentials = [f for f in factors if type(f) is sp.exp]
+    if len(exponentials) < 2:
+        return factors
+    found = {f: e for f, e in factors.items() if type(f) is not sp.exp}
+    found[sp.exp(sp.factor_terms(sp.Add(*(f.exp * sp.Rational(factors[f]) for f in exponentials))))] = 1
     return found
 
 

@@ -100,6 +100,11 @@ class Textbook:
             summands += [Part(p.number, p.scale, multiplied(p.shape, factors)).to_sympy() for p in parts]
         return sp.Add(*summands)
 
+    def product(self, element: Element) -> Term:
+        """An element that is not zero as one product, such as a denominator: 2m l² (M + m sin²θ)."""
+        [part] = self._row(element)
+        return Term(part.number, multiplied(part.scale, part.shape))
+
     def _parts(self, element: Element) -> list[Part]:
         """The products of what contains no displacement: D_k is written in the principle, and again as an equation."""
         parts = self._sums.get(element.key)

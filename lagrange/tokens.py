@@ -125,7 +125,7 @@ class _Lexer:
         name = GREEK.get(stem[0], stem[0]) + stem[1:]
         if stem != plain:
             name = f"{name}_{''.join(SUBSCRIPTS[c] for c in plain[len(stem) :])}"
-        self._put(Kind.NAME, name, start, loose=stem != plain or plain[0] in "ϑϱς")
+        self._put(Kind.NAME, name, start, loose=stem != plain or plain[0] in "ϑϱςℓ")
         if dots:
             self._put(Kind.PRIMES, "'" * dots, start, count=dots)
 

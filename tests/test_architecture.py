@@ -19,7 +19,7 @@ LAYERS = {
     "exact evaluation": """elimination graph field evaluation points residues reals walls branches blocks projection
         triangular sampler exact sampling""",
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products
-        differentiation trigonometry common_factor textbook""",
+        differentiation trigonometry common_factor textbook lowest_terms""",
     "expressions": """characters constants measures lexicon trees tokens bounded scope stream spelling atoms remarks syntax
         meaning vector_meaning latex_commands latex_layout latex_scanner latex_names latex_atoms latex_functions
         latex_derivatives latex_brackets latex_input expressions answer_files tidying""",

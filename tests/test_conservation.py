@@ -357,6 +357,28 @@ def test_friction_takes_energy_even_where_it_is_constant() -> None:
     assert sp.simplify(found.energy.rate - expected) == 0
 
 
+DRAG = """
+title: Shot against the air
+parameters: [m]
+functions: {D: [v]}
+coordinates: [x, y]
+particles:
+  P: {mass: m, position: x*i + y*j}
+let: {v: "sqrt(x'^2 + y'^2)"}
+forces:
+  air: {on: P, vector: "-D(v)/v*(x'*i + y'*j)"}
+"""
+
+
+def test_the_power_of_a_resistance_is_one_term() -> None:
+    """−v D(v), and not −x'² D(v)/v − y'² D(v)/v."""
+    found = of(DRAG)
+    assert found.energy is not None
+    assert found.energy.rate is not None
+    assert not found.energy.rate.is_Add
+    assert len(found.energy.rate.atoms(sp.Pow)) == 3  # the two squares and v
+
+
 HOOP = """
 title: Bead on a hoop that turns
 parameters: [m, R, g, Omega]

@@ -11,7 +11,7 @@ from conftest import PROBLEMS
 
 from lagrange.answers import Verdict
 from lagrange.checking import CheckedAnswer, check_answer, check_own_answers
-from lagrange.derivation import Display, Rule
+from lagrange.derivation import Display, Prose, Rule
 from lagrange.diagnostics import Fragment, ProblemError, Source
 from lagrange.equilibrium import Equilibrium
 from lagrange.explain.statics import explain_virtual_work
@@ -170,6 +170,23 @@ def test_conditions_that_are_shown_hold_where_a_pivot_vanishes(text: str) -> Non
             there = [e.xreplace(at) for e in shown]
             assert len(there) > len(numbers)
             assert len(sp.linsolve(there, numbers)) == 1
+
+
+def test_what_forces_at_a_given_position_presuppose_and_how_they_are_written() -> None:
+    """The moment of the supports of a bridge is a multiple of cos θ; ½ is not divided by, but 2 multiplied by."""
+    [path] = PROBLEMS.rglob("lorry-on-a-bridge.yaml")
+    found = solve(load(str(path))).equilibrium
+    assert found is not None
+    theta = sp.Symbol("theta", real=True)
+    assert found.presupposed == (sp.cos(theta),)
+    assert relations(found) == [{"P": "B/2 + W*(-b/l + 1)", "Q": "(B*l + 2*W*b)/(2*l)"}]
+    words = [
+        "".join(part if isinstance(part, str) else "…" for part in block.parts)
+        for block in explain_virtual_work(found, None).body
+        if isinstance(block, Prose)
+    ]
+    assert "For a given position, where …, this determines … and …:" in words
+    assert any(w.endswith("vanishes (multiplying by …):") for w in words)
 
 
 def test_several_degrees_of_freedom() -> None:

@@ -433,6 +433,15 @@ def test_names_are_greek_letters_and_subscripts() -> None:
     assert read_scalar(Fragment.of("mẍ"), scope()) == m * a
 
 
+def test_the_script_ell_is_ell_where_that_is_declared_and_l_otherwise() -> None:
+    ell = symbol("ell")
+    assert read_scalar(Fragment.of("2ℓ t"), scope("ell")) == 2 * ell * t
+    assert read_scalar(Fragment.of("2ell t"), scope("ell")) == 2 * ell * t
+    assert read_scalar(Fragment.of("ℓ₁ t"), scope("ell_1")) == symbol("ell_1") * t
+    assert read_scalar(Fragment.of("ℓ t"), scope("l")) == symbol("l") * t
+    assert canonical_name("ℓ_0") == "ell_0"
+
+
 def test_canonical_name() -> None:
     assert canonical_name("θ") == "theta"
     assert canonical_name(" phi_1 ") == "phi_1"

@@ -13,13 +13,15 @@ from random import Random
 
 import pytest
 import sympy as sp
+from conftest import PROBLEMS
 from mpmath import cos, diff, matrix, mp, mpc, mpf, polyroots, sin, sqrt
 
 from lagrange.checking import compared_answers
-from lagrange.derivation import Display
+from lagrange.derivation import Detail, Display
 from lagrange.diagnostics import NotCoveredError, ProblemError, Source
 from lagrange.linearization import Linearization, SmallOscillations
-from lagrange.loader import read_problem
+from lagrange.loader import load, read_problem
+from lagrange.render import pretty
 from lagrange.report import report
 from lagrange.solution import Solution, solve
 from lagrange.stability import Verdict
@@ -671,3 +673,34 @@ def test_a_long_mode_has_lines_of_its_own() -> None:
     for square, ratio in zip(roots.equations[::2], roots.equations[1::2], strict=True):
         w, r = (e.sides[1].subs(values) for e in (square, ratio))
         assert sp.radsimp(sp.expand(-w * 5 - w * r + 7)) == 0
+
+
+def test_modes_of_a_follower_force_and_what_they_presuppose() -> None:
+    """(2c − l P) (l P − 2c) once stood below the line."""
+    [path] = PROBLEMS.rglob("ziegler-column.yaml")
+    found = solve(load(str(path))).linearization
+    assert found is not None
+    [s] = [s for s in found.at if s is not None]
+    for f in s.frequencies:
+        [(first, second)] = f.modes
+        assert first == 1
+        assert sp.fraction(second)[1].count_ops() <= 5
+        assert [(c.relation, str(c.lhs), str(c.rhs)) for c in f.presupposed] == [("≠", "2*c", "P*l")]
+
+
+def test_roots_that_may_be_equal_are_stable_where_they_are_not() -> None:
+    """c/m and κ/J with a force between them one way only: at c J = κ m there is resonance."""
+    [path] = PROBLEMS.rglob("skate-on-springs.yaml")
+    found = solve(load(str(path))).linearization
+    assert found is not None
+    [s] = [s for s in found.at if s is not None]
+    stability = s.judgement.stability
+    assert stability.verdict is Verdict.CONDITIONAL
+    assert [c.relation for c in stability.conditions] == ["≠"]
+    assert {str(c.lhs) for f in s.frequencies for c in f.presupposed} == {"y"}
+
+
+def test_brief_names_the_small_changes_where_they_are_used() -> None:
+    told = report(load(str(next(PROBLEMS.rglob("ziegler-column.yaml")))))
+    brief = pretty.text(told.derivation, told.notation, 80, Detail.BRIEF)
+    assert "Let ξ₁ and ξ₂ be the small changes of θ and ψ from rest.\n" in brief

@@ -41,6 +41,42 @@ def same(vector: Vector | None, *components: sp.Expr) -> bool:
     return all(is_zero(a - b) is True for a, b in zip(vector.fixed().components, components, strict=True))
 
 
+def left_sides(problem: Read, coordinates: str, position: str, constraint: str) -> list[sp.Expr]:
+    found = solution(
+        problem,
+        f"parameters: [m, a]\ncoordinates: {coordinates}\nparticles: {{P: {{mass: m, position: '{position}'}}}}\n"
+        f'constraints: {{c: "{constraint}"}}\n',
+    )
+    return [left for left, _ in found.law.newton.equations]
+
+
+def test_the_law_along_circles_of_latitude_has_no_magnitude(problem: Read) -> None:
+    """Along ∂r/∂φ, of length a |sin θ|, whose sense is free."""
+    _, along = left_sides(
+        problem,
+        "[theta, phi]",
+        "[a*sin(theta)*cos(phi), a*sin(theta)*sin(phi), a*cos(theta)]",
+        "sin(theta) = a*phi",
+    )
+    theta, theta_rate, rate, second = sp.symbols("theta theta' phi' phi''", real=True)
+    a = sp.Symbol("a", positive=True)
+    assert along == m * (a * second * sp.sin(theta) + 2 * a * theta_rate * rate * sp.cos(theta))
+
+
+@pytest.mark.parametrize(
+    ("position", "expected"),
+    [
+        ("[a*(phi + sin(phi)), a*(1 - cos(phi)), 0]", lambda c, s, u, w: 2 * w * c - u**2 * s),
+        ("[a*(phi - sin(phi)), a*(1 - cos(phi)), 0]", lambda c, s, u, w: 2 * w * s + u**2 * c),
+    ],
+)
+def test_the_law_along_a_cycloid_has_no_root(problem: Read, position: str, expected: Callable[..., sp.Expr]) -> None:
+    phi, rate, second = sp.symbols("phi phi' phi''", real=True)
+    a = sp.Symbol("a", positive=True)
+    along, _ = left_sides(problem, "[phi, s]", position, "s = a*sin(phi/2)")
+    assert sp.expand(along - m * a * expected(sp.cos(phi / 2), sp.sin(phi / 2), rate, second)) == 0
+
+
 # -- directions --------------------------------------------------------------------------------------------------------
 
 

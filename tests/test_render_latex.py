@@ -88,7 +88,23 @@ def test_a_document_and_a_fragment_have_the_same_body():
     assert fragment.startswith("% lagsolve: needs \\usepackage{amsmath,amssymb}")
     assert "\\begin{document}" not in fragment
     assert "\\usepackage" not in fragment.split("\n\\section", 1)[-1]
-    assert fragment.removeprefix(latex.FRAGMENT) in document
+    assert fragment[fragment.index("\\section") :] in document
+    assert "tikz" not in fragment.split("\\section", 1)[0] or "\\begin{tikzpicture}" in fragment
+
+
+def test_the_header_of_a_fragment_asks_for_tikz_where_there_are_pictures():
+    described = latex.render([pendulum()], fragment=True, detail=Detail.BRIEF)
+    assert "tikz" not in described
+    assert described.startswith("% lagsolve: needs \\usepackage{amsmath,amssymb}, a text width of about 160 mm")
+
+
+def test_two_derivations_with_one_title_have_labels_of_their_own():
+    twice = latex.render([pendulum(), pendulum()])
+    labels = re.findall(r"\\label{(.+?)}", twice)
+    assert labels
+    assert len(set(labels)) == len(labels)
+    assert set(re.findall(r"\\eqref{(.+?)}", twice)) <= set(labels)
+    assert latex.render([pendulum()]).count(r"\label") * 2 == len(labels)
 
 
 @pytest.mark.parametrize("detail", Detail)

@@ -212,6 +212,10 @@ FACTORS = [
     (m * g * i, "m g i"),
     (r * sin(th) * delta(ph) * UnitVector("e_phi"), "r sin θ δφ e_φ"),
     (-sigma * y / sqrt(l**2 - y**2) * delta(y), "−(σ₁ y/√(l² − y²)) δy"),
+    (a ** sp.Rational(1, 3) * b ** sp.Rational(5, 3) * D(x), "a^(1/3) b^(5/3) ẋ"),
+    (x ** sp.Rational(1, 3) * D(x), "ẋ x^(1/3)"),
+    (l * sqrt(a + b) * D(x), "l √(a + b) ẋ"),
+    (k * sqrt(m) * x, "k √m x"),
 ]
 
 TERMS = [
@@ -261,6 +265,26 @@ TERMS = [
 @pytest.mark.parametrize(("expression", "terminal"), FACTORS + TERMS, ids=[w for _, w in FACTORS + TERMS])
 def test_order_of_writing(expression, terminal):
     assert unicode(expression, N) == terminal
+
+
+def test_ell_is_one_letter_among_the_latin_ones():
+    ell = symbols("ell")
+    assert unicode(m * ell**2 * omega * D(symbols("ell_1")), N) == "m ℓ² ω ℓ̇₁"
+    assert latex(alpha * ell * m, N) == r"m \ell \alpha"
+    assert text(alpha * ell * m, N) == "m*ell*alpha"
+
+
+def test_an_unknown_frequency_stands_before_time_and_first_among_terms():
+    notation = Notation(coordinates=(x,), frequencies=(omega,))
+    assert unicode(a * cos(omega * t), notation) == "a cos ωt"
+    assert unicode(x * sin(omega * t + alpha), notation) == "x sin(ω t + α)"
+    assert unicode(m * (a + b) * omega**2 - c, notation) == "m (a + b) ω² − c"
+
+
+def test_matrices_keep_their_place_whatever_the_letters_mean():
+    notation = Notation(coordinates=(x,), speeds=symbols("q u"), forces=symbols("M A"))
+    for letter in "MA":
+        assert unicode(mul(VectorSymbol(letter), VectorSymbol("q''")), notation) == f"{letter} q̈"
 
 
 def test_order_does_not_depend_on_the_order_of_construction():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import sympy as sp
 
@@ -115,7 +116,9 @@ def _names(found: Linearization) -> Block:
     changes, rates = plural(len(coordinates), "change", "changes"), plural(len(coordinates), "its rate", "their rates")
     be = prose("Let ", *small, f" be the small {changes} of ", *listed(math(q) for q in coordinates), " from rest.")
     what = plural(len(coordinates), "it", "them")
-    return paragraph(be, prose(f"What is of second order in {what} and {rates} is left out."))
+    left_out = prose(f"What is of second order in {what} and {rates} is left out.")
+    used = any(s is not None and s.judgement.stability.verdict is not Verdict.UNSTABLE for s in found.at)
+    return replace(paragraph(be, left_out), short=be.parts, detail=Detail.BRIEF if used else Detail.STEPS)
 
 
 def _about(n: int, b: Branch, s: SmallOscillations | None, found: Linearization) -> Iterator[Block]:
@@ -213,7 +216,13 @@ def _mode(f: Frequency, s: SmallOscillations, found: Linearization) -> tuple[Par
     if not f.modes or len(s.free) == 1:
         return ("twice",) if f.multiplicity == 2 else ()
     modes = (math(*mode, relation=":") for mode in f.modes)
-    return ("with ", math(*(found.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
+    ratio = ("with ", math(*(found.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
+    return (*ratio, *_presupposed(f, ", "))
+
+
+def _presupposed(f: Frequency, before: str = "") -> tuple[Part, ...]:
+    """`where y ≠ 0`: what the ratios have been divided by."""
+    return (f"{before}where ", *_listed(f.presupposed)) if f.presupposed else ()
 
 
 def _long_ratios(f: Frequency, s: SmallOscillations, found: Linearization) -> list[Equation]:
@@ -221,7 +230,8 @@ def _long_ratios(f: Frequency, s: SmallOscillations, found: Linearization) -> li
     if len(f.modes) != 1 or f.modes[0][0] != 1 or sum(a.count_ops() for a in f.modes[0]) <= LONGEST_BESIDE:
         return []
     first, *others = (found.displacements[k] for k in s.free)
-    return [Equation((q / first, a)) for q, a in zip(others, f.modes[0][1:], strict=True)]
+    lines = [Equation((q / first, a)) for q, a in zip(others, f.modes[0][1:], strict=True)]
+    return [*lines[:-1], replace(lines[-1], condition=_presupposed(f))]
 
 
 def _damped(n: int, s: SmallOscillations, found: Linearization) -> Iterator[Block]:
@@ -263,11 +273,22 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
             yield prose(*_why(s), *named, " is unstable.", detail=detail)
         case Verdict.CONDITIONAL:
             where = _listed(stability.conditions)
-            one = len(stability.conditions) == 1
-            reversed_ = "the opposite inequality holds" if one else "one of these is reversed"
+            strict = [c for c in stability.conditions if c.relation != "≠"]
+            reversed_ = (
+                "the opposite inequality holds" if len(stability.conditions) == 1 else "one of these is reversed"
+            )
+            if strict != list(stability.conditions):
+                reversed_ = (
+                    "the inequality with > or < is reversed" if len(strict) == 1 else "one with > or < is reversed"
+                )
+            contrary = (
+                f", and unstable where {reversed_}."
+                if strict
+                else "; where the sides are equal, the linear equations do not decide."
+            )
             first, *rest = named
             start = (f"{first[0].upper()}{first[1:]}", *rest) if isinstance(first, str) else named
-            yield prose(*start, f" is {stable} where ", *where, f", and unstable where {reversed_}.", detail=detail)
+            yield prose(*start, f" is {stable} where ", *where, contrary, detail=detail)
         case Verdict.UNDECIDED if any(f.square == 0 for f in s.frequencies):
             words = "To the root zero belongs a uniform motion: the linear equations do not decide whether "
             yield prose(words, *named, " is stable.", detail=detail)
@@ -281,6 +302,7 @@ def _why(s: SmallOscillations) -> tuple[Part, ...]:
     one = len(s.free) == 1
     stable = stability.verdict is Verdict.STABLE
     grows = " is negative, so that some motion grows as an exponential function: "
+    long = any(m.count_ops() > LONGEST_BESIDE for m in stability.minors[:1])
     match ground:
         case Ground.POTENTIAL if not stable:
             return ("Some displacement causes a force that drives away: ",)
@@ -294,6 +316,8 @@ def _why(s: SmallOscillations) -> tuple[Part, ...]:
             return ("The determinant of the terms without derivatives" + grows,)
         case Ground.ROOTS if stable:
             return ("The roots are positive and different: ",)
+        case Ground.ROOTS if long and stability.minors[0] in [f.square for f in s.frequencies]:
+            return (("The square of the frequency" if one else "One root") + grows,)
         case Ground.ROOTS if stability.minors[0] in [f.square for f in s.frequencies]:
             root: tuple[Part, ...] = ("It is solved by ",) if one else ("One root is ",)
             return (*root, math(s.unknown**2, stability.minors[0]), "; this" + grows)

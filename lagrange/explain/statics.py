@@ -119,13 +119,16 @@ def _conclusion(found: Equilibrium) -> list[Block]:
         if len(free) == 1
         else " are independent, so what multiplies each of them vanishes"
     )
-    divided = [math(c.factor.expression) for c in found.conditions if c.factor.expression != 1]
-    multiplied = [math(c.below.expression) for c in found.conditions if c.below.expression != 1]
+    numbers = [c.factor.denominator.expression for c in found.conditions if c.factor.expression.is_number]
+    above = [(c.factor.numerator if c.factor.expression.is_number else c.factor).expression for c in found.conditions]
+    below = [*(c.below.expression for c in found.conditions), *numbers]
+    divided, multiplied = ([math(e) for e in es if e != 1] for es in (above, below))
     steps: list[tuple[Part, ...]] = []
     if multiplied:
         steps.append(("multiplying by ", *listed(dict.fromkeys(multiplied))))
     if divided:
-        steps.append(("dividing by ", *listed(dict.fromkeys(divided)), ", which is not zero"))
+        said = "" if all(e.is_number for e in above) else ", which is not zero"
+        steps.append(("dividing by ", *listed(dict.fromkeys(divided)), said))
     dividing = (" (", *steps[0], *((" and ", *steps[1]) if len(steps) > 1 else ()), ")") if steps else ()
     return [prose(*listed(free), arbitrary, *dividing, ":"), _shown(found)]
 
@@ -211,8 +214,9 @@ def _introduction(found: Equilibrium) -> Block:
     words: list[Part] = []
     if found.given:
         forces = listed(math(f) for f in found.forces)
-        words += ["For a given position ", *(("this determines ",) if not found.undetermined else ("this gives of ",)),
-                  *forces, ":"]  # fmt: skip
+        nonzero = listed(math(f, ZERO, relation="≠") for f in found.presupposed)
+        words += ["For a given position", *((", where ", *nonzero, ", ") if nonzero else (" ",)),
+                  "this gives of " if found.undetermined else "this determines ", *forces, ":"]  # fmt: skip
     elif len(found.branches) == 1:
         words.append("The solution is" if found.solution.solved else "This is not solved in closed form:")
     else:

@@ -44,6 +44,7 @@ class Notation:
     coordinates     in declared order, those of the choices after those of the file
     prescribed      prescribed motions u(t)
     speeds          quasi-velocities
+    frequencies     the unknowns ω or p of small oscillations: first among the terms, but ω t
     parameters      needed only for those that would be taken for something else
     forces          multipliers and unknown forces; names that begin with lambda_ are known to be some
     scalar_names    declared scalars; with i, j or k among them the unit vectors are e_x, e_y, e_z
@@ -53,6 +54,7 @@ class Notation:
     coordinates: tuple[sp.Symbol, ...] = ()
     prescribed: tuple[sp.Symbol, ...] = ()
     speeds: tuple[sp.Symbol, ...] = ()
+    frequencies: tuple[sp.Symbol, ...] = ()
     parameters: tuple[sp.Symbol, ...] = ()
     forces: tuple[sp.Symbol, ...] = ()
     scalar_names: frozenset[str] = frozenset()
@@ -100,7 +102,7 @@ class Notation:
 
     @cached_property
     def _ranks(self) -> dict[str, int]:
-        moving = (*self.coordinates, *self.prescribed, *self.speeds, *self.forces)
+        moving = (*self.coordinates, *self.prescribed, *self.speeds, *self.frequencies, *self.forces)
         return {s.name: n for n, s in reversed(list(enumerate(moving)))}
 
     @cached_property
@@ -108,7 +110,7 @@ class Notation:
         declared = [
             (self.forces, Kind.FORCE),
             (self.parameters, Kind.PARAMETER),
-            (self.speeds, Kind.VELOCITY),
+            ((*self.speeds, *self.frequencies), Kind.VELOCITY),
             ((*self.prescribed, *self.coordinates), Kind.COORDINATE),
         ]
         return {"t": Kind.TIME} | {s.name: kind for symbols, kind in declared for s in symbols}
@@ -117,6 +119,6 @@ class Notation:
 def alphabetic(name: str) -> tuple[str, tuple[str, ...]]:
     """Latin before Greek, and otherwise as in a dictionary; x_2 before x_10."""
     parts = Name.of(name)
-    greek = "1" if parts.letter in GREEK else "0"
+    greek = "1" if parts.letter in GREEK and parts.letter != "ell" else "0"
     indices = (index.zfill(4) if index.isdigit() else index for index in parts.indices)
     return f"{greek}{parts.letter.lower()}{parts.letter}", tuple(indices)

@@ -52,8 +52,9 @@ PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \setlength{\emergencystretch}{3em}
 \allowdisplaybreaks
 """
-FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}, \usepackage{tikz} and \usetikzlibrary{arrows.meta}
-% for pictures, a text width of about 160 mm at 11 pt,
+PICTURES = r""", \usepackage{tikz} and \usetikzlibrary{arrows.meta}
+% for pictures"""
+FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}PICTURES, a text width of about 160 mm at 11 pt,
 % and for long formulas in the text \setlength{\emergencystretch}{3em}
 """
 TALL = 15  # rows of a box that takes half a page; it cannot be broken
@@ -67,16 +68,19 @@ def render(
     vectors: Vectors = Vectors.BOLD,
 ) -> str:
     """A document with these derivations, or the fragment that goes into one."""
-    bodies = "\n".join(body(derivation, notation, detail) for derivation, notation in derivations)
+    titles = [slug(derivation.title) for derivation, _ in derivations]
+    again = (titles[:n].count(title) for n, title in enumerate(titles))
+    prefixes = (f"{title}-{n + 1}" if n else title for title, n in zip(titles, again, strict=True))
+    bodies = "\n".join(body(*both, detail, prefix) for both, prefix in zip(derivations, prefixes, strict=True))
     bodies = vectors.written(bodies)
     if fragment:
-        return FRAGMENT + bodies
+        return FRAGMENT.replace("PICTURES", PICTURES if r"\begin{tikzpicture}" in bodies else "") + bodies
     return f"{PREAMBLE}\n\\begin{{document}}\n\n{bodies}\n\\end{{document}}\n"
 
 
-def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS) -> str:
-    """What one derivation contributes."""
-    return "\n".join(_Article(derivation, notation, detail).all()) + "\n"
+def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS, prefix: str = "") -> str:
+    """What one derivation contributes; its labels begin with `prefix`, the slug of its title where that is empty."""
+    return "\n".join(_Article(derivation, notation, detail, prefix or slug(derivation.title)).all()) + "\n"
 
 
 @dataclass(frozen=True)
@@ -90,11 +94,11 @@ class _Row:
 class _Article:
     """One derivation."""
 
-    def __init__(self, derivation: Derivation, notation: Notation, detail: Detail) -> None:
+    def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
         self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
         self.content: Shown = shown(derivation, detail, pictures=True)
-        self.prefix = slug(derivation.title)
+        self.prefix = prefix
 
     def all(self) -> Iterator[str]:
         source = escape(self.derivation.source)

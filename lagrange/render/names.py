@@ -13,7 +13,7 @@ import unicodedata
 from dataclasses import dataclass
 from functools import lru_cache
 
-# name: (letter, LaTeX). Capitals that look Latin have no LaTeX command.
+# name: (letter, LaTeX). Capitals that look Latin have no LaTeX command; ℓ, a letter like any of these, is among them.
 GREEK: dict[str, tuple[str, str]] = {
     "alpha": ("α", r"\alpha"),
     "beta": ("β", r"\beta"),
@@ -70,6 +70,7 @@ GREEK: dict[str, tuple[str, str]] = {
     "Chi": ("Χ", r"\mathrm{X}"),
     "Psi": ("Ψ", r"\Psi"),
     "Omega": ("Ω", r"\Omega"),
+    "ell": ("ℓ", r"\ell"),
 }
 
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")

@@ -16,7 +16,7 @@ from enum import IntEnum
 
 import sympy as sp
 
-from lagrange.notation import Dot, Inert, Partial, UnitVector, Unspecified, Wedge
+from lagrange.notation import Dot, Inert, Partial, UnitVector, Unspecified, VectorSymbol, Wedge
 from lagrange.render.kinds import MOVING, Kind, Notation, Place, alphabetic
 from lagrange.render.names import Name
 from lagrange.render.products import Factor, factors, is_negative
@@ -41,21 +41,22 @@ class Slot(IntEnum):
     MASSES = 5  # (m_1 + m_2)
     PARAMETER = 6
     CONSTANTS = 7  # (a + b)
-    TIME = 8
-    FORCE_FIRST = 9  # λ cos θ, λ ∂f/∂x
-    SLOPE = 10  # ∂f/∂x
-    COORDINATE = 11
-    COORDINATES = 12  # (x_2 - x_1)
-    VELOCITY = 13
-    ACCELERATION = 14
-    FUNCTION = 15
-    BRACKET = 16  # (y'' - g)
-    FORCE = 17  # 2 x λ
-    INERT = 18
-    DIFFERENTIAL = 19
-    DIFFERENTIALS = 20  # (x dx + y dy)
-    WEDGE = 21
-    VECTOR = 22
+    FREQUENCY = 8  # ω t
+    TIME = 9
+    FORCE_FIRST = 10  # λ cos θ, λ ∂f/∂x
+    SLOPE = 11  # ∂f/∂x
+    COORDINATE = 12
+    COORDINATES = 13  # (x_2 - x_1)
+    VELOCITY = 14
+    ACCELERATION = 15
+    FUNCTION = 16
+    BRACKET = 17  # (y'' - g)
+    FORCE = 18  # 2 x λ
+    INERT = 19
+    DIFFERENTIAL = 20
+    DIFFERENTIALS = 21  # (x dx + y dy)
+    WEDGE = 22
+    VECTOR = 23
 
 
 class Class(IntEnum):
@@ -118,7 +119,8 @@ class Order:
 
     def _new_factor_key(self, factor: Factor, open_ended: bool) -> Key:
         base, exponent = factor
-        if isinstance(base, sp.Symbol) and (exponent.is_Integer or not exponent.is_Rational):
+        root = exponent.is_Rational and not exponent.is_Integer
+        if isinstance(base, sp.Symbol) and not (root and (exponent.q == 2 or not self.is_constant(base))):
             return self._symbol_key(base, open_ended)
         tie = (self.signature(base), self.signature(exponent))
         if isinstance(base, sp.Number):
@@ -127,10 +129,10 @@ class Order:
             return (Slot.IRRATIONAL, 1, *tie)
         if _is_slope(base):
             return (Slot.SLOPE, *_slope_key(base), *tie)
-        if exponent.is_Rational and not exponent.is_Integer:
-            return (Slot.FUNCTION, 0, self._places(base), *tie)
+        if root:
+            return (Slot.CONSTANTS if self.is_constant(base) else Slot.FUNCTION, 0, self._places(base), *tie)
         if isinstance(base, sp.Add):
-            return (self._bracket_slot(base), self._places(base), *tie)
+            return (self._bracket_slot(base), -1, self._places(base), *tie)
         if isinstance(base, Wedge | Inert):
             return (Slot.WEDGE if isinstance(base, Wedge) else Slot.INERT, *tie)
         if isinstance(base, Unspecified):
@@ -152,6 +154,8 @@ class Order:
 
     def _symbol_key(self, symbol: sp.Symbol, open_ended: bool) -> Key:
         kind = self.notation.kind(symbol)
+        if symbol in self.notation.frequencies:
+            return (Slot.FREQUENCY, *alphabetic(symbol.name))
         if kind in MOVING:
             return (Slot[kind.name], self.notation.place(symbol.name))
         if kind is Kind.DIFFERENTIAL:
@@ -263,6 +267,8 @@ class Order:
     def _vector_place(self, symbol: sp.Symbol) -> Key:
         """i, j, k; then e_r, e_theta, ... in the order of the coordinates; then e1_B, e2_B, ..."""
         name = Name.of(symbol.name)
+        if isinstance(symbol, VectorSymbol) and not isinstance(symbol, UnitVector):
+            return (3, *alphabetic(symbol.name))  # M q'', whatever the problem calls M
         if name.letter == "e" and len(name.indices) == 1:
             return (1, self.notation.place(name.indices[0]))
         return (2 if name.indices else 0, self.notation.place(symbol.name))
