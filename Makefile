@@ -25,7 +25,7 @@ demo: $(VENV)/installed
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
 
 test: lint
-	$(BIN)/python -m pytest --numprocesses auto
+	$(BIN)/python -m pytest --numprocesses auto --dist loadfile
 
 lint: $(VENV)/installed
 	$(BIN)/ruff check .

@@ -3,13 +3,14 @@
 The command is run for the JSON: exit status 0, nothing said, every equation in it read back, those of motion found
 equivalent. Then the terminal at three widths, where no line may be wider, and LaTeX, which is compiled where there is a
 pdflatex: errors, overfull boxes and undefined references are failures. Markdown is read by pandoc, where a warning is a
-failure, and all problems on one web page are opened in a browser, at a phone's and a desk's width. Seconds are those of
-the run of the command, with SymPy and the program imported before.
+failure, and the problems on one web page are opened in a browser, at a phone's and a desk's width. Several processes share
+the problems. Seconds are those of the run of the command, with SymPy and the program imported before.
 """
 
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
 import subprocess
@@ -17,7 +18,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
@@ -43,6 +44,8 @@ from lagsolve import library
 from lagsolve.main import main as command
 
 WIDTHS = (60, 80, 120)
+MOST_PARTS = 4
+"""Processes that share the problems."""
 BAD_TEX = re.compile(r"^(Overfull \\hbox.*|LaTeX Warning: .*(?:undefined|multiply).*|! .*)$", re.MULTILINE)
 EQUATIONS = ("equation", "equations", "possible_displacements", "virtual_displacements", "newton", "equilibrium")
 
@@ -72,26 +75,43 @@ class Tally:
 
 def main() -> int:
     """Runs the sweep; the exit status."""
+    print(f"{'problem':44}{'seconds':>8}", flush=True)
+    names = list(library.entries())
+    parts = min(os.cpu_count() or 1, MOST_PARTS)
+    with ProcessPoolExecutor(parts) as pool:
+        tallies = list(pool.map(swept, [names[k::parts] for k in range(parts)]))
+    failures = [failure for tally in tallies for failure in tally.failures]
+    for failure in failures:
+        print(f"FAILED {failure}")
+    print(f"{sum(tally.passed for tally in tallies)} passed, {len(failures)} failed")
+    return bool(failures)
+
+
+def swept(names: Sequence[str]) -> Tally:
+    """Some of the problems."""
     tally = Tally()
     documents: dict[str, str] = {}
     derivations: list[tuple[Derivation, Notation]] = []
-    print(f"{'problem':44}{'seconds':>8}")
-    for name, path in library.entries().items():
+    for name in names:
+        path = library.entries()[name]
         started = time.perf_counter()
         result = CliRunner().invoke(command, [str(path), "--format", "json"])
         print(f"{name:44}{time.perf_counter() - started:8.2f}", flush=True)
         tally.add(f"{name}: exit status", faults_of_run(result.exit_code, result.stderr))
-        tally.attempt(f"{name}: solve", lambda p=path, n=name: rendered(n, p, documents, derivations, tally))
-        tally.attempt(f"{name}: json", lambda r=result, p=path: faults_of_json(json.loads(r.stdout), report(load(p))))
-        if Find.MOTION in load(path).find:
+        try:
+            found = report(load(path))
+        except Exception as error:
+            tally.add(f"{name}: solve", [f"{type(error).__name__}: {error}"])
+            continue
+        derivations.append((found.derivation, found.notation))
+        tally.attempt(f"{name}: pages", lambda f=found, n=name: rendered(n, f, documents, tally))
+        tally.attempt(f"{name}: json", lambda r=result, f=found: faults_of_json(json.loads(r.stdout), f))
+        if Find.MOTION in found.solution.problem.find:
             tally.attempt(f"{name}: by Lagrange", lambda p=path, n=name: by_lagrange(n, p, documents, tally))
     compile_all(documents, tally)
     read_all(derivations, tally)
     open_all(derivations, tally)
-    for failure in tally.failures:
-        print(f"FAILED {failure}")
-    print(f"{tally.passed} passed, {len(tally.failures)} failed")
-    return bool(tally.failures)
+    return tally
 
 
 def faults_of_run(status: int, said: str) -> list[str]:
@@ -99,16 +119,8 @@ def faults_of_run(status: int, said: str) -> list[str]:
     return [f"exit status {status}"] * bool(status) + [said.strip()] * bool(said.strip())
 
 
-def rendered(
-    name: str,
-    path: Path,
-    documents: dict[str, str],
-    derivations: list[tuple[Derivation, Notation]],
-    tally: Tally,
-) -> list[str]:
+def rendered(name: str, found: Report, documents: dict[str, str], tally: Tally) -> list[str]:
     """Renders a problem in every format that is not for many at once."""
-    found = report(load(path))
-    derivations.append((found.derivation, found.notation))
     for detail in Detail:
         for width in WIDTHS:
             text = pretty.text(found.derivation, found.notation, width, detail)
