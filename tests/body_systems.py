@@ -326,7 +326,8 @@ BODIES: dict[str, Textbook] = {
     "heavy_top_without_spin": Textbook(heavy_top, HOLONOMIC, 3, 0),
     "heavy_top_cardan": Textbook(heavy_top_cardan, HOLONOMIC, 3, 0),
     "free_top": Textbook(free_top, HOLONOMIC, 3, 0),
-    "free_top_quasi": Textbook(free_top_quasi, NONHOLONOMIC, 3, 0, ("first", "second", "third")),
+    # p, q and r say nothing of the position: how the top is turned has three dimensions, and no velocity of it is bound.
+    "free_top_quasi": Textbook(free_top_quasi, HOLONOMIC, 3, 3, ("first", "second", "third")),
     "rolling_disc": Textbook(rolling_disc, NONHOLONOMIC, 3, 0, ("rolling.1", "rolling.2")),
     "ball_on_turntable": Textbook(
         ball_on_turntable, "nonholonomic scleronomic acatastatic", 3, 0, ("rolling.1", "rolling.2")
