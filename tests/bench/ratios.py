@@ -224,28 +224,20 @@ def fitted(sizes: Sequence[int], times: Sequence[float]) -> float:
 
 
 def problems(runs: int) -> None:
-    """Every shipped problem as a process, JSON included."""
+    """Every shipped problem as a process that prints its page."""
     sys.path.insert(0, str(ROOT))
     from lagrange import library
 
-    print(f"\n{'shipped problem, seconds beyond importing SymPy':52}{'page':>8}{'JSON':>8}{'MiB':>7}")
+    print(f"\n{'shipped problem, seconds beyond importing SymPy':52}{'seconds':>8}{'MiB':>7}")
     rows = []
     for name, path in library.entries().items():
-        taken: dict[str, list[Spent]] = {"pretty": [], "json": []}
-        imports = []
-        for _ in range(runs):
-            imports.append(run([PYTHON, "-c", "import sympy"]).seconds)
-            for format_, spent in taken.items():
-                spent.append(run([*LAGSOLVE, str(path), "--format", format_]))
-        beyond = [
-            statistics.median(s.seconds - i for s, i in zip(spent, imports, strict=True)) for spent in taken.values()
-        ]
-        memory = max(s.memory for spent in taken.values() for s in spent)
-        rows.append((*beyond, memory))
-        print(f"{name:52}{beyond[0]:8.2f}{beyond[1]:8.2f}{memory:7.0f}", flush=True)
-    for what, of in (("median", statistics.median), ("most", max)):
-        print(f"{what:52}{''.join(f'{of(column):8.2f}' for column in list(zip(*rows, strict=True))[:2])}"
-              f"{of([r[2] for r in rows]):7.0f}")  # fmt: skip
+        pairs = [(run([PYTHON, "-c", "import sympy"]), run([*LAGSOLVE, str(path)])) for _ in range(runs)]
+        beyond = statistics.median(ours.seconds - peer.seconds for peer, ours in pairs)
+        rows.append((beyond, max(ours.memory for _, ours in pairs)))
+        print(f"{name:52}{beyond:8.2f}{rows[-1][1]:7.0f}", flush=True)
+    seconds, memory = zip(*rows, strict=True)
+    print(f"{'median':52}{statistics.median(seconds):8.2f}{statistics.median(memory):7.0f}")
+    print(f"{'most':52}{max(seconds):8.2f}{max(memory):7.0f}")
 
 
 SECTIONS = {"processes": processes, "equations": equations, "growth": growth, "problems": problems}
