@@ -32,6 +32,8 @@ LONGEST = 120
 """Terms of a numerator or denominator that is still looked at."""
 HIGHEST = 8
 """The highest multiple of an angle in them."""
+MOST_EXPANDED = 600
+"""Terms of them as polynomials in u: four links of a chain have thousands."""
 PRIME = (1 << 61) - 1
 MOST_OPERATIONS = 800
 """Operations of a quotient of which common factors are still looked for."""
@@ -47,6 +49,8 @@ def lowest_terms(numerator: Element, denominator: Element) -> tuple[Element, Ele
     if max(tangents.highest, default=0) > HIGHEST:
         return None
     left = [tangents.polynomial(e) for e in pair]
+    if max(map(len, left)) > MOST_EXPANDED:
+        return None
     coprime = _are_coprime(*left)
     if not coprime:
         common, *left = left[0].cofactors(left[1])
