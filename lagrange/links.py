@@ -23,8 +23,19 @@ MOST_TERMS = 20
 """Terms of a squared distance that is still looked at for being a square."""
 
 
+class Link:
+    """What springs and dampers have in common."""
+
+    name: str
+
+    @property
+    def length_symbol(self) -> sp.Symbol:
+        """What the distance of the ends is called: d_tie."""
+        return sp.Symbol(f"d_{self.name}", real=True)
+
+
 @dataclass(frozen=True)
-class Stretched:
+class Stretched(Link):
     """A spring in a configuration.
 
     ends      names of what it is fastened to, where they have one, and vectors
@@ -55,7 +66,7 @@ class Stretched:
 
 
 @dataclass(frozen=True)
-class Damped:
+class Damped(Link):
     """A damper in a configuration; fields as of a spring. On a straight line `distance` is s, whatever its sign.
 
     rate  d'
@@ -134,8 +145,8 @@ def _rewritten(
 
 
 def _named(ends: tuple[Vector, Vector], problem: Problem) -> tuple[str | Vector, str | Vector]:
-    """The ends, those that are particles or mass centres by name."""
-    places: Mapping[Vector, str] = {p.position: p.name for p in problem.masses}
+    """The ends, those that are particles or mass centres by name; what is pinned at the origin is the origin."""
+    places: Mapping[Vector, str] = {p.position: p.name for p in problem.masses if not p.position.is_zero}
     first, second = (places.get(e, e) for e in ends)
     return first, second
 

@@ -291,8 +291,7 @@ def _lengths(solution: Solution) -> dict[str, sp.Expr]:
     """d_s of each spring or damper s. Names of the file keep their meaning."""
     configuration = solution.configuration
     declared = solution.problem.scope.names()
-    lengths = {f"d_{s.name}": s.distance for s in configuration.springs}
-    lengths |= {f"d_{d.name}": d.distance for d in configuration.dampers}
+    lengths = {link.length_symbol.name: link.distance for link in configuration.links}
     return {name: length for name, length in lengths.items() if name not in declared}
 
 

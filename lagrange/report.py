@@ -292,8 +292,9 @@ def notation_of(solution: Solution) -> Notation:
     """How the symbols of a solution are written."""
     problem = solution.problem
     new = [q for c in solution.choices for q in c.coordinates.configuration.slots.coordinates]
+    lengths = [link.length_symbol for link in solution.configuration.links]
     return Notation(
-        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *small_displacements(solution)))),
+        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *lengths, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
         speeds=tuple(s.symbol for s in problem.speeds),
         frequencies=letters_of_oscillations(solution),

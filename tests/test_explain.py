@@ -6,8 +6,9 @@ import pytest
 from conftest import PROBLEMS
 
 from lagrange.derivation import CheckMark, Derivation, Detail, Display, Math, Part, Prose, Ref, Rule, Step, Table
+from lagrange.diagnostics import Source
 from lagrange.explain.words import in_words, spoken
-from lagrange.loader import load
+from lagrange.loader import load, read_problem
 from lagrange.notation import Wedge
 from lagrange.render import pretty
 from lagrange.render.mathematics import unicode
@@ -187,3 +188,20 @@ def test_little_detail_is_half_a_screen() -> None:
     assert "l θ̈ + g sin θ = 0" in text
     assert text.count("✓") == 1
     assert "checks held" in text
+
+
+PINNED_BEAM = """
+title: Bead on a beam
+parameters: [J, m, k]
+coordinates: [s, phi]
+bodies: {beam: {inertia: J, position: 0*i, angle: phi}}
+particles: {B: {mass: m, position: "s*cos(phi)*i + s*sin(phi)*j"}}
+forces: {tie: {spring: k, between: [B, 0*i], length: 0}}
+"""
+
+
+def test_a_spring_fastened_at_a_hinge_is_fastened_at_the_origin() -> None:
+    found = report(read_problem(Source("beam.yaml", PINNED_BEAM)))
+    page = " ".join(pretty.text(found.derivation, found.notation, 80, Detail.STEPS).split())
+    assert "The spring tie, of stiffness k, joins B and O." in page
+    assert "k d_tie = k |s|" in page

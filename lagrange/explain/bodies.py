@@ -123,7 +123,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
     """The springs and dampers, their lengths, and with what forces they pull."""
     found: list[Block] = []
     for s in configuration.springs:
-        length = sp.Symbol(f"d_{s.name}", real=True)
+        length = s.length_symbol
         free: tuple[Part, ...] = (" and of free length ", math(s.length)) if s.length != 0 else ()
         found += [
             prose(f"The {_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
@@ -132,7 +132,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
                     Equation((s.stiffness * (length - s.length), s.pull), label=f"pull-{s.name}")),
         ]  # fmt: skip
     for d in configuration.dampers:
-        length = sp.Symbol(f"d_{d.name}", real=True)
+        length = d.length_symbol
         either = "" if d.distance.is_Pow else " (or its negative, which serves as well)"
         found += [
             prose(f"The {_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
@@ -190,7 +190,7 @@ def terms_of_bodies(configuration: Configuration) -> list[sp.Expr]:
 
 def terms_of_dampers(configuration: Configuration) -> list[sp.Expr]:
     """c d' δd of each damper."""
-    lengths = [(d.coefficient, sp.Symbol(f"d_{d.name}", real=True)) for d in configuration.dampers]
+    lengths = [(d.coefficient, d.length_symbol) for d in configuration.dampers]
     return [c * prime(length) * variation(length) for c, length in lengths]
 
 
