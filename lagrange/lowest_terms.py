@@ -11,10 +11,7 @@ takes sin θ and cos θ for independent and does not see that C + m R² − m R�
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
-from math import prod
-from random import Random
 from typing import Any
 
 import sympy as sp
@@ -34,7 +31,6 @@ HIGHEST = 8
 """The highest multiple of an angle in them."""
 MOST_EXPANDED = 600
 """Terms of them as polynomials in u: four links of a chain have thousands."""
-PRIME = (1 << 61) - 1
 MOST_OPERATIONS = 800
 """Operations of a quotient of which common factors are still looked for."""
 
@@ -51,11 +47,8 @@ def lowest_terms(numerator: Element, denominator: Element) -> tuple[Element, Ele
     left = [tangents.polynomial(e) for e in pair]
     if max(map(len, left)) > MOST_EXPANDED:
         return None
-    coprime = _are_coprime(*left)
-    if not coprime:
-        common, *left = left[0].cofactors(left[1])
-        coprime = common.is_ground
-    if coprime and not tangents.is_lower(left):
+    common, *left = left[0].cofactors(left[1])
+    if common.is_ground and not tangents.is_lower(left):
         return None
     above, below = tangents.elements(left)
     number = Fraction(pair[1].denominator, pair[0].denominator)
@@ -124,56 +117,6 @@ def _fraction(value: sp.Expr, ring: Ring) -> tuple[Element, Element | None]:
 def _denominators(value: sp.Expr) -> list[sp.Expr]:
     """The sums that are divided by."""
     return [p.base for p in value.atoms(sp.Pow) if p.exp.is_negative and p.base.is_Add]
-
-
-def _are_coprime(p: Any, q: Any) -> bool:
-    """Whether nothing is common to two of SymPy's sparse polynomials, modulo a prime; False is unsure.
-
-    A common factor has a variable x that both have. With numbers for the others, chosen once and for all, the images
-    are polynomials in x alone with the image of the factor in common, unless its leading coefficient vanishes: one is
-    overlooked then, and a quotient left as it is.
-    """
-    random = Random(1)
-    values = [random.randrange(1, PRIME) for _ in p.ring.gens]
-    products = [{m: c * prod(map(_power, values, m)) % PRIME for m, c in f.terms()} for f in (p, q)]
-    for k, x in enumerate(p.ring.gens):
-        if p.degree(x) > 0 and q.degree(x) > 0:
-            without = pow(values[k], -1, PRIME)
-            a, b = (_image(product, k, without) for product in products)
-            while b:
-                a, b = b, _remainder(a, b)
-            if len(a) > 1:
-                return False
-    return True
-
-
-def _power(value: int, exponent: int) -> int:
-    return pow(value, exponent, PRIME) if exponent else 1
-
-
-def _image(product: Mapping[tuple[int, ...], int], place: int, without: int) -> list[int]:
-    """The coefficients of the powers of one variable, lowest first, the last not zero."""
-    found = [0] * (1 + max(m[place] for m in product))
-    for m, value in product.items():
-        found[m[place]] += value * _power(without, m[place])
-    return _trimmed([x % PRIME for x in found])
-
-
-def _remainder(a: list[int], b: list[int]) -> list[int]:
-    """Of a divided by b."""
-    left, inverse = list(a), pow(b[-1], -1, PRIME)
-    while len(left) >= len(b):
-        factor, shift = left[-1] * inverse % PRIME, len(left) - len(b)
-        for n, x in enumerate(b):
-            left[n + shift] = (left[n + shift] - factor * x) % PRIME
-        left = _trimmed(left)
-    return left
-
-
-def _trimmed(coefficients: list[int]) -> list[int]:
-    while coefficients and coefficients[-1] == 0:
-        coefficients.pop()
-    return coefficients
 
 
 class _HalfAngles:

@@ -32,7 +32,7 @@ from lagrange.exact import (
     has_real_point,
 )
 from lagrange.measures import Measures
-from lagrange.notation import derivative
+from lagrange.notation import partial
 from lagrange.terms import Factors, common_powers, divided, multiplied, number_apart
 from lagrange.textbook import textbook_form
 
@@ -193,7 +193,7 @@ class _Validity:
         u = self.unknowns[column]
         if u not in equation.free_symbols:
             return sp.S.Zero
-        return derivative(equation, lambda s: sp.S.One if s == u else sp.S.Zero)
+        return partial(equation, u)
 
     def _size(self, e: sp.Expr) -> int:
         return self.measures.of(e).size
