@@ -11,7 +11,6 @@ Shapes: A (m, n), b (m,), x (n,).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import sympy as sp
@@ -19,6 +18,7 @@ import sympy as sp
 from lagrange.division import exact_quotient
 from lagrange.fourier import Element
 from lagrange.lowest_terms import in_lowest_terms, lowest_terms
+from lagrange.records import record
 from lagrange.textbook import Textbook, common_factor, textbook_form
 from lagrange.trigonometry import Ring
 
@@ -85,7 +85,7 @@ def solved_linear(
     return found
 
 
-@dataclass(frozen=True)
+@record
 class _Block:
     """Equations that have unknowns in common, and all of these unknowns."""
 
