@@ -390,12 +390,11 @@ def _denominators(column: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 def check_conserved(found: Conserved) -> list[Check]:
     """The printed integrals, differentiated, with the accelerations that d'Alembert's equations give."""
-    name = found.motion.configuration.name
-    checks = []
-    if found.integrals:
-        verdicts = [i.constant for i in found.integrals]
-        passed = False if False in verdicts else None if None in verdicts else True
-        whose = "its rate" if len(verdicts) == 1 else "their rates"
-        how = f"{certainty(found.motion.configuration.states)}: {whose} along the motion"
-        checks.append(Check("what is conserved is constant along the motion", passed, how, name))
-    return checks
+    if not found.integrals:
+        return []
+    verdicts = [i.constant for i in found.integrals]
+    passed = False if False in verdicts else None if None in verdicts else True
+    configuration = found.motion.configuration
+    whose = "its rate" if len(verdicts) == 1 else "their rates"
+    how = f"{certainty(configuration.states)}: {whose} along the motion"
+    return [Check("what is conserved is constant along the motion", passed, how, configuration.name)]

@@ -236,9 +236,7 @@ def _inverse(matrix: Sequence[Sequence[sp.Expr]], surface: Decides) -> list[list
         return None
     for block in blocks:
         size = len(block.rows)
-        work = [
-            [*(matrix[r][c] for c in block.columns), *(sp.Integer(k == r) for k in block.rows)] for r in block.rows
-        ]
+        work = [[*(matrix[r][c] for c in block.columns), *(sp.Integer(k == r) for k in block.rows)] for r in block.rows]
         try:
             pivot_of = _reduce(work, size, surface, tidied)
         except TooLargeError:
