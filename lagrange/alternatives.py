@@ -7,13 +7,13 @@ itself, as x' = 0 with x' = 1, and within one alternative what follows from the 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 
 import sympy as sp
 
 from lagrange.exact import DivisionByZeroError, rank
 from lagrange.notation import Slots
+from lagrange.records import record
 
 
 class Why(StrEnum):
@@ -36,7 +36,7 @@ Condition = tuple[sp.Expr, str]
 """What is assumed on the way: (e, "≠") for e ≠ 0, (e, "≥") for e ≥ 0."""
 
 
-@dataclass(frozen=True)
+@record
 class Reduction:
     """`function` is zero just when all of `forms` are; where it splits, when one of them is: the first is followed."""
 
@@ -46,7 +46,7 @@ class Reduction:
     conditions: tuple[Condition, ...] = ()
 
 
-@dataclass(frozen=True)
+@record
 class Alternative:
     """Functions of q, q', t that are all zero, and how that was found."""
 
@@ -54,7 +54,7 @@ class Alternative:
     steps: tuple[Reduction, ...] = ()
 
 
-@dataclass(frozen=True)
+@record
 class Alternatives:
     """All that a constraint may mean; none: it cannot be satisfied. `endless`: the first of infinitely many."""
 

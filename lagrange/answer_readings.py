@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, Scope, read_equation
+from lagrange.records import record
 from lagrange.vectors import Vector
 
 
-@dataclass(frozen=True)
+@record
 class Reading:
     """One equation of an answer: its two sides and its components, each zero; or why it cannot be read."""
 
@@ -27,7 +28,7 @@ class Reading:
         return self.sides if self.notes or set(self.text) & {"\\", "$"} else ()
 
 
-@dataclass(frozen=True)
+@record
 class GivenEquation(Fragment):
     """An equation of an answer that needs no reading, because it is no text."""
 

@@ -8,7 +8,7 @@ through its substitution. It is tried against the file's own system and every ch
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
 import sympy as sp
@@ -23,6 +23,7 @@ from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.latex_layout import separated
 from lagrange.notation import CONSTANT, Slots, base
 from lagrange.recognition import Kind, recognised
+from lagrange.records import record
 from lagrange.references import Candidate, Reference
 from lagrange.validity import Condition, conditions
 from lagrange.vectors import Vector
@@ -51,7 +52,7 @@ EXIT_STATUS = {
 }
 
 
-@dataclass(frozen=True)
+@record
 class EquationVerdict:
     """The verdict on one equation, with what is wrong (`diagnosis`) and what is to be said beside (`remarks`).
 
@@ -76,7 +77,7 @@ class EquationVerdict:
         return {**found, "remarks": list(self.remarks)}
 
 
-@dataclass(frozen=True)
+@record
 class AnswerVerdict:
     """The verdict on a system of equations.
 
@@ -126,7 +127,7 @@ _QUALITY = (
 )
 
 
-@dataclass(frozen=True)
+@record
 class _Attempt:
     """An answer compared with one system.
 

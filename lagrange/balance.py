@@ -8,16 +8,15 @@ d/dt ∂T/∂q_k' − ∂T/∂q_k − Q_k (`energies.py`). What follows needs to
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from lagrange.kinematics import Configuration
+from lagrange.records import record
 from lagrange.textbook import Textbook
 from lagrange.trigonometry import Element, Ring
 
 
-@dataclass(frozen=True)
+@record
 class Balance:
     """The balance of inertia and applied forces in the coordinates of a configuration.
 

@@ -8,7 +8,6 @@ linear, so that the sum for a changed equation costs next to nothing. Two benche
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -17,11 +16,12 @@ import sympy as sp
 from lagrange.comparison import System, affine_rows, state, symbols_of
 from lagrange.elimination import RowSpace
 from lagrange.exact import DivisionByZeroError, InadmissibleError, Point
+from lagrange.records import record
 
 _STATES = 2
 
 
-@dataclass(frozen=True)
+@record
 class Bench:
     """One state.
 

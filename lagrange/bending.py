@@ -17,7 +17,6 @@ Shapes: a (m, n).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import combinations, combinations_with_replacement
 
 import sympy as sp
@@ -25,10 +24,11 @@ import sympy as sp
 from lagrange.exact import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.kinematics import Row
 from lagrange.notation import Slots
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 
 
-@dataclass(frozen=True)
+@record
 class Bending:
     """Σ (∂²φ/∂q_i'∂q_k') v_i v_k = `value`, not zero, in a direction v in which φ does not change to first order.
 

@@ -14,7 +14,6 @@ Its root exists at half of the points; the others are drawn again. Either root i
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import reduce
 from math import lcm
 from typing import Any, cast
@@ -24,6 +23,7 @@ import sympy as sp
 from lagrange.elimination import Arithmetic, row_reduced
 from lagrange.graph import Op
 from lagrange.points import Point
+from lagrange.records import record
 
 _HIGHEST_POWER = 8
 
@@ -40,7 +40,7 @@ class ContradictoryError(Exception):
     """The equations lead to a number that would have to be zero and is not."""
 
 
-@dataclass(frozen=True)
+@record
 class Block:
     """Constraints and what they are solved for: symbols, or undefined functions at their arguments."""
 

@@ -13,7 +13,7 @@ and nothing else is asked of the unknowns: W_1 a = W_2 b. The number of steps is
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from itertools import islice, product
 
 import sympy as sp
@@ -22,6 +22,7 @@ from lagrange.closed_form import Relation, Root, Values, one_unknown, plain_root
 from lagrange.exact import is_zero
 from lagrange.polynomial_roots import factors, numerator, square_root, tidied
 from lagrange.positivity import Condition, different_from_zero, sign_of
+from lagrange.records import record
 from lagrange.solution_sets import (
     MOST_POINTS,
     Branch,
@@ -39,7 +40,7 @@ MOST_STEPS = 300
 """Branchings of one search."""
 
 
-@dataclass(frozen=True)
+@record
 class _State:
     equations: tuple[sp.Expr, ...]
     values: Values = field(default_factory=dict)

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import unicodedata
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.records import record
 
 DOT = "\u0307"
 """A dot over the letter before it."""
@@ -99,7 +99,7 @@ _CURES = {
 _DEFAULT_CURE = "write it with numbers, declared names, `+ - * / ^ =` and parentheses"
 
 
-@dataclass(frozen=True)
+@record
 class Looks:
     """A text as it looks. Character n of it stands at `places[n]` of the text as it was written."""
 

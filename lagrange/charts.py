@@ -12,7 +12,6 @@ rank of ∂f/∂q is less than the codimension of f = 0, as for (x - y)² = 0, n
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -22,6 +21,7 @@ from lagrange.exact import Point, Surface
 from lagrange.flags import Matrix
 from lagrange.jets import BITS, Jet, Ring, truncated
 from lagrange.notation import Slots, t
+from lagrange.records import record
 from lagrange.taylor import Expansion
 
 
@@ -29,7 +29,7 @@ class SingularSurfaceError(Exception):
     """The constraints are not regular at the point."""
 
 
-@dataclass(frozen=True)
+@record
 class Chart:
     """Jets on the constraint surface.
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagrange.answers import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.diagnostics import Diagnostic
+from lagrange.records import record
 
 
-@dataclass(frozen=True)
+@record
 class ComparedAnswer:
     """One answer that is no system of equations of motion, with the verdict on it.
 
@@ -30,7 +31,7 @@ class ComparedAnswer:
         return found | ({"equations": [e.as_json() for e in self.equations]} if self.equations else {})
 
 
-@dataclass(frozen=True)
+@record
 class CheckedAnswer:
     """The outcome of `lagsolve check`: the verdict on equations; of the file's own answers, on the others too.
 

@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -21,6 +21,7 @@ from lagrange.latex_layout import separated
 from lagrange.notation import base
 from lagrange.problem import Answers, Problem
 from lagrange.reaction_answers import AtRest, check_reaction, reading_error
+from lagrange.records import record
 from lagrange.reference_systems import reference_of_equations
 from lagrange.references import Reference, reference_of_solution
 from lagrange.solution import Solution, solve
@@ -187,7 +188,7 @@ def _class(solution: Solution, word: str) -> bool | None:
     return None if value is None else not value
 
 
-@dataclass(frozen=True)
+@record
 class Examiner:
     """Checks any number of answers to a problem that is solved once.
 

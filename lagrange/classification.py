@@ -17,7 +17,6 @@ velocities that the constraints admit where A depends on these.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -34,9 +33,10 @@ from lagrange.notation import Slots, base, t
 from lagrange.problem import Constraint, Problem
 from lagrange.quasi_coordinates import QuasiCoordinates, quasi_coordinates
 from lagrange.rank_loss import RankLoss, rank_losses
+from lagrange.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Redundancy:
     """A constraint that follows from those before it.
 
@@ -47,7 +47,7 @@ class Redundancy:
     combination: tuple[tuple[str, sp.Expr], ...] | None
 
 
-@dataclass(frozen=True)
+@record
 class Classification:
     """What the constraints are together. What is None could not be decided.
 

@@ -12,19 +12,20 @@ parameters in general; the factors that contain an unknown are solved for themse
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TypeAlias
 
 import sympy as sp
 
 from lagrange.polynomial_roots import HIGHEST_DEGREE, factors, numerator, polynomial_roots, square_root, tidied
 from lagrange.positivity import Condition, between_minus_one_and_one, not_negative
+from lagrange.records import record
 from lagrange.unit_circle import Angle, Letters, with_square
 
 Values: TypeAlias = Mapping[sp.Symbol, sp.Expr]
 
 
-@dataclass(frozen=True)
+@record
 class Relation:
     """lhs = rhs, as it is stated: cos θ = b/a."""
 
@@ -37,7 +38,7 @@ class Relation:
         return self.lhs - self.rhs
 
 
-@dataclass(frozen=True)
+@record
 class Root:
     """One solution of one equation.
 

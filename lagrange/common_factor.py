@@ -10,17 +10,17 @@ in textbook form (`textbook.py`).
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
 
 from lagrange.notation import base
 from lagrange.polynomials import common_number
+from lagrange.records import record
 from lagrange.terms import Exponent, Factors, Term, common_powers, exponent_of, multiply, sum_of
 
 
-@dataclass(frozen=True)
+@record
 class Factor:
     """What an equation is divided by: number · Π factor ** exponent.
 

@@ -14,7 +14,6 @@ their number. A result that differs from point to point is "undecided".
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from enum import Enum, auto
 from typing import Any
 
@@ -23,6 +22,7 @@ import sympy as sp
 from lagrange.elimination import Row, RowSpace
 from lagrange.exact import Point
 from lagrange.kinematics import Configuration, is_pfaffian
+from lagrange.records import record
 from lagrange.sampling import agreed
 
 
@@ -36,7 +36,7 @@ class Standing(Enum):
     NOT_LINEAR = auto()  # in the accelerations
 
 
-@dataclass(frozen=True)
+@record
 class Comparison:
     """How each equation stands to the system, and how many independent ones are missing."""
 
@@ -50,7 +50,7 @@ class Comparison:
         return self.missing == 0 and not bad & set(self.standings)
 
 
-@dataclass(frozen=True)
+@record
 class System:
     """A system of equations of motion: each of `equations` is zero.
 

@@ -14,7 +14,7 @@ decided in the same way, and may be undecided.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 
 import sympy as sp
@@ -28,6 +28,7 @@ from lagrange.exact import DivisionByZeroError, Point
 from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.noether import Kind, Symmetry, candidates, symmetries
 from lagrange.notation import partial
+from lagrange.records import record
 from lagrange.sampling import agreed
 from lagrange.terms import Exponent
 from lagrange.textbook import Textbook, textbook_form
@@ -66,7 +67,7 @@ class Because(StrEnum):
     CARRIED = "carried"  # a shift of time together with a displacement changes nothing
 
 
-@dataclass(frozen=True)
+@record
 class Integral:
     """expression = const along every motion.
 
@@ -85,7 +86,7 @@ class Integral:
     constant: bool | None = None
 
 
-@dataclass(frozen=True)
+@record
 class EnergyRate:
     """d(expression)/dt = rate, which does not vanish. `rate` None: whether the energy is conserved is undecided.
 
@@ -99,7 +100,7 @@ class EnergyRate:
     hidden: bool = False
 
 
-@dataclass(frozen=True)
+@record
 class Conserved:
     """What one set of equations conserves.
 
@@ -389,12 +390,11 @@ def _denominators(column: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 def check_conserved(found: Conserved) -> list[Check]:
     """The printed integrals, differentiated, with the accelerations that d'Alembert's equations give."""
-    name = found.motion.configuration.name
-    checks = []
-    if found.integrals:
-        verdicts = [i.constant for i in found.integrals]
-        passed = False if False in verdicts else None if None in verdicts else True
-        whose = "its rate" if len(verdicts) == 1 else "their rates"
-        how = f"{certainty(found.motion.configuration.states)}: {whose} along the motion"
-        checks.append(Check("what is conserved is constant along the motion", passed, how, name))
-    return checks
+    if not found.integrals:
+        return []
+    verdicts = [i.constant for i in found.integrals]
+    passed = False if False in verdicts else None if None in verdicts else True
+    configuration = found.motion.configuration
+    whose = "its rate" if len(verdicts) == 1 else "their rates"
+    how = f"{certainty(configuration.states)}: {whose} along the motion"
+    return [Check("what is conserved is constant along the motion", passed, how, configuration.name)]

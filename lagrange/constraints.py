@@ -16,7 +16,6 @@ among the differentials, decides. It is taken where the geometric constraints ho
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -30,6 +29,7 @@ from lagrange.notation import Slots, base, t
 from lagrange.potentials import potential
 from lagrange.problem import Constraint
 from lagrange.quasi_coordinates import QuasiCoordinates
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 from lagrange.tidying import in_differences, tidied
 
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from lagrange.restrictions import FiniteForm
 
 
-@dataclass(frozen=True)
+@record
 class FrobeniusComponent:
     """coefficient · dq_i ∧ dq_j ∧ ...; `nonzero` where the geometric constraints hold, None: undecided."""
 
@@ -46,7 +46,7 @@ class FrobeniusComponent:
     nonzero: bool | None
 
 
-@dataclass(frozen=True)
+@record
 class ConstraintAnalysis:
     """What one constraint is.
 

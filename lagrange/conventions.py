@@ -7,7 +7,6 @@ compared. Angles are what occurs in sines and cosines.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from enum import Enum
 
 import sympy as sp
@@ -16,6 +15,7 @@ from lagrange.benches import benches, follows
 from lagrange.comparison import System
 from lagrange.exact import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
 from lagrange.notation import Slots, prime
+from lagrange.records import record
 
 
 class Turn(Enum):
@@ -28,7 +28,7 @@ class Turn(Enum):
     COMPLEMENT = "from the perpendicular direction, the other way"
 
 
-@dataclass(frozen=True)
+@record
 class Convention:
     """An answer is right for a coordinate that is measured in another way: q stands for `meant`."""
 

@@ -13,7 +13,6 @@ A choice may also name some of the old coordinates. The rest is then solved from
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -24,6 +23,7 @@ from lagrange.kinematics import Configuration, Row, substituted_configuration
 from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, prime
 from lagrange.problem import Choice
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 
 LONGEST_SOLVED = 3000
@@ -34,7 +34,7 @@ MULTIPLIED_OUT = 60
 """Nodes of an equation that is multiplied out to see whether it is a polynomial."""
 
 
-@dataclass(frozen=True)
+@record
 class GeneralizedCoordinates:
     """A verified choice.
 
@@ -177,7 +177,7 @@ def _check_independent(result: GeneralizedCoordinates, original: Configuration) 
         raise ProblemError(Diagnostic("too-few-coordinates", message, choice.span, help=help_))
 
 
-@dataclass(frozen=True)
+@record
 class SolvedConstraints:
     """Coordinates in terms of the others, and the signs of the square roots in them."""
 

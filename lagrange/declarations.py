@@ -8,7 +8,6 @@ it are known to have failed, so that nothing is said where they are used.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TypeVar
 
 import sympy as sp
@@ -20,6 +19,7 @@ from lagrange.nodes import Mapping, Node, Scalar
 from lagrange.nodes import Sequence as ListNode
 from lagrange.notation import Sign, Slots
 from lagrange.problem import Assumption, Coordinate, Parameter
+from lagrange.records import record
 from lagrange.sections import Section, entries_of, items_of, scalar_of, wrong_kind
 
 T = TypeVar("T")
@@ -191,7 +191,7 @@ def _unknown(key: Scalar, _value: Node | None, names: Names) -> sp.Symbol | None
     return None if name is None else sp.Symbol(name, real=True)
 
 
-@dataclass(frozen=True)
+@record
 class Functions:
     """The prescribed motions u(t), and the other undefined functions."""
 

@@ -6,12 +6,13 @@ Stages make steps, renderers format them; neither knows the other. A label is an
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import IntEnum, StrEnum
 from typing import TypeAlias
 
 import sympy as sp
 
+from lagrange.records import record
 from lagrange.scene import Scene
 from lagrange.vectors import Vector
 
@@ -51,7 +52,7 @@ class Detail(IntEnum):
     FULL = 2
 
 
-@dataclass(frozen=True)
+@record
 class Math:
     """Mathematics in running text. With several sides it reads a = b = c."""
 
@@ -59,14 +60,14 @@ class Math:
     relation: str = "="
 
 
-@dataclass(frozen=True)
+@record
 class Ref:
     """The number of a labelled equation."""
 
     label: str
 
 
-@dataclass(frozen=True)
+@record
 class Term:
     """A word that is being defined or concluded: set in italics or bold."""
 
@@ -76,7 +77,7 @@ class Term:
 Part = str | Math | Ref | Term
 
 
-@dataclass(frozen=True)
+@record
 class Prose:
     """A paragraph; `short` stands in its place where little detail is wanted."""
 
@@ -85,7 +86,7 @@ class Prose:
     short: tuple[Part, ...] = ()
 
 
-@dataclass(frozen=True)
+@record
 class Equation:
     """A displayed equation a = b = c; `condition` is set behind it ("where y ≠ 0")."""
 
@@ -95,7 +96,7 @@ class Equation:
     condition: tuple[Part, ...] = ()
 
 
-@dataclass(frozen=True)
+@record
 class Display:
     """Equations that belong together; boxed when they are a result."""
 
@@ -104,7 +105,7 @@ class Display:
     detail: Detail = Detail.STEPS
 
 
-@dataclass(frozen=True)
+@record
 class Table:
     """A table: cells are text or mathematics; the first column names the rows."""
 
@@ -113,7 +114,7 @@ class Table:
     detail: Detail = Detail.STEPS
 
 
-@dataclass(frozen=True)
+@record
 class Matrices:
     """Named matrices, M = (a b; c d), side by side where there is room; a column has rows of one entry."""
 
@@ -121,7 +122,7 @@ class Matrices:
     detail: Detail = Detail.STEPS
 
 
-@dataclass(frozen=True)
+@record
 class CheckMark:
     """A check, whether it held (None: could not be decided), and how it was done."""
 
@@ -131,7 +132,7 @@ class CheckMark:
     detail: Detail = Detail.BRIEF
 
 
-@dataclass(frozen=True)
+@record
 class Picture:
     """A picture, drawn when it is asked for; None where it cannot be drawn sensibly.
 
@@ -148,7 +149,7 @@ class Picture:
 Block = Prose | Display | Table | Matrices | CheckMark | Picture
 
 
-@dataclass(frozen=True)
+@record
 class Step:
     """One step of the derivation."""
 
@@ -157,7 +158,7 @@ class Step:
     body: tuple[Block, ...]
 
 
-@dataclass(frozen=True)
+@record
 class Derivation:
     """A whole derivation: what is printed."""
 

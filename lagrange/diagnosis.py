@@ -16,7 +16,7 @@ differs is named, if it is one: those with accelerations, those with velocities,
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import Enum
 from functools import cached_property
 from typing import Any
@@ -29,6 +29,7 @@ from lagrange.edits import NUMBERS, Slip, cleared, factors, terms_of, variants
 from lagrange.exact import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
 from lagrange.field import reconstructed
 from lagrange.notation import base, t
+from lagrange.records import record
 from lagrange.residues import FieldPoint
 
 
@@ -40,7 +41,7 @@ class Group(Enum):
     FORCE = "force"
 
 
-@dataclass(frozen=True)
+@record
 class Diagnosis:
     """The one change that makes an equation right; without a slip only the group of terms that differs.
 

@@ -14,9 +14,11 @@ import difflib
 import unicodedata
 from bisect import bisect_right
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from functools import cached_property
+
+from lagrange.records import record
 
 
 class Level(StrEnum):
@@ -26,7 +28,7 @@ class Level(StrEnum):
     NOTE = "note"
 
 
-@dataclass(frozen=True)
+@record
 class Source:
     """A text as it was read, with the name it is known by (a path, `<stdin>`, `answer 1`)."""
 
@@ -52,7 +54,7 @@ class Source:
         return self.text[start : end if end >= 0 else None].rstrip("\r")
 
 
-@dataclass(frozen=True)
+@record
 class Span:
     """Characters `start` to `end` (exclusive) of a source."""
 
@@ -61,7 +63,7 @@ class Span:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Fragment:
     """A piece of a source that is read on its own: an expression.
 
@@ -85,7 +87,7 @@ class Fragment:
         return Span(self.whole.source, self.start + start, self.start + end)
 
 
-@dataclass(frozen=True)
+@record
 class Diagnostic:
     """One finding: `level[code]: message`, the place with a label under it, and what to do."""
 

@@ -10,11 +10,11 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.notation import base, t
+from lagrange.records import record
 
 Dimension = tuple[sp.Rational, ...]
 _BASE = ("kg", "m", "s", "A", "K")
@@ -38,7 +38,7 @@ _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _PART = re.compile(r"\s*([*/·⋅ ]?)\s*\(?([A-Za-zΩ°%]+|1)\s*(?:\^?\s*\(?(-?\d+)\)?)?\)?")
 
 
-@dataclass(frozen=True)
+@record
 class Mismatch:
     """A term whose dimension is not that of the others, and one of these."""
 

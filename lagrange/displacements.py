@@ -17,7 +17,6 @@ Shapes: A (m, n), a_t (m,), w (n,).
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 
 import sympy as sp
@@ -26,6 +25,7 @@ from lagrange.exact import Surface
 from lagrange.kinematics import Load, MassPoint, Row, is_pfaffian
 from lagrange.measures import Measures
 from lagrange.notation import Sign, Slots, differential, t, variation
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 from lagrange.tidying import in_differences, is_short
 from lagrange.vectors import Vector
@@ -41,7 +41,7 @@ MOST_TERMS = 200
 """Terms, all multiplied out, of an expression that is still reduced or factored."""
 
 
-@dataclass(frozen=True)
+@record
 class Elimination:
     """A δq = 0 solved for the dependent ones.
 

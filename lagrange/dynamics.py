@@ -8,7 +8,7 @@ constraints, because a choice makes constraints disappear and not the forces tha
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from enum import StrEnum
 from functools import cached_property
 from typing import TypeVar
@@ -31,6 +31,7 @@ from lagrange.notation import Sign
 from lagrange.principle import dalembert
 from lagrange.problem import Friction, Problem
 from lagrange.reactions import Dragging, LinearSystem, Reactions, motion_system, solved_reactions, written_out
+from lagrange.records import record
 from lagrange.sampling import agreed
 from lagrange.vectors import Vector
 
@@ -49,7 +50,7 @@ class Method(StrEnum):
     LAGRANGE = "lagrange"
 
 
-@dataclass(frozen=True)
+@record
 class Law:
     """Newton's law in the file's coordinates, and what follows for reactions.
 
@@ -88,7 +89,7 @@ class Law:
         return equations_of_motion(dalembert(configuration), elimination)
 
 
-@dataclass(frozen=True)
+@record
 class Motion:
     """The motion in one set of coordinates.
 

@@ -17,7 +17,6 @@ would be wrong; they are not where the constraint comes to a finite relation. Re
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -32,6 +31,7 @@ from lagrange.lagrangian import (
     velocity_of,
 )
 from lagrange.notation import partial
+from lagrange.records import record
 from lagrange.rigid_bodies import Rotation
 from lagrange.textbook import Textbook, common_factor
 from lagrange.trigonometry import Element, Ring
@@ -40,7 +40,7 @@ from lagrange.vectors import Vector
 WEIGHT = "weight"
 
 
-@dataclass(frozen=True)
+@record
 class Energies(Balance):
     """T, V and Lagrange's equations in the coordinates of a configuration, all in textbook form.
 

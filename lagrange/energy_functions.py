@@ -15,7 +15,6 @@ Reference: Pars, A Treatise on Analytical Dynamics, §§ 6.7-6.8.
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 
@@ -26,12 +25,13 @@ from lagrange.conservative import are_true_coordinates, dot, is_constant_force, 
 from lagrange.kinematics import Configuration
 from lagrange.notation import Slots, base, t
 from lagrange.packing import unpack
+from lagrange.records import record
 from lagrange.terms import Exponent, Term, common_powers, divided, multiplied, sum_of
 from lagrange.textbook import Textbook
 from lagrange.trigonometry import Element, Ring
 
 
-@dataclass(frozen=True)
+@record
 class EnergyFunctions:
     """The energies of a configuration, as elements of the ring of `textbook`.
 

@@ -16,7 +16,7 @@ by must not vanish.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 from typing import Any
 
@@ -29,11 +29,12 @@ from lagrange.exact import NoPointError, Point, UnsupportedError
 from lagrange.kinematics import Configuration, Row
 from lagrange.notation import prime, variation
 from lagrange.principle import Principle
+from lagrange.records import record
 from lagrange.textbook import Factor, Textbook, common_factor, normalised
 from lagrange.trigonometry import Element, Ring
 
 
-@dataclass(frozen=True)
+@record
 class EquationOfMotion:
     """expression = 0, which multiplies the virtual displacement of `coordinate`.
 
@@ -47,7 +48,7 @@ class EquationOfMotion:
     reversed: bool
 
 
-@dataclass(frozen=True)
+@record
 class Closed:
     """The equations of a choice with velocities and accelerations put in that constraints on velocities give.
 
@@ -65,7 +66,7 @@ class Closed:
     rows: tuple[Row, ...]
 
 
-@dataclass(frozen=True)
+@record
 class EquationsOfMotion:
     """The equations of one configuration; the rows of the configuration complete them.
 
@@ -102,7 +103,7 @@ class EquationsOfMotion:
         return self.closed.rows if self.closed else self.configuration.rows
 
 
-@dataclass(frozen=True)
+@record
 class WithMultipliers:
     """D_k and Σ_j λ_j a_jk, which it equals, for each coordinate."""
 
@@ -126,7 +127,7 @@ def equations_with_multipliers(principle: Balance, multipliers: Mapping[str, sp.
     return WithMultipliers(used, tuple(equations))
 
 
-@dataclass(frozen=True)
+@record
 class DalembertMotion(EquationsOfMotion):
     """The equations from d'Alembert's principle.
 

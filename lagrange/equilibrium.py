@@ -16,7 +16,7 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -29,12 +29,13 @@ from lagrange.exact import is_zero, rank
 from lagrange.kinematics import Configuration
 from lagrange.notation import multiplier, variation
 from lagrange.principle import generalized_forces
+from lagrange.records import record
 from lagrange.solution_sets import Branch, SolutionSet
 from lagrange.textbook import Textbook
 from lagrange.trigonometry import Element, Ring
 
 
-@dataclass(frozen=True)
+@record
 class VirtualWork:
     """δW in the coordinates of a configuration.
 
@@ -54,7 +55,7 @@ class VirtualWork:
         return self.textbook.ring
 
 
-@dataclass(frozen=True)
+@record
 class ConditionOfEquilibrium:
     """expression = 0, which multiplies the virtual displacement of `coordinate`.
 
@@ -70,7 +71,7 @@ class ConditionOfEquilibrium:
     reversed: bool
 
 
-@dataclass(frozen=True)
+@record
 class Equilibrium:
     """The equilibria of one configuration.
 

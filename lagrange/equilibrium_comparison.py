@@ -11,7 +11,7 @@ equations cut out.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import sympy as sp
 
@@ -22,13 +22,14 @@ from lagrange.closed_form import Values
 from lagrange.equilibrium import Equilibrium, is_balanced
 from lagrange.exact import DivisionByZeroError, Surface, is_zero
 from lagrange.polynomial_roots import factors, numerator
+from lagrange.records import record
 from lagrange.solution_sets import Branch, SolutionSet, parameters_given
 from lagrange.unit_circle import CIRCULAR, Letters, NotAlgebraicError
 
 RESTATED = "it restates a constraint"
 
 
-@dataclass(frozen=True)
+@record
 class _Alternative:
     """One system of an answer in the coordinates of a candidate.
 
@@ -41,7 +42,7 @@ class _Alternative:
     angles: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
+@record
 class _Judged:
     """What is said of one alternative.
 

@@ -14,7 +14,6 @@ out is tried on the form.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
@@ -24,6 +23,7 @@ from lagrange.elimination import Row
 from lagrange.exact import InadmissibleError, Point
 from lagrange.factor_candidates import Candidate
 from lagrange.one_forms import OneForm, Values
+from lagrange.records import record
 
 SPARE_ROWS = 5
 GROUP = 3
@@ -33,7 +33,7 @@ MOST_RATIOS = 8
 Exponents = dict[int, sp.Expr]
 
 
-@dataclass(frozen=True)
+@record
 class _Place:
     """Where the values of one point stand: those of a_i, of the curl, of the θ^k."""
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeAlias, TypeVar
 
 import sympy as sp
@@ -18,6 +18,7 @@ from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError
 from lagrange.latex_layout import is_latex
 from lagrange.lexicon import FUNCTIONS, OPERATIONS
 from lagrange.meaning import DIFFERENTIALS
+from lagrange.records import record
 from lagrange.scope import RESERVED, FunctionDeclaration, Scope
 from lagrange.syntax import Parser
 from lagrange.tokens import Kind, Token, tokens
@@ -49,7 +50,7 @@ Notes: TypeAlias = "list[Diagnostic] | None"
 T = TypeVar("T")
 
 
-@dataclass(frozen=True)
+@record
 class EquationRead:
     """Both sides of an equation: two scalars or two vectors."""
 

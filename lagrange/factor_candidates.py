@@ -10,7 +10,6 @@ unknown exponent:
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -18,6 +17,7 @@ import sympy as sp
 from lagrange.measures import Measures
 from lagrange.notation import Unspecified
 from lagrange.one_forms import OneForm
+from lagrange.records import record
 
 MOST = 36
 LARGEST_FACTORED = 120
@@ -26,7 +26,7 @@ MOST_GENERATORS = 10
 FEW_VARIABLES = 4
 
 
-@dataclass(frozen=True)
+@record
 class Candidate:
     """g, to be raised to a power; or L in exp(L), where `exponential`."""
 

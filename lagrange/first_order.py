@@ -19,7 +19,6 @@ themselves.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -27,9 +26,10 @@ from lagrange.dynamics import Motion
 from lagrange.kinematics import Row
 from lagrange.notation import Slots, prime
 from lagrange.quasi_equations import QuasiEquations
+from lagrange.records import record
 
 
-@dataclass(frozen=True)
+@record
 class FirstOrder:
     """What is integrated.
 

@@ -18,17 +18,17 @@ brackets are independent is read off their constant terms, and only those are co
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
 from lagrange.elimination import row_reduced
 from lagrange.jets import BITS, Jet, Ring, constant_term, is_zero_jet, terms_in, truncated
+from lagrange.records import record
 
 Matrix = list[list[Jet]]
 
 
-@dataclass(frozen=True)
+@record
 class Distribution:
     """Fields X_a = ∂_a + Σ_p slopes[p, a] ∂_p, for a in `free` and p in `bound` (numbers of jet variables).
 

@@ -6,7 +6,6 @@ All that is here has been found by `solve`; n coordinates, of which k are indepe
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
@@ -20,6 +19,7 @@ from lagrange.kinematics import Configuration
 from lagrange.numerical import RightHandSide, Values
 from lagrange.problem import Assumption, Parameter, Problem
 from lagrange.reactions import Reactions
+from lagrange.records import record
 from lagrange.render.kinds import Notation
 from lagrange.solution import ChoiceSolution, Solution
 from lagrange.time_functions import TIME, in_functions_of_time
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from lagrange.vectors import Vector
 
 
-@dataclass(frozen=True, repr=False)
+@record
 class Formulation:
     """The problem in one set of coordinates: the file's own, or those of a choice.
 

@@ -12,7 +12,6 @@ file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -24,11 +23,12 @@ from lagrange.newton import Newton, Reaction
 from lagrange.notation import Sign
 from lagrange.problem import Friction
 from lagrange.reactions import Reactions
+from lagrange.records import record
 from lagrange.textbook import Factor, common_factor, textbook_form
 from lagrange.vectors import Vector
 
 
-@dataclass(frozen=True)
+@record
 class Rubbing:
     """One friction force in the coordinates of a configuration.
 

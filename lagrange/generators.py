@@ -12,7 +12,6 @@ Frequencies are counted in units of 1/5040 of an angle, so that θ/2 and θ/3 ar
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 from math import gcd, lcm
 
@@ -20,11 +19,12 @@ import sympy as sp
 
 from lagrange.fourier import Element, Number, Terms
 from lagrange.packing import WIDTH, unpack
+from lagrange.records import record
 
 UNIT = 5040
 
 
-@dataclass(frozen=True)
+@record
 class Generator:
     """What monomials are made of: a symbol, a function that is left alone, or a root of an element.
 

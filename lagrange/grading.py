@@ -11,7 +11,6 @@ Of the `required` independent equations, those that do not follow from the submi
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import PurePath
 from time import perf_counter
 
@@ -23,10 +22,11 @@ from lagrange.checking import Examiner
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.problem import Answers
 from lagrange.recognition import Kind
+from lagrange.records import record
 from lagrange.yaml_nodes import decode
 
 
-@dataclass(frozen=True)
+@record
 class Submission:
     """What somebody handed in.
 
@@ -40,7 +40,7 @@ class Submission:
     notes: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
+@record
 class Graded:
     """The outcome for one submission: texts and numbers, since it goes from one process to another.
 
@@ -72,7 +72,7 @@ class Graded:
         return self.headline.partition(": ")[2]
 
 
-@dataclass(frozen=True)
+@record
 class Grader:
     """Grades any number of submissions to one problem. `required` is as in `Graded`."""
 

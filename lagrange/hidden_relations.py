@@ -13,7 +13,6 @@ independent of the relations already known. What the dictionary does not hold is
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from math import lcm
 
 import sympy as sp
@@ -25,11 +24,12 @@ from lagrange.exact import DivisionByZeroError, Surface, UnsupportedError
 from lagrange.first_integrals import NoTrialError, Space, Trial, coefficients, combined
 from lagrange.notation import Slots, t
 from lagrange.potentials import cleared, differentiated
+from lagrange.records import record
 
 Form = tuple[sp.Expr, ...]
 
 
-@dataclass(frozen=True)
+@record
 class HiddenRelation:
     """function = const, which follows from the constraints.
 
@@ -42,7 +42,7 @@ class HiddenRelation:
     combination: Combination | None
 
 
-@dataclass(frozen=True)
+@record
 class HiddenRelations:
     """The finite relations beyond those known.
 

@@ -17,7 +17,6 @@ a graph over part of the coordinates, all as jets, and the forms are pulled back
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 from typing import Any, TypeVar
 
@@ -30,6 +29,7 @@ from lagrange.graph import SIGNED
 from lagrange.jets import BITS, Jet, Ring, WorkLimitError, constant_term
 from lagrange.notation import Sign, Slots
 from lagrange.potentials import differentiated
+from lagrange.records import record
 from lagrange.taylor import NoExpansionError
 from lagrange.textbook import textbook_form
 
@@ -45,7 +45,7 @@ LONGEST_TIDIED = 60
 LONGEST_FORM = 40
 
 
-@dataclass(frozen=True)
+@record
 class Flag:
     """The derived flag of a system of constraints.
 
@@ -64,7 +64,7 @@ class Flag:
         return self.ranks[-1] if self.ranks else None
 
 
-@dataclass(frozen=True)
+@record
 class Comparison:
     """∂a/∂k = ∂b/∂i, for the coefficients a of di and b of dk; `equal` is None where it is undecided."""
 
@@ -74,7 +74,7 @@ class Comparison:
     equal: bool | None
 
 
-@dataclass(frozen=True)
+@record
 class Exactness:
     """All pairs of partial derivatives of one form; `exact` is None where it hangs on an undecided pair."""
 
@@ -87,7 +87,7 @@ class Exactness:
         return tuple(c for c in self.comparisons if c.equal is False)
 
 
-@dataclass(frozen=True)
+@record
 class Component:
     """One component of ω ∧ dω: the coefficient of da ∧ db ∧ dc; `nonzero` is None where it is undecided."""
 

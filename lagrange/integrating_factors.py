@@ -13,7 +13,7 @@ the form: d(μω) = 0, dF ∧ ω = 0, both exactly. Where nothing is found a fac
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import combinations
 
 import sympy as sp
@@ -31,6 +31,7 @@ from lagrange.notation import Slots, Unspecified
 from lagrange.one_forms import OneForm
 from lagrange.one_variable import factor_beside, factors_of_combinations, shortened, shortest
 from lagrange.potentials import potential
+from lagrange.records import record
 from lagrange.relations import moves, tidy_relation
 from lagrange.symmetries import symmetries
 
@@ -43,7 +44,7 @@ MOST_WITH_PARAMETERS = 6
 LARGEST_FACTOR = 150
 
 
-@dataclass(frozen=True)
+@record
 class IntegratingFactor:
     """μ for a form ω.
 

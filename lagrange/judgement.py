@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 
 from lagrange.answers import EquationVerdict
 from lagrange.checked import CheckedAnswer
 from lagrange.problem import Problem
+from lagrange.records import record
 
 
-@dataclass(frozen=True, repr=False)
+@record
 class Judgement(CheckedAnswer):
     """The verdict on an answer.
 

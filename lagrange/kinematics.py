@@ -14,7 +14,7 @@ configuration, with the positions, forces and remaining constraints written in i
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import sympy as sp
@@ -23,12 +23,13 @@ from lagrange.exact import Surface
 from lagrange.links import Damped, Stretched, damper_in, dampers_in, spring_in, stretched_springs
 from lagrange.notation import Slots, multiplier, prime
 from lagrange.problem import AppliedForce, AppliedMoment, Potential, Problem
+from lagrange.records import record
 from lagrange.rigid_bodies import Rotation, rotation_in, rotation_of
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
 
-@dataclass(frozen=True)
+@record
 class Row:
     """One constraint in the coordinates of a configuration: what it asks of displacements.
 
@@ -93,7 +94,7 @@ def admitted_states(rows: Sequence[Row], slots: Slots) -> Surface:
     return Surface([*finite, *(r.velocity_form(slots) for r in rows)], (*slots.coordinates, *slots.velocities))
 
 
-@dataclass(frozen=True)
+@record
 class Load:
     """An applied force and the point that it acts at; `elsewhere`: that is not where the particle is that it acts on.
 
@@ -107,7 +108,7 @@ class Load:
     elsewhere: bool = False
 
 
-@dataclass(frozen=True)
+@record
 class Torque:
     """An applied moment on a rigid body."""
 
@@ -116,7 +117,7 @@ class Torque:
     vector: Vector
 
 
-@dataclass(frozen=True)
+@record
 class MassPoint:
     """A particle or mass centre and its motion. `partials`, shape (n,): the vectors ∂r/∂q_k."""
 
@@ -128,7 +129,7 @@ class MassPoint:
     partials: tuple[Vector, ...]
 
 
-@dataclass(frozen=True)
+@record
 class Configuration:
     """The system in one set of coordinates.
 

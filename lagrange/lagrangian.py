@@ -19,17 +19,16 @@ excludes, or ∂T/∂q' loses the terms that its reaction balances.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from lagrange.kinematics import Configuration, Load, MassPoint
 from lagrange.notation import Slots, base, partial, t
+from lagrange.records import record
 from lagrange.rigid_bodies import Rotation
 from lagrange.vectors import Components, Vector
 
 
-@dataclass(frozen=True)
+@record
 class Lagrangian:
     """Lagrange's equations of a configuration.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from abc import abstractmethod
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from lagrange.characters import DOT, GREEK, PRIMES, SUPERSCRIPTS
 from lagrange.diagnostics import Fragment, ProblemError
@@ -12,6 +12,7 @@ from lagrange.latex_commands import ACCENTS, LETTERS, VECTORS, WORDS
 from lagrange.latex_names import Names, spellings
 from lagrange.latex_scanner import Scanner, Scripts
 from lagrange.lexicon import FUNCTIONS, Role
+from lagrange.records import record
 from lagrange.scope import UNITS, Scope
 from lagrange.tokens import MAX_DIGITS, Kind, Token
 
@@ -22,7 +23,7 @@ _RUN = re.compile(rf"[A-Za-z](?!{DOT})(?:[A-Za-z0-9](?!{DOT}))*|[A-Za-z]")
 _MOVING = (Role.COORDINATE, Role.PRESCRIBED)
 
 
-@dataclass(frozen=True)
+@record
 class Stem:
     """A name without what hangs outside its braces; `vector` is the command that makes it bold."""
 

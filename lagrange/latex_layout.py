@@ -11,13 +11,13 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from lagrange.diagnostics import Fragment, Span
 from lagrange.latex_commands import ENVIRONMENTS
+from lagrange.records import record
 
 
-@dataclass(frozen=True)
+@record
 class LatexFragment(Fragment):
     """A piece of another fragment that is in LaTeX, whether or not anything in it says so. It begins at `offset`."""
 
@@ -31,7 +31,7 @@ class LatexFragment(Fragment):
         )
 
 
-@dataclass(frozen=True)
+@record
 class Region:
     """Mathematics between two marks of a text: characters `start` to `end`, with the marks around them from `opens` to
     `closes`; the marks in it are those numbered `first` to `last` (exclusive)."""
@@ -44,7 +44,7 @@ class Region:
     closes: int = 0
 
 
-@dataclass(frozen=True)
+@record
 class Mark:
     """Something that matters for the layout: `kind` is what stands there, or a word for it."""
 

@@ -14,13 +14,14 @@ from lagrange.characters import VARIANTS
 from lagrange.diagnostics import nearest
 from lagrange.latex_commands import NAMED_FUNCTIONS
 from lagrange.lexicon import Role
+from lagrange.records import record
 from lagrange.scope import Scope
 
 LONGEST_RUN = 60
 _MOST_PARTS = 4
 
 
-@dataclass(frozen=True)
+@record
 class Run:
     """A run of letters taken apart: where each piece ends, and the name that it is.
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from dataclasses import dataclass
 
 from lagrange.characters import DOT, GREEK, PRIMES, SUBSCRIPTS, SUPERSCRIPTS, looks
 from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError
 from lagrange.latex_commands import LETTERS, MARKS, NOTHING, SPACES, WORDS
+from lagrange.records import record
 from lagrange.stream import MAX_NESTING
 
 _COMMAND = re.compile(r"\\([A-Za-z]+\*?|.)", re.DOTALL)
@@ -23,7 +23,7 @@ _SUBSCRIPT = re.compile(rf"[{''.join(SUBSCRIPTS)}]+")
 _PRIMES_ONLY = re.compile(r"(?:\s|\\prime(?![A-Za-z])|['′’ʹ″‴⁗])+")
 
 
-@dataclass(frozen=True)
+@record
 class Scripts:
     """What hangs on a letter or a bracket: primes, subscripts, and where its exponent stands.
 

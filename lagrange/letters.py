@@ -7,15 +7,15 @@ the language of problem files, so that what is printed with them can be read bac
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.energies import Energies
+from lagrange.records import record
 from lagrange.solution import Solution
 
 
-@dataclass(frozen=True)
+@record
 class Letters:
     """The symbols of one derivation; those of coordinates and points by their first letters."""
 

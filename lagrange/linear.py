@@ -11,7 +11,6 @@ Shapes: A (m, n), b (m,), x (n,).
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import sympy as sp
@@ -19,6 +18,7 @@ import sympy as sp
 from lagrange.division import exact_quotient
 from lagrange.fourier import Element
 from lagrange.lowest_terms import in_lowest_terms, lowest_terms
+from lagrange.records import record
 from lagrange.textbook import Textbook, common_factor, textbook_form
 from lagrange.trigonometry import Ring
 
@@ -85,7 +85,7 @@ def solved_linear(
     return found
 
 
-@dataclass(frozen=True)
+@record
 class _Block:
     """Equations that have unknowns in common, and all of these unknowns."""
 
@@ -227,23 +227,26 @@ def _leading(row: Sequence[sp.Expr], found: Sequence[sp.Expr | None], tidied: Ti
         return None
 
 
-def _inverse(block: Sequence[Sequence[sp.Expr]], surface: Decides) -> list[list[sp.Expr]] | None:
-    """M⁻¹ of a constant matrix; None where it is singular or large."""
-    size = len(block)
-    if all((e != 0) == (r == c) for r, row in enumerate(block) for c, e in enumerate(row)) and all(
-        row[r].is_nonzero for r, row in enumerate(block)
-    ):  # of particles in Cartesian coordinates
-        return [[1 / e if e != 0 else e for e in row] for row in block]
+def _inverse(matrix: Sequence[Sequence[sp.Expr]], surface: Decides) -> list[list[sp.Expr]] | None:
+    """M⁻¹ of a constant matrix, block by block; None where it is singular or large."""
+    inverse = [[sp.S.Zero] * len(matrix) for _ in matrix]
     tidied = _Bounded(tidy_quotient)
-    work = [[*row, *(sp.Integer(k == r) for k in range(size))] for r, row in enumerate(block)]
-    try:
-        pivot_of = _reduce(work, size, surface, tidied)
-    except TooLargeError:
+    blocks = _blocks(matrix)
+    if any(len(b.rows) != len(b.columns) for b in blocks) or sum(len(b.rows) for b in blocks) < len(matrix):
         return None
-    if len(pivot_of) < size:
-        return None
-    row_of = {c: r for r, c in pivot_of.items()}
-    return [work[row_of[c]][size:] for c in range(size)]
+    for block in blocks:
+        size = len(block.rows)
+        work = [[*(matrix[r][c] for c in block.columns), *(sp.Integer(k == r) for k in block.rows)] for r in block.rows]
+        try:
+            pivot_of = _reduce(work, size, surface, tidied)
+        except TooLargeError:
+            return None
+        if len(pivot_of) < size:
+            return None
+        for r, c in pivot_of.items():
+            for k, e in zip(block.rows, work[r][size:], strict=True):
+                inverse[block.columns[c]][k] = e
+    return inverse
 
 
 def _dot(row: Sequence[sp.Expr], column: Sequence[sp.Expr]) -> sp.Expr:

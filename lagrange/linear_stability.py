@@ -19,7 +19,7 @@ Reference: N. G. Chetaev, The Stability of Motion, 1961.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 
 import sympy as sp
@@ -28,6 +28,7 @@ from lagrange.equilibrium import Equilibrium
 from lagrange.exact import is_zero
 from lagrange.pencils import Frequency, Matrix
 from lagrange.positivity import MOST_OPERATIONS, different_from_zero
+from lagrange.records import record
 from lagrange.solution_sets import Branch
 from lagrange.stability import Stability, Verdict, conditions_for, definiteness, known_positive, on_branch, sign_on
 
@@ -49,7 +50,7 @@ class Ground(StrEnum):
     ROOTS = "roots"  # the signs of the ω²
 
 
-@dataclass(frozen=True)
+@record
 class Judgement:
     """The verdict, what it rests on (None: on nothing), and whether, where it is stable, the motion dies away."""
 
@@ -58,7 +59,7 @@ class Judgement:
     asymptotic: bool = False
 
 
-@dataclass(frozen=True)
+@record
 class LinearSystem:
     """M, D, K, shape (f, f); `roots`: the coefficients of the characteristic polynomial, in ω² or in p, or None."""
 

@@ -20,7 +20,7 @@ Reference: Lagrange 1788, part 2, section 6; Whittaker, Analytical Dynamics, ch.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -33,6 +33,7 @@ from lagrange.linear_stability import Judgement, Kind, LinearSystem, judged, kin
 from lagrange.matrix_form import MatrixForm, matrix_form
 from lagrange.notation import prime
 from lagrange.pencils import Frequency, Matrix, determinant, factored, frequencies, without_minus
+from lagrange.records import record
 from lagrange.rest import branches_at_rest, check_rest, equilibria_of_motion, is_time, without_time
 from lagrange.solution_sets import Branch
 from lagrange.stability import Verdict, on_branch
@@ -46,7 +47,7 @@ MOST_OPERATIONS = 100
 ZERO = sp.S.Zero
 
 
-@dataclass(frozen=True)
+@record
 class Damped:
     """One coordinate with damping, ξ'' + 2δ ξ' + ω₀² ξ = 0: ω₀², δ = ζ ω₀, and ω² = ω₀² (1 − ζ²)."""
 
@@ -55,7 +56,7 @@ class Damped:
     square: sp.Expr
 
 
-@dataclass(frozen=True)
+@record
 class SmallOscillations:
     """The linear equations at one equilibrium.
 
@@ -93,7 +94,7 @@ class SmallOscillations:
         return f.factor.xreplace({f.letter: self.unknown**2})
 
 
-@dataclass(frozen=True)
+@record
 class Linearization:
     """The linear equations about all equilibria of the equations of motion, in one set of coordinates.
 

@@ -10,12 +10,13 @@ otherwise |s| stays, as does sign s in the force. A damper does not need to know
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.notation import Slots
 from lagrange.problem import Damper, Problem, Spring
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
@@ -34,7 +35,7 @@ class Link:
         return sp.Symbol(f"d_{self.name}", real=True)
 
 
-@dataclass(frozen=True)
+@record
 class Stretched(Link):
     """A spring in a configuration.
 
@@ -65,7 +66,7 @@ class Stretched(Link):
         return self.stiffness * (self.distance - self.length)
 
 
-@dataclass(frozen=True)
+@record
 class Damped(Link):
     """A damper in a configuration; fields as of a spring. On a straight line `distance` is s, whatever its sign.
 

@@ -13,20 +13,19 @@ Shapes: M (n, n), f (n,), A (m, n), b (m,).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import sympy as sp
 
 from lagrange.equations import EquationsOfMotion
 from lagrange.kinematics import Configuration
 from lagrange.linear import solved_linear
 from lagrange.reactions import over_one_denominator
+from lagrange.records import record
 
 MOST_SOLVED = 3
 """Coordinates of a system whose accelerations are still solved for."""
 
 
-@dataclass(frozen=True)
+@record
 class MatrixForm:
     """M, f, A, b; A and b are empty where the coordinates are independent."""
 

@@ -13,7 +13,6 @@ follow from others the multipliers are left out: they are not determined, and br
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -22,10 +21,11 @@ from lagrange.energies import Energies
 from lagrange.equations import EquationOfMotion, EquationsOfMotion, divided, of_independent
 from lagrange.linear import solved_linear
 from lagrange.reactions import over_one_denominator
+from lagrange.records import record
 from lagrange.trigonometry import Element
 
 
-@dataclass(frozen=True)
+@record
 class LagrangeMotion(EquationsOfMotion):
     """The equations of motion of a configuration from its Lagrange equations.
 

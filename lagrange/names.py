@@ -11,13 +11,13 @@ follow-ups of the one that was reported.
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass
 
 from lagrange.characters import VARIANTS
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Span
 from lagrange.expressions import RESERVED
 from lagrange.findings import EnoughError, Findings
 from lagrange.nodes import Node, Scalar, scalars
+from lagrange.records import record
 from lagrange.syntax import FUNCTIONS, OPERATIONS
 from lagrange.tokens import Kind, Token, tokens
 
@@ -28,7 +28,7 @@ _ONE_MEANING = "give one of the two another name: a symbol means one thing in a 
 _SPELLING = "a name begins with a letter and has letters, digits and `_`"
 
 
-@dataclass(frozen=True)
+@record
 class Declaration:
     """Where a name is declared, and as what."""
 

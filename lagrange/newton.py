@@ -15,7 +15,7 @@ each component of R and Γ; after, each constraint has one: its multiplier.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import sympy as sp
 
@@ -23,12 +23,13 @@ from lagrange.kinematics import Configuration, MassPoint, Row
 from lagrange.linear import tidy_quotient
 from lagrange.placing import Forces, Freedom, Placed, form_as_forces, left_out, placed_freely
 from lagrange.problem import Constraint
+from lagrange.records import record
 from lagrange.rods import Rod, recognised_rod
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
 
-@dataclass(frozen=True)
+@record
 class Reaction:
     """What keeps one constraint.
 
@@ -96,7 +97,7 @@ class Reaction:
         return None if self.directions is None else self.directions.get(particle)
 
 
-@dataclass(frozen=True)
+@record
 class Component:
     """One component of Newton's law: inertia = applied + reaction. `along` is the unit vector that it is along."""
 
@@ -111,7 +112,7 @@ class Component:
         return self.applied + self.reaction
 
 
-@dataclass(frozen=True)
+@record
 class FreeBody:
     """A particle or rigid body with all that acts on it.
 
@@ -148,7 +149,7 @@ class FreeBody:
         return (*pushing, *(r for r, _ in self.moments if r not in pushing))
 
 
-@dataclass(frozen=True)
+@record
 class Count:
     """Unknowns against equations."""
 
@@ -161,7 +162,7 @@ class Count:
         return self.unknowns - self.equations
 
 
-@dataclass(frozen=True)
+@record
 class Newton:
     """Newton's law for every particle.
 
@@ -236,7 +237,7 @@ def newton_equations(
     return Newton(reactions, bodies, idle, *_counts(configuration, bodies, idle, rank))
 
 
-@dataclass(frozen=True)
+@record
 class Normal:
     """A geometric constraint on one particle: its gradient ∇f there, so that ∇f·dr + f_t dt = 0."""
 
@@ -258,7 +259,7 @@ def normals(configuration: Configuration) -> tuple[Normal, ...]:
     return tuple(found)
 
 
-@dataclass(frozen=True)
+@record
 class _Acting:
     """What acts on particles and bodies: reactions, and `field`, the forces of potentials and dampers."""
 

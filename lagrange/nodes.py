@@ -7,12 +7,12 @@ who reads it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from lagrange.diagnostics import Fragment, Span
+from lagrange.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Scalar:
     """A value, as text. `fragment` locates its characters; `quoted` tells `""` from nothing at all."""
 
@@ -27,7 +27,7 @@ class Scalar:
         return not self.quoted and not self.text
 
 
-@dataclass(frozen=True)
+@record
 class Sequence:
     """A list."""
 
@@ -35,7 +35,7 @@ class Sequence:
     span: Span
 
 
-@dataclass(frozen=True)
+@record
 class Mapping:
     """Keys with values, in the order of the file."""
 

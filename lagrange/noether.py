@@ -16,7 +16,6 @@ not enough: in a nonholonomic system its reaction may work.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from itertools import combinations_with_replacement
 
@@ -29,6 +28,7 @@ from lagrange.exact import FieldPoint, InadmissibleError, Point
 from lagrange.kinematics import Configuration
 from lagrange.notation import Sign, base, t
 from lagrange.potentials import primitive
+from lagrange.records import record
 from lagrange.sampling import agreed
 from lagrange.triangular import DRAWS
 from lagrange.trigonometry import Element
@@ -51,7 +51,7 @@ class Kind(StrEnum):
     TIME = "time"
 
 
-@dataclass(frozen=True)
+@record
 class Candidate:
     """One displacement, or the shift of time.
 
@@ -66,7 +66,7 @@ class Candidate:
     gauge: sp.Expr = sp.S.Zero
 
 
-@dataclass(frozen=True)
+@record
 class Symmetry:
     """Σ c · candidate: `terms` are the candidates with c, shape of `multipliers` (n,)."""
 
@@ -243,7 +243,7 @@ def _combined(group: Sequence[Candidate], configuration: Configuration) -> list[
     return kept
 
 
-@dataclass(frozen=True)
+@record
 class Values:
     """The values of the coefficients in one trial, by candidate, and the point that has the parameters."""
 

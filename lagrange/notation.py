@@ -13,12 +13,13 @@ files (`theta''`, `d(x)`, `delta(x)`, `lambda_rod`), so that what is printed can
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import lru_cache
 
 import sympy as sp
 from sympy.core.symbol import Str
 from sympy.printing.str import StrPrinter
+
+from lagrange.records import record
 
 t = sp.Symbol("t", real=True)
 
@@ -146,7 +147,7 @@ def base(symbol: sp.Symbol) -> sp.Symbol:
     return sp.Symbol(symbol.name.rstrip("'"), real=True) if symbol.name.endswith("'") else symbol
 
 
-@dataclass(frozen=True)
+@record
 class Slots:
     """What moves: the coordinates, and the prescribed motions u(t) that move by themselves."""
 

@@ -12,7 +12,6 @@ together; a variable can be kept while the others are drawn again.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -22,6 +21,7 @@ from lagrange.elimination import Row, row_reduced
 from lagrange.exact import InadmissibleError, NoPointError, Point, Surface, reconstructed
 from lagrange.notation import Slots, base, t
 from lagrange.potentials import differentiated
+from lagrange.records import record
 
 T = TypeVar("T")
 
@@ -29,7 +29,7 @@ LARGEST_FRACTION = 60
 _DRAWS = 200
 
 
-@dataclass(frozen=True)
+@record
 class OneForm:
     """Σ a_i dq_i, without the variables that do not occur.
 

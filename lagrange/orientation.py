@@ -9,18 +9,18 @@ discs: ω has no ψ in it, only ψ'. A planar body turns about k, and needs no o
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.notation import Slots
 from lagrange.problem import Body
+from lagrange.records import record
 from lagrange.rotation import Axes, Rotations, spin_in, triad_along, turned_axes, turned_triad
 from lagrange.textbook import textbook_form
 from lagrange.vectors import FIXED, Components, Triad, Vector
 
 
-@dataclass(frozen=True)
+@record
 class Orientation:
     """How one body is turned.
 

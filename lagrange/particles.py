@@ -7,7 +7,6 @@ is read once, after those whose names it uses; entries that are defined by one a
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import partial
 
 import sympy as sp
@@ -19,6 +18,7 @@ from lagrange.nodes import Mapping as MappingNode
 from lagrange.nodes import Node, Scalar, scalars
 from lagrange.problem import Body, Particle
 from lagrange.reading import Reading
+from lagrange.records import record
 from lagrange.sections import Section, entries_of, mapping_of
 from lagrange.tidying import tidied
 from lagrange.vectors import Vector
@@ -27,7 +27,7 @@ _PARTICLE = "P: {mass: m, position: x*i + y*j}"
 _BODY = "B: {mass: m, inertia: I_G, position: x*i + y*j, angle: theta}"
 
 
-@dataclass(frozen=True)
+@record
 class Things:
     """What the file says of masses, in its order."""
 
@@ -36,7 +36,7 @@ class Things:
     abbreviations: Mapping[str, sp.Expr | Vector]
 
 
-@dataclass(frozen=True)
+@record
 class _Entry:
     """An entry that waits to be read: the names that it gives, and those that it uses."""
 

@@ -14,7 +14,6 @@ Shapes: M, K (n, n); a (n,).
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from typing import Any
 
 import sympy as sp
@@ -25,6 +24,7 @@ from sympy.polys.polyerrors import NotInvertible
 from lagrange.elimination import nullspace
 from lagrange.polynomial_roots import MOST_OPERATIONS, square_root
 from lagrange.positivity import Condition, different_from_zero, sign_of
+from lagrange.records import record
 
 MOST_ROWS = 6
 MOST_ENTRIES = 400
@@ -38,7 +38,7 @@ LONGEST_ROOT = 80
 Matrix = tuple[tuple[sp.Expr, ...], ...]
 
 
-@dataclass(frozen=True)
+@record
 class Frequency:
     """A root w of the characteristic equation.
 

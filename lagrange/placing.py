@@ -12,18 +12,19 @@ coordinates place everything one by one: then g_P is ∂f/∂r_P for particles t
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.exact import Surface
 from lagrange.kinematics import Configuration, Row
 from lagrange.linear import solved_linear
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Triad, Vector
 
 
-@dataclass(frozen=True)
+@record
 class Freedom:
     """The ways in which one particle or mass centre can be placed, or one body turned.
 
@@ -65,7 +66,7 @@ class Freedom:
 Placed = tuple[Freedom, ...]
 
 
-@dataclass(frozen=True)
+@record
 class Forces:
     """The forces on particles and mass centres, and the moments on bodies, that a form stands for."""
 

@@ -7,12 +7,12 @@ polynomials in the parameters; a leading one whose sign is not known is assumed 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from math import gcd
 
 import sympy as sp
 
 from lagrange.positivity import Condition, different_from_zero, not_negative, sign_of
+from lagrange.records import record
 
 MOST_OPERATIONS = 400
 MOST_SYMBOLS = 14
@@ -60,7 +60,7 @@ def _square_part(product: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return sp.Mul(*outside), sp.expand(sp.Mul(*inside))
 
 
-@dataclass(frozen=True)
+@record
 class Value:
     """A root x of a polynomial: stated as x^power = shown."""
 

@@ -8,15 +8,16 @@ A² − B² D. What cannot be told so is None, and becomes a condition of what d
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
 import sympy as sp
+
+from lagrange.records import record
 
 MOST_OPERATIONS = 300
 """Operations of an expression that is still factored to find its sign."""
 
 
-@dataclass(frozen=True)
+@record
 class Condition:
     """lhs relation rhs, where the relation is one of ≥ ≤ > < ≠."""
 

@@ -11,7 +11,6 @@ otherwise A δq = 0 binds them. Everything is built in the ring of Fourier sums,
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import cached_property
 
 import sympy as sp
@@ -19,12 +18,13 @@ import sympy as sp
 from lagrange.balance import Balance
 from lagrange.kinematics import Configuration
 from lagrange.notation import partial, variation
+from lagrange.records import record
 from lagrange.textbook import Textbook
 from lagrange.trigonometry import Element, Ring
 from lagrange.vectors import Vector
 
 
-@dataclass(frozen=True)
+@record
 class Principle(Balance):
     """D'Alembert's principle in the coordinates of a configuration; what is only shown is written when asked for."""
 

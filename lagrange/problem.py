@@ -9,7 +9,7 @@ file, for messages.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from enum import StrEnum
 
 import sympy as sp
@@ -18,6 +18,7 @@ from lagrange.alternatives import Reduction
 from lagrange.diagnostics import Diagnostic, Fragment, Span
 from lagrange.expressions import FunctionDeclaration, Scope
 from lagrange.notation import Slots
+from lagrange.records import record
 from lagrange.vectors import Triad, Vector
 
 
@@ -39,7 +40,7 @@ class Find(StrEnum):
     LINEARIZATION = "linearization"
 
 
-@dataclass(frozen=True)
+@record
 class Parameter:
     """A constant of the problem; `value` is its exact number where the file gives one."""
 
@@ -50,7 +51,7 @@ class Parameter:
     value: sp.Rational | None = None
 
 
-@dataclass(frozen=True)
+@record
 class Coordinate:
     """One of the coordinates q."""
 
@@ -59,7 +60,7 @@ class Coordinate:
     unit: str = ""
 
 
-@dataclass(frozen=True)
+@record
 class Particle:
     """A point of mass m (0: a massless point) at the position r(q, t)."""
 
@@ -69,7 +70,7 @@ class Particle:
     span: Span
 
 
-@dataclass(frozen=True)
+@record
 class Body:
     """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: three principal
     moments and either an Euler sequence with its angles, or a triad with the angular velocity. `axes_called` are the
@@ -89,7 +90,7 @@ class Body:
     angular_velocity: Vector | None = None
 
 
-@dataclass(frozen=True)
+@record
 class Given:
     """A constraint as the file has it, and how it comes to what is used instead: (x' − y')² = 0, x' − y' = 0."""
 
@@ -98,7 +99,7 @@ class Given:
     steps: tuple[Reduction, ...]
 
 
-@dataclass(frozen=True)
+@record
 class Constraint:
     """f(q, q', t) = 0, where f is the left side minus the right side.
 
@@ -121,7 +122,7 @@ class Constraint:
         return self.lhs - self.rhs
 
 
-@dataclass(frozen=True)
+@record
 class AppliedForce:
     """A force vector on a particle or body, at its position or `at` another point."""
 
@@ -132,7 +133,7 @@ class AppliedForce:
     at: Vector | None = None
 
 
-@dataclass(frozen=True)
+@record
 class AppliedMoment:
     """A moment on a rigid body."""
 
@@ -142,7 +143,7 @@ class AppliedMoment:
     span: Span
 
 
-@dataclass(frozen=True)
+@record
 class Spring:
     """A linear spring of stiffness k and free length between two points.
 
@@ -157,7 +158,7 @@ class Spring:
     sense: int | None = None
 
 
-@dataclass(frozen=True)
+@record
 class Damper:
     """A linear damper of coefficient c between two points."""
 
@@ -167,7 +168,7 @@ class Damper:
     span: Span
 
 
-@dataclass(frozen=True)
+@record
 class Potential:
     """A potential energy V(q, t)."""
 
@@ -176,7 +177,7 @@ class Potential:
     span: Span
 
 
-@dataclass(frozen=True)
+@record
 class Friction:
     """Coulomb friction μ|R| against the slip, R being the reaction of a constraint."""
 
@@ -193,7 +194,7 @@ class Friction:
 Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction
 
 
-@dataclass(frozen=True)
+@record
 class Speed:
     """A quasi-velocity u = Σ S_k(q, t) q_k' + s(q, t): its name and what it is."""
 
@@ -202,7 +203,7 @@ class Speed:
     span: Span
 
 
-@dataclass(frozen=True)
+@record
 class Choice:
     """A choice of generalized coordinates.
 
@@ -216,7 +217,7 @@ class Choice:
     span: Span
 
 
-@dataclass(frozen=True)
+@record
 class Answers:
     """What the textbook says. Expressions stay text: they are read like any reader's answer."""
 
@@ -229,7 +230,7 @@ class Answers:
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
 
 
-@dataclass(frozen=True, repr=False)
+@record
 class Problem:
     """A problem file, read.
 

@@ -11,7 +11,6 @@ not depend on the order in which symbols turned up.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations, product
@@ -23,6 +22,7 @@ from lagrange.division import Complex, over_wave
 from lagrange.fourier import Element
 from lagrange.generators import UNIT, Basis
 from lagrange.packing import WIDTH, unpack
+from lagrange.records import record
 
 SEARCHED = 4  # in a longer sum only the first pair is joined
 MOST_ANGLES = 3
@@ -32,7 +32,7 @@ Part = tuple[int, Fraction, bool]  # frequency, coefficient, whether it is a sin
 Powers = tuple[tuple[int, int], ...]  # (exponent of cos, exponent of sin) of each angle
 
 
-@dataclass(frozen=True)
+@record
 class Atom:
     """cos or sin of one frequency, which is positive."""
 
@@ -40,7 +40,7 @@ class Atom:
     sine: bool
 
 
-@dataclass(frozen=True)
+@record
 class Product:
     """A number times powers of atoms, sorted by the names of their angles."""
 

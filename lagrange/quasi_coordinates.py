@@ -16,7 +16,6 @@ undecided.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -24,13 +23,14 @@ import sympy as sp
 from lagrange.exact import is_zero
 from lagrange.notation import Slots, prime, t
 from lagrange.problem import Body, Problem
+from lagrange.records import record
 from lagrange.rotation import angular_velocity
 from lagrange.vectors import Vector
 
 Form = tuple[sp.Expr, ...]
 
 
-@dataclass(frozen=True)
+@record
 class QuasiCoordinates:
     """The quasi-coordinates of a problem.
 

@@ -14,7 +14,7 @@ triad in which it is shortest: so ω = p e_1 + q e_2 + r e_3 has no angles in it
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import sympy as sp
 
@@ -25,6 +25,7 @@ from lagrange.linear import solved_linear
 from lagrange.notation import base, prime, t, variation
 from lagrange.orientation import axis_names
 from lagrange.quasi_velocities import QuasiVelocities
+from lagrange.records import record
 from lagrange.rigid_bodies import Rotation
 from lagrange.rotation import triad_along
 from lagrange.textbook import Factor, Textbook, textbook_form
@@ -37,7 +38,7 @@ LONGEST_SOLVED = 300
 """Operations of equations that are still solved for the rates."""
 
 
-@dataclass(frozen=True)
+@record
 class Moving:
     """A vector that is written by the u_s, and its time derivative, in one triad: v and a, or H and dH/dt.
 
@@ -50,7 +51,7 @@ class Moving:
     vector: Vector
 
 
-@dataclass(frozen=True)
+@record
 class QuasiEquations:
     """The equations of motion in quasi-velocities; the kinematic equations complete them.
 

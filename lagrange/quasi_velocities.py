@@ -20,7 +20,6 @@ Shapes: S (p, n), B (n, p), b (n,), for n coordinates and p quasi-velocities.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar
 
@@ -32,6 +31,7 @@ from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.notation import Slots, prime, variation
 from lagrange.problem import Speed
 from lagrange.reactions import over_one_denominator
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 from lagrange.tidying import with_cotangents
 from lagrange.vectors import Vector
@@ -44,7 +44,7 @@ MOST_OPERATIONS = 300
 Shown = TypeVar("Shown", sp.Expr, Vector)
 
 
-@dataclass(frozen=True)
+@record
 class QuasiVelocities:
     """The quasi-velocities in the coordinates of a configuration.
 

@@ -9,7 +9,6 @@ The second route shares nothing with the first but the positions: no quasi-veloc
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 from lagrange.comparison import compare
 from lagrange.equations import EquationsOfMotion
@@ -19,10 +18,11 @@ from lagrange.notation import prime
 from lagrange.problem import Problem, Speed
 from lagrange.quasi_equations import QuasiEquations, quasi_equations
 from lagrange.quasi_velocities import QuasiVelocities, quasi_velocities
+from lagrange.records import record
 from lagrange.verification import Check, at_random_states, certainty, multiplier_system
 
 
-@dataclass(frozen=True)
+@record
 class InSpeeds:
     """The velocities by the quasi-velocities, and the equations of motion in these where motion is asked."""
 

@@ -13,7 +13,6 @@ for a row, if geometric constraints exclude it: a rod with x² + y² = l² never
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -22,6 +21,7 @@ from lagrange.combinations import independent_columns
 from lagrange.exact import DivisionByZeroError, Surface, UnsupportedError, has_real_point
 from lagrange.kinematics import Row
 from lagrange.notation import Sign, Slots
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 
 MOST_ROWS = 4
@@ -30,7 +30,7 @@ MOST_CONDITIONS = 4
 MOST_FACTORED = 8
 
 
-@dataclass(frozen=True)
+@record
 class RankLoss:
     """A place where the constraints are not independent.
 

@@ -15,7 +15,7 @@ Shapes: M (n, n), A (m, n), h (n,), β (m,).
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 import sympy as sp
@@ -26,6 +26,7 @@ from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_in_blocks, sol
 from lagrange.lowest_terms import as_one_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import Unspecified, t
+from lagrange.records import record
 from lagrange.textbook import common_factor, textbook_form
 from lagrange.vectors import Vector
 
@@ -33,7 +34,7 @@ Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
 """A multiplier λ, and the generalized forces for the file's coordinates for λ = 1, shape (n,)."""
 
 
-@dataclass(frozen=True)
+@record
 class Determined:
     """A combination Σ c_j λ_j of multipliers that is determined where they are not: `terms` are pairs (c_j, λ_j).
 
@@ -45,7 +46,7 @@ class Determined:
     written: tuple[sp.Expr, sp.Expr] | None = None
 
 
-@dataclass(frozen=True)
+@record
 class Reactions:
     """The reactions in one set of coordinates. What is None is too large to be written down.
 
@@ -91,7 +92,7 @@ class Reactions:
         return None not in self.multipliers.values()
 
 
-@dataclass(frozen=True)
+@record
 class LinearSystem:
     """The equations rows · (unknowns) = right, in the file's coordinates."""
 
@@ -100,7 +101,7 @@ class LinearSystem:
     unknowns: tuple[sp.Symbol, ...]
 
 
-@dataclass(frozen=True)
+@record
 class Place:
     """Where a system is solved: on the constraint surface, in the coordinates of a choice, at an equilibrium.
 

@@ -9,7 +9,7 @@ the file's own equations, rewritten in the choice.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import cached_property
 
 import sympy as sp
@@ -27,12 +27,13 @@ from lagrange.notation import prime, variation
 from lagrange.problem import Problem
 from lagrange.quasi_velocities import quasi_variation
 from lagrange.radii import radii, where_positive
+from lagrange.records import record
 from lagrange.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.vectors import Vector
 from lagrange.verification import multiplier_system
 
 
-@dataclass(frozen=True)
+@record
 class Candidate:
     """One system that an answer may be compared with; it is made when it is first wanted.
 
@@ -101,7 +102,7 @@ AS_THRUST = "`{}` is taken as a force that pushes; in the derivation it is a ten
 AS_MULTIPLIER = "`{}` is taken as the multiplier of the constraint; in the derivation it is the tension"
 
 
-@dataclass(frozen=True)
+@record
 class Reference:
     """What answers to a problem are compared with.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -40,6 +39,7 @@ from lagrange.letters import letters, states_potential
 from lagrange.multipliers import LagrangeMotion
 from lagrange.pictures.illustrated import illustrated
 from lagrange.problem import Find, Problem
+from lagrange.records import record
 from lagrange.render.kinds import Notation
 from lagrange.solution import Solution, letters_of_oscillations, small_displacements, solve
 
@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from lagrange.static_reactions import StaticReactions
 
 
-@dataclass(frozen=True)
+@record
 class Report:
     """One problem, solved and explained."""
 

@@ -14,7 +14,6 @@ coordinates again.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -26,12 +25,13 @@ from lagrange.integrating_factors import IntegratingFactor, integrating_factor
 from lagrange.notation import Slots, t
 from lagrange.one_variable import shortened
 from lagrange.potentials import differentiated
+from lagrange.records import record
 
 LARGEST = 60
 ANGLES = ("psi", "chi", "eta", "zeta")
 
 
-@dataclass(frozen=True)
+@record
 class Angle:
     """ψ with p - α = ρ cos ψ, q - β = ρ sin ψ."""
 
@@ -51,7 +51,7 @@ class Angle:
         return e.xreplace({self.symbol: sp.atan2(self.along, self.across)})
 
 
-@dataclass(frozen=True)
+@record
 class Restriction:
     """A form on the surface of geometric constraints.
 
@@ -108,7 +108,7 @@ def restriction(form: Sequence[sp.Expr], geometric: Sequence[sp.Expr], slots: Sl
     return Restriction(tuple(rules.items()), tuple(angles), tuple(pulled), variables, left)
 
 
-@dataclass(frozen=True)
+@record
 class FiniteForm:
     """How a form that is not exact becomes the differential of a function.
 

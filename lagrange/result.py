@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from types import MappingProxyType
 
@@ -17,6 +16,7 @@ from lagrange.diagnostics import Diagnostic, suggestion
 from lagrange.displacements import possible_displacement, virtual_displacement
 from lagrange.formulation import Formulation
 from lagrange.problem import Problem
+from lagrange.records import record
 from lagrange.report import Report
 from lagrange.solution import Solution
 from lagrange.verification import Check
@@ -24,7 +24,7 @@ from lagrange.verification import Check
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 
 
-@dataclass(frozen=True, repr=False)
+@record
 class Result:
     """A problem, solved and explained: n coordinates in the file, m constraints.
 

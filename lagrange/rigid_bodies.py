@@ -14,18 +14,18 @@ Reference: Whittaker, Analytical Dynamics, §§ 62-64.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.notation import Slots, prime
 from lagrange.orientation import orientation
 from lagrange.problem import Body
+from lagrange.records import record
 from lagrange.rotation import Axes, triad_in, turning_rate
 from lagrange.vectors import Components, Vector
 
 
-@dataclass(frozen=True)
+@record
 class Rotation:
     """How one body turns.
 

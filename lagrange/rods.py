@@ -12,7 +12,6 @@ tells a rod from a sphere. The relation is recognised by its gradient, never by 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -22,11 +21,12 @@ from lagrange.exact import Surface
 from lagrange.kinematics import MassPoint, Row
 from lagrange.linear import tidy_quotient
 from lagrange.notation import Slots
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
 
 
-@dataclass(frozen=True)
+@record
 class Rod:
     """A distance that is kept.
 

@@ -8,11 +8,13 @@ middle is, its size an estimate that is large rather than small.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import StrEnum
 from itertools import pairwise
 
 import sympy as sp
+
+from lagrange.records import record
 
 Point = tuple[float, float]
 """x to the right and y up, in centimetres."""
@@ -38,7 +40,7 @@ class Kind(StrEnum):
     REACTION = "reaction"  # that of a constraint
 
 
-@dataclass(frozen=True)
+@record
 class Box:
     """A rectangle: left, bottom, right, top."""
 
@@ -92,7 +94,7 @@ class Box:
         return first <= last
 
 
-@dataclass(frozen=True)
+@record
 class Line:
     """A chain of straight pieces.
 
@@ -114,7 +116,7 @@ class Line:
         return list(pairwise(around))
 
 
-@dataclass(frozen=True)
+@record
 class Dot:
     """A particle, or a hinge where it is open."""
 
@@ -123,7 +125,7 @@ class Dot:
     open: bool = False
 
 
-@dataclass(frozen=True)
+@record
 class Label:
     """Mathematics or a word with its middle at a place."""
 
@@ -139,7 +141,7 @@ class Label:
         return Box(x - self.width / 2, y - self.height / 2, x + self.width / 2, y + self.height / 2)
 
 
-@dataclass(frozen=True)
+@record
 class Scene:
     """A picture."""
 

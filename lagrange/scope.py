@@ -9,7 +9,7 @@ language are known.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property
 
 import sympy as sp
@@ -18,6 +18,7 @@ from lagrange.bounded import Purse
 from lagrange.characters import VARIANTS
 from lagrange.lexicon import FUNCTIONS, OPERATIONS, Role
 from lagrange.notation import Slots, t
+from lagrange.records import record
 from lagrange.vectors import Vector
 
 UNITS = {
@@ -36,7 +37,7 @@ RESERVED = frozenset({"t", "pi", *FUNCTIONS, *OPERATIONS, *ALWAYS_UNITS})
 _CONSTANTS = {"t": t, "pi": sp.pi}
 
 
-@dataclass(frozen=True)
+@record
 class FunctionDeclaration:
     """An undefined function and what its arguments are called.
 
@@ -51,7 +52,7 @@ class FunctionDeclaration:
         return f"{self.name}({', '.join(self.arguments)})"
 
 
-@dataclass(frozen=True)
+@record
 class Scope:
     """What is declared: the only names that have a meaning. `purse` is what reading in it may cost."""
 

@@ -8,7 +8,7 @@ function of its own in a module of its own; what each of them finds is a field o
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -26,6 +26,7 @@ from lagrange.kinematics import Configuration, file_configuration
 from lagrange.matrix_form import solved_accelerations
 from lagrange.newton import Normal, normals
 from lagrange.problem import Choice, Find, Friction, Problem
+from lagrange.records import record
 from lagrange.spot import Spot, spot_value
 from lagrange.verification import (
     Check,
@@ -49,7 +50,7 @@ if TYPE_CHECKING:
     from lagrange.static_reactions import StaticReactions
 
 
-@dataclass(frozen=True)
+@record
 class ChoiceSolution:
     """The problem in one choice of generalized coordinates; what is not asked for is None."""
 
@@ -74,7 +75,7 @@ class ChoiceSolution:
         return self.coordinates.choice.name
 
 
-@dataclass(frozen=True)
+@record
 class Solution:
     """Everything that is found.
 

@@ -8,7 +8,7 @@ contains is dropped. How branches are found: `branching`.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 
 import sympy as sp
 
@@ -16,13 +16,14 @@ from lagrange.closed_form import Relation, Values
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.positivity import Condition
 from lagrange.presentation import shown
+from lagrange.records import record
 from lagrange.unit_circle import Letters
 
 MOST_POINTS = 130
 """More points of a branch are not verified one by one: it is undecided whether they all satisfy the equations."""
 
 
-@dataclass(frozen=True)
+@record
 class Branch:
     """Some of the solutions.
 
@@ -47,7 +48,7 @@ class Branch:
         return (*self.relations, *(Relation(e, sp.S.Zero) for e in self.left))
 
 
-@dataclass(frozen=True)
+@record
 class SolutionSet:
     """All solutions of a system.
 

@@ -8,7 +8,6 @@ so that the state is possible.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from itertools import combinations, count, islice
 from random import Random
@@ -25,6 +24,7 @@ from lagrange.exact import InadmissibleError, ZeroDivisorError
 from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.notation import Sign, Unspecified, t
 from lagrange.reals import RealPoint, Reals
+from lagrange.records import record
 
 DIGITS = 30
 TRIALS = 8
@@ -38,7 +38,7 @@ MOST_SOLVED = 1
 """Constraints that are solved in symbols: roots of roots grow fast."""
 
 
-@dataclass(frozen=True)
+@record
 class Spot:
     """Numbers in, accelerations out (to six figures)."""
 

@@ -13,7 +13,6 @@ open becomes a condition; a minor that vanishes leaves the question undecided.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 
 import sympy as sp
@@ -23,6 +22,7 @@ from lagrange.exact import is_zero
 from lagrange.polynomial_roots import MOST_OPERATIONS, factors
 from lagrange.positivity import Condition, more_than_zero, sign_of
 from lagrange.presentation import shown
+from lagrange.records import record
 from lagrange.solution_sets import Branch, resolved
 from lagrange.unit_circle import NotAlgebraicError
 
@@ -38,7 +38,7 @@ class Verdict(StrEnum):
     UNDECIDED = "undecided"
 
 
-@dataclass(frozen=True)
+@record
 class Stability:
     """The verdict on one branch.
 
@@ -51,7 +51,7 @@ class Stability:
     conditions: tuple[Condition, ...] = ()
 
 
-@dataclass(frozen=True)
+@record
 class SecondVariation:
     """V_kj, shape (f, f), by the coordinates whose displacements are free, and what it says of each branch."""
 

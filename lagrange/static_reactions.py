@@ -16,7 +16,6 @@ Shapes: a (m, n), Q (n,), λ (m,). Reference: Lagrange 1788, part 1, section IV.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -29,6 +28,7 @@ from lagrange.linear import tidy_quotient
 from lagrange.newton import Newton, Reaction
 from lagrange.presentation import shown
 from lagrange.reactions import LinearSystem, Place, Reactions, over_one_denominator, reactions_at
+from lagrange.records import record
 from lagrange.solution_sets import Branch, SolutionSet, parameters_given, resolved
 from lagrange.unit_circle import NotAlgebraicError
 
@@ -36,7 +36,7 @@ MOST_TRIED = 12
 """Points of a branch beyond which its reactions are not looked for."""
 
 
-@dataclass(frozen=True)
+@record
 class Points:
     """The points of one branch of equilibria, and what holds at all of them.
 
@@ -84,7 +84,7 @@ class Points:
         return False if False in found else None if None in found or not found else True
 
 
-@dataclass(frozen=True)
+@record
 class ReactionsAtRest:
     """The reactions at one branch of equilibria.
 
@@ -108,7 +108,7 @@ class ReactionsAtRest:
         return found
 
 
-@dataclass(frozen=True)
+@record
 class StaticReactions:
     """The reactions at the equilibria of one configuration: `at` goes with the branches; None: not found there."""
 

@@ -13,12 +13,12 @@ An acceleration may occur in none of them. Prescribed motions u, u', u'' belong 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from enum import StrEnum
 
 import sympy as sp
 
 from lagrange.notation import Slots, base, differential, t, variation
+from lagrange.records import record
 
 
 class Quantity(StrEnum):
@@ -33,7 +33,7 @@ class Quantity(StrEnum):
     VARIATION = "the virtual displacement"
 
 
-@dataclass(frozen=True)
+@record
 class Allowed:
     """The quantities that may occur in an expression beside parameters, and what to say where another does."""
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
 
 from lagrange.packing import pack, unpack
 from lagrange.polynomials import common_number, factorization
+from lagrange.records import record
 
 LONGEST = 24  # a longer sum is not factored
 
@@ -17,7 +17,7 @@ Exponent = int | Fraction  # Python's numbers: SymPy's are ten times as slow to 
 Factors = dict[sp.Expr, Exponent]  # what is multiplied -> exponent
 
 
-@dataclass(frozen=True)
+@record
 class Term:
     """number · Π factor ** exponent."""
 

@@ -15,7 +15,6 @@ Sums of cosines become products (`products.py`), parameter polynomials are split
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable
-from dataclasses import dataclass
 from fractions import Fraction
 
 import sympy as sp
@@ -28,6 +27,7 @@ from lagrange.packing import unpack
 from lagrange.parameters import Parameters
 from lagrange.polynomials import Polynomial, common_number
 from lagrange.products import Atom
+from lagrange.records import record
 from lagrange.terms import Exponent, Factors, Term, common_powers, divided, factored_sum, multiplied, sum_of
 from lagrange.trigonometry import Ring
 
@@ -36,7 +36,7 @@ __all__ = ["Factor", "Textbook", "common_factor", "normalised", "textbook_form"]
 Powers = tuple[tuple[Atom, int], ...]
 
 
-@dataclass(frozen=True)
+@record
 class Part:
     """One product: a number; parameters and coordinates (`scale`); sines and what moves (`shape`)."""
 

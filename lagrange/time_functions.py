@@ -9,7 +9,7 @@ is assumed of its symbols: `Symbol("m")` is the mass that the problem declares a
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
@@ -18,6 +18,7 @@ from sympy.logic.boolalg import BooleanAtom
 from lagrange.diagnostics import Diagnostic, ProblemError
 from lagrange.lexicon import FUNCTIONS
 from lagrange.notation import Slots, Unspecified, base, t
+from lagrange.records import record
 from lagrange.scope import Scope
 from lagrange.spelling import help_for_function, help_for_symbol
 
@@ -61,7 +62,7 @@ def _function(f: Unspecified) -> sp.Expr:
     return sp.Subs(sp.Derivative(function(*places), *by), tuple(places), f.arguments)
 
 
-@dataclass(frozen=True)
+@record
 class Reader:
     """Reads SymPy's expressions, of slots or of functions of time, as expressions of a problem.
 

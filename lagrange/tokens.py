@@ -9,11 +9,11 @@ parser.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from enum import Enum, auto
 
 from lagrange.characters import DOT, FRACTIONS, GREEK, PRIMES, SUBSCRIPTS, SUPERSCRIPTS, cure, looks
 from lagrange.diagnostics import Diagnostic, Fragment, Level, ProblemError
+from lagrange.records import record
 
 MAX_DIGITS = 30
 
@@ -28,7 +28,7 @@ class Kind(Enum):
     END = auto()
 
 
-@dataclass(frozen=True)
+@record
 class Token:
     """A token, and where it stands in the fragment.
 

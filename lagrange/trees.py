@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from lagrange.records import record
 
 
-@dataclass(frozen=True)
+@record
 class Number:
     """A number as it was written."""
 
@@ -16,7 +17,7 @@ class Number:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Name:
     """A name."""
 
@@ -25,7 +26,7 @@ class Name:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Primed:
     """A time derivative, `order` times."""
 
@@ -35,7 +36,7 @@ class Primed:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Sum:
     """Terms with their signs."""
 
@@ -44,7 +45,7 @@ class Sum:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Product:
     """Factors, each multiplied or divided by."""
 
@@ -53,7 +54,7 @@ class Product:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Power:
     """base ^ exponent."""
 
@@ -63,7 +64,7 @@ class Power:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Call:
     """A name, which ends at `name_end`, applied to arguments in parentheses or to what follows it."""
 
@@ -74,7 +75,7 @@ class Call:
     name_end: int
 
 
-@dataclass(frozen=True)
+@record
 class Components:
     """A list in brackets: the components of a vector."""
 
@@ -83,7 +84,7 @@ class Components:
     end: int
 
 
-@dataclass(frozen=True)
+@record
 class Bars:
     """|x|: the absolute value of a scalar, the length of a vector."""
 

@@ -12,7 +12,7 @@ function.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import combinations, islice
 from typing import TypeVar
@@ -25,6 +25,7 @@ from lagrange.field import InadmissibleError
 from lagrange.graph import DivisionByZeroError, Op, UnsupportedError
 from lagrange.notation import t
 from lagrange.points import Point
+from lagrange.records import record
 from lagrange.residues import FieldPoint
 
 TRIALS = 12
@@ -40,7 +41,7 @@ Fresh = Callable[[Graph], FieldPoint]
 AnyPoint = TypeVar("AnyPoint", bound=Point)
 
 
-@dataclass(frozen=True)
+@record
 class Order:
     """Constraints in the order in which they are solved.
 

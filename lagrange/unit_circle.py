@@ -10,10 +10,11 @@ An unknown that occurs beside its own sine and cosine (k θ = m g l sin θ) keep
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from math import lcm
 
 import sympy as sp
+
+from lagrange.records import record
 
 HIGHEST_MULTIPLE = 12
 """The highest multiple of an angle that is expanded."""
@@ -26,7 +27,7 @@ class NotAlgebraicError(Exception):
     """An expression is no algebraic function of the letters."""
 
 
-@dataclass(frozen=True)
+@record
 class Angle:
     """An angle with letters; `measure` is θ, or θ/2 where that occurs."""
 

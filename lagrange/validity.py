@@ -15,7 +15,7 @@ vanish: on the surface of the constraints, at a real point.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import sympy as sp
@@ -33,6 +33,7 @@ from lagrange.exact import (
 )
 from lagrange.measures import Measures
 from lagrange.notation import partial
+from lagrange.records import record
 from lagrange.terms import Factors, common_powers, divided, multiplied, number_apart
 from lagrange.textbook import textbook_form
 
@@ -44,7 +45,7 @@ _MOST_FACTORS = 8
 _BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
 
 
-@dataclass(frozen=True)
+@record
 class Condition:
     """`factor` must not vanish, for an equation is multiplied by it (or divided).
 
@@ -73,7 +74,7 @@ def conditions(equations: Sequence[sp.Expr], system: System, *, complete: bool =
     return [tuple(c for c in own if complete or not c.together) for own in found]
 
 
-@dataclass(frozen=True)
+@record
 class _Combination:
     """An equation as one of constraints and derived equations.
 

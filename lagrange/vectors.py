@@ -13,16 +13,16 @@ product, and in the fixed one for a sum.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.notation import Slots, UnitVector, derivative, partial, prime, t
+from lagrange.records import record
 
 Components = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
-@dataclass(frozen=True)
+@record
 class Triad:
     """Three orthonormal right-handed unit vectors.
 
@@ -50,7 +50,7 @@ UNITS = {unit.name: unit for unit in FIXED.units}
 """i, j, k as symbols, by name."""
 
 
-@dataclass(frozen=True)
+@record
 class Vector:
     """Components in a triad."""
 

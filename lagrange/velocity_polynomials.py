@@ -12,10 +12,10 @@ Reference: any book on linear algebra under Lagrange's reduction, and Sylvester'
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
+from lagrange.records import record
 from lagrange.textbook import common_factor, normalised, textbook_form
 
 MOST_TERMS = 60
@@ -111,7 +111,7 @@ def primitive(form: sp.Expr) -> sp.Expr:
     return normalised(textbook_form(common_factor(tidied).divide(tidied)))
 
 
-@dataclass(frozen=True)
+@record
 class Square:
     """One term d ℓ² of a quadratic polynomial: d is `factor`, ℓ is `form`, affine in the velocities."""
 

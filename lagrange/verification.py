@@ -15,7 +15,6 @@ printed forms. A check that cannot be decided says so and does not count as held
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -32,11 +31,12 @@ from lagrange.notation import Slots, t
 from lagrange.potentials import differentiated
 from lagrange.principle import dalembert
 from lagrange.reactions import Reactions
+from lagrange.records import record
 from lagrange.sampling import agreed
 from lagrange.workless import WorkOfReaction
 
 
-@dataclass(frozen=True)
+@record
 class Check:
     """A check: what holds, whether it did (None: undecided), and how that was found.
 

@@ -13,7 +13,6 @@ constraint moves: a lift works on its passengers.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -21,10 +20,11 @@ from lagrange.displacements import Elimination, virtual_displacement
 from lagrange.kinematics import Configuration
 from lagrange.newton import Newton, Reaction
 from lagrange.notation import differential, t, variation
+from lagrange.records import record
 from lagrange.textbook import textbook_form
 
 
-@dataclass(frozen=True)
+@record
 class WorkOfReaction:
     """The work of one reaction.
 

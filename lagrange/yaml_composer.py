@@ -10,13 +10,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import yaml
 
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source, Span
 from lagrange.findings import Findings
 from lagrange.nodes import Mapping, Node, Scalar, Sequence
+from lagrange.records import record
 from lagrange.yaml_text import ScalarText
 
 MAX_DEPTH = 20
@@ -26,7 +26,7 @@ MAX_ALIASES = 50
 _Loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
-@dataclass(frozen=True)
+@record
 class _Anchored:
     """A node that aliases may repeat, with the number of its parts and its depth."""
 

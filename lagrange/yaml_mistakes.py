@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import yaml
 
 from lagrange.diagnostics import Diagnostic, Source, Span
+from lagrange.records import record
 
 _UNREADABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]")
 _QUOTES_HELP = "put the whole value in quotes"
@@ -52,7 +52,7 @@ def yaml_mistake(source: Source, error: yaml.YAMLError) -> Diagnostic:
     return Diagnostic("not-yaml", found.message, Span(source, start, start + max(1, found.length)), help=help_)
 
 
-@dataclass(frozen=True)
+@record
 class _Place:
     """Where the library gave up, where what it was reading had begun, and what it said."""
 
@@ -75,7 +75,7 @@ class _Place:
         return self.text[self.line_start : self.at]
 
 
-@dataclass(frozen=True)
+@record
 class _Mistake:
     at: int
     message: str

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from lagrange.diagnostics import Fragment, Span
+from lagrange.records import record
 
 Place = tuple[str, int, int]
 """A character, and where what stands for it begins and ends."""
@@ -23,7 +23,7 @@ _NAMED = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
+@record
 class ScalarText(Fragment):
     """The text of a scalar that is not written as it is read. `style` is YAML's: `'`, `"`, `|`, `>` or empty."""
 

@@ -15,7 +15,7 @@ import pytest
 from conftest import ROOT
 
 LAYERS = {
-    "words and symbols": "diagnostics notation vectors rotation",
+    "words and symbols": "records diagnostics notation vectors rotation",
     "exact evaluation": """elimination graph field evaluation points residues reals walls branches blocks projection
         triangular sampler exact sampling""",
     "the ring of Fourier sums": """packing polynomials terms fourier generators parameters division products

@@ -7,17 +7,17 @@ problem exercises; a library without it has the folders' names.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from lagrange.library import entries, named, path_of, root, short_names, topic_hint
+from lagrange.records import record
 
 __all__ = ["Entry", "Index", "containing", "entries", "index", "named", "path_of", "short_names", "topic_hint"]
 QUESTIONS = ("constraints", "equilibrium", "motion", "linearization")
 
 
-@dataclass(frozen=True)
+@record
 class Entry:
     """One shipped problem, as it is listed.
 
@@ -38,7 +38,7 @@ class Entry:
         return self.name.rpartition("/")[0]
 
 
-@dataclass(frozen=True)
+@record
 class Index:
     """What `index.yaml` says: headings of the topics, in their order, and what problems exercise."""
 

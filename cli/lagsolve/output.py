@@ -7,12 +7,12 @@ import shutil
 import sys
 import textwrap
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
+from lagrange.records import record
 from lagsolve.stages import stage_shown
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ NARROWEST = 20
 PIPED = 80
 
 
-@dataclass(frozen=True)
+@record
 class Destination:
     """What was asked on the command line; `path` is None for standard output."""
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import gc
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from lagrange.records import record
 from lagsolve.output import Destination
 from lagsolve.stages import stage_shown
 from lagsolve.status import OK, UNDECIDED, complain, say
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from lagrange.report import Report
 
 
-@dataclass(frozen=True)
+@record
 class Task:
     """What is to be solved, how, and where the result goes."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -21,12 +20,13 @@ from lagrange.multipliers import LagrangeMotion
 from lagrange.newton import Reaction
 from lagrange.notation import Dot, VectorSymbol, variation
 from lagrange.problem import Friction, Problem
+from lagrange.records import record
 from lagrange.vectors import Vector
 
 ZERO = sp.S.Zero
 
 
-@dataclass(frozen=True)
+@record
 class Told:
     """What all parts of the explanation in one set of coordinates need.
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
+from lagrange.records import record
 from lagrange.render.mathematics import UNICODE, Notation, Writer
 from lagrange.scene import Box, Dot, Label, Line, Point
 
@@ -28,7 +28,7 @@ _COMBINING = re.compile("[\u0300-\u036f]")
 _RAISED = "₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ"
 
 
-@dataclass(frozen=True)
+@record
 class Wanted:
     """A label that is to be placed.
 

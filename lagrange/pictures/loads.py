@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import sympy as sp
 
@@ -20,6 +19,7 @@ from lagrange.pictures.floats import NoValueError, Space, minus, unit
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import force_and_moment, is_planar, reaction_point
 from lagrange.pictures.systems import System, ends_of, with_other_values
+from lagrange.records import record
 from lagrange.scene import Kind
 from lagrange.textbook import textbook_form
 from lagrange.vectors import Vector
@@ -30,7 +30,7 @@ _SOMEWHERE = ((0.83, 0.56, 0.0), (0.7, 0.4, 0.6))
 """A direction for a force of which none is known: in the plane, in space."""
 
 
-@dataclass(frozen=True)
+@record
 class Acting:
     """A force or moment.
 

@@ -13,19 +13,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.pictures.floats import NoValueError, Space, inner, minus, plus
 from lagrange.pictures.poses import Pose
+from lagrange.records import record
 from lagrange.vectors import Vector
 
 _SAME = 1e-7
 _STEPS = (0.7, -1.1, 2.3)
 
 
-@dataclass(frozen=True)
+@record
 class AngleMark:
     """An angle at `centre` from the direction `reference` (where q = 0) to the point.
 
@@ -43,7 +43,7 @@ class AngleMark:
         return self.arc[0]
 
 
-@dataclass(frozen=True)
+@record
 class DistanceMark:
     """A distance from `start` to `end`."""
 

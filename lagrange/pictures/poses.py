@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
 from random import Random
@@ -21,6 +21,7 @@ from lagrange.kinematics import Configuration
 from lagrange.notation import Sign, t
 from lagrange.pictures.floats import NoValueError, Space, Values, minus, place, projected, value
 from lagrange.problem import Problem
+from lagrange.records import record
 from lagrange.vectors import Vector
 
 TRIALS = 48
@@ -31,7 +32,7 @@ _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
 
 
-@dataclass(frozen=True)
+@record
 class Pose:
     """Values of all symbols, and the relations that these satisfy."""
 

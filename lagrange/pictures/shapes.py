@@ -10,19 +10,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 from lagrange.kinematics import Configuration
 from lagrange.newton import Reaction
 from lagrange.pictures.floats import NoValueError, Space, inner, minus, outer, plus, solved
 from lagrange.pictures.poses import Pose
+from lagrange.records import record
 from lagrange.rigid_bodies import Rotation
 from lagrange.vectors import Vector
 
 _SAME = 1e-6
 
 
-@dataclass(frozen=True)
+@record
 class Shape:
     """What is known of a plane body.
 
@@ -36,7 +36,7 @@ class Shape:
     at: dict[str, tuple[float, float]]
 
 
-@dataclass(frozen=True)
+@record
 class LineOfAction:
     """Where a force acts on a body: the direction, and the nearest point from the mass centre."""
 

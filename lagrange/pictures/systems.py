@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import combinations
 
@@ -20,6 +20,7 @@ from lagrange.pictures.poses import Pose, general_pose, notable
 from lagrange.pictures.shapes import Shape, is_planar, own_coordinates, shape
 from lagrange.pictures.views import View, view
 from lagrange.problem import Problem
+from lagrange.records import record
 from lagrange.rigid_bodies import Rotation
 from lagrange.rods import Rod
 from lagrange.scene import Point
@@ -31,7 +32,7 @@ MOST_POINTS = 12
 LONGEST_LINE = 7.0
 
 
-@dataclass(frozen=True)
+@record
 class System:
     """A system in a position, on a page.
 
@@ -160,7 +161,7 @@ def _holds(system: System, body: MassPoint, point: Callable[[Pose], Space | None
     return _same_everywhere(system.pose, inside)
 
 
-@dataclass(frozen=True)
+@record
 class Page:
     """From space to centimetres; the origin is at (0, 0)."""
 

@@ -10,9 +10,9 @@ towards the reader, j to the right, k up, or turned so that the words of the fil
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from lagrange.pictures.floats import Space
+from lagrange.records import record
 from lagrange.scene import Point
 
 _RIGHT, _UP = (1.0, 0.0), (0.0, 1.0)
@@ -39,7 +39,7 @@ _WORDS = {
 _COMPASS = ({"i": "east", "j": "north"}, (_RIGHT, _FAR, _UP)), ({"i": "north", "j": "east"}, (_FAR, _RIGHT, _DOWN))
 
 
-@dataclass(frozen=True)
+@record
 class View:
     """Where the unit vectors point on the page, and which of them are drawn."""
 

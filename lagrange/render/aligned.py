@@ -7,11 +7,11 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import sympy as sp
 
 from lagrange.derivation import Block, Equation, Mathematics
+from lagrange.records import record
 from lagrange.render.breaking import Breaker, Line
 from lagrange.render.ems import ems
 from lagrange.render.mathematics import Writer
@@ -22,7 +22,7 @@ ALIGN = "\ue003"
 """Where a row is aligned: the place of `&`."""
 
 
-@dataclass(frozen=True)
+@record
 class Typesetter:
     """Mathematics as rows of TeX.
 

@@ -10,15 +10,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
+from lagrange.records import record
 from lagrange.render.pieces import BREAK, END, START, plain
 
 Measure = Callable[[str], float]
 _TOKENS = re.compile(f"([{START}{BREAK}{END}])")
 
 
-@dataclass(frozen=True)
+@record
 class Line:
     """A line of mathematics."""
 
@@ -26,7 +26,7 @@ class Line:
     code: str
 
 
-@dataclass(frozen=True)
+@record
 class Breaker:
     """Breaks equations to a width.
 

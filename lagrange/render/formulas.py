@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from html import escape
 from itertools import pairwise
 from xml.etree import ElementTree
@@ -17,6 +16,7 @@ from xml.etree import ElementTree
 import sympy as sp
 
 from lagrange.derivation import Mathematics
+from lagrange.records import record
 from lagrange.render.mathematics import TEXT, Notation, Writer
 from lagrange.render.pieces import BREAK, END, START, plain
 from lagrange.render.style_mathml import MathML, WideMathML
@@ -33,7 +33,7 @@ _OPERATORS = "+−=≠≤≥<>≡≈→∝∧"
 _SMALLER = {"msub", "msup", "msubsup"}
 
 
-@dataclass(frozen=True)
+@record
 class Formulas:
     """Writes formulas in one notation."""
 

@@ -7,13 +7,13 @@ quasi-velocities, unknown forces, and the scalars that take the names of the uni
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
 
 import sympy as sp
 
 from lagrange.notation import FormSymbol, Sign, UnitVector, VectorSymbol
+from lagrange.records import record
 from lagrange.render.names import GREEK, Name
 
 Place = tuple[int, str, tuple[str, ...]]  # declared order, then alphabetic
@@ -37,7 +37,7 @@ class Kind(IntEnum):
 MOVING = (Kind.ACCELERATION, Kind.VELOCITY, Kind.COORDINATE)
 
 
-@dataclass(frozen=True)
+@record
 class Notation:
     """What writing has to know of a problem's symbols. Everything may be left out.
 

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from itertools import groupby
 
 from lagrange.derivation import (
@@ -30,6 +29,7 @@ from lagrange.derivation import (
     Table,
     Term,
 )
+from lagrange.records import record
 from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.ems import ems
 from lagrange.render.escape import escape, slug
@@ -83,7 +83,7 @@ def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STE
     return "\n".join(_Article(derivation, notation, detail, prefix or slug(derivation.title)).all()) + "\n"
 
 
-@dataclass(frozen=True)
+@record
 class _Row:
     """A row of `align`."""
 

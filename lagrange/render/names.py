@@ -10,8 +10,9 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from dataclasses import dataclass
 from functools import lru_cache
+
+from lagrange.records import record
 
 # name: (letter, LaTeX). Capitals that look Latin have no LaTeX command; ℓ, a letter like any of these, is among them.
 GREEK: dict[str, tuple[str, str]] = {
@@ -83,7 +84,7 @@ _MIXED = re.compile(r"(\d+)([aehijklmnoprstuvx])\Z")  # a_1t
 _NUMBERED = re.compile(r"([^\W\d_]+)(\d+)\Z")
 
 
-@dataclass(frozen=True)
+@record
 class Name:
     """A name in its parts.
 

@@ -66,18 +66,22 @@ class Words:
 
 def fill(words: Words, width: int, hang: int = 0) -> Iterator[Text]:
     """The lines of a paragraph; `hang`: the indentation of all but the first."""
-    line = Text()
+    line: list[Text] = []
+    room = 0
     for word in words.words:
-        together = Text.assemble(line, " ", word) if line else word
-        if cell_len(together.plain) <= width:
-            line = together
+        cells = cell_len(word.plain)
+        if line and cells < room:
+            line.append(word)
+            room -= cells + 1
             continue
         if line:
-            yield line
-        *full, line = _torn(word, width, hang)
+            yield Text(" ").join(line)
+        *full, last = _torn(word, width, hang)
         yield from full
+        line = [last]
+        room = width - cell_len(last.plain)
     if line:
-        yield line
+        yield Text(" ").join(line)
 
 
 def pad(line: Text, right: str, width: int) -> Text:

@@ -8,8 +8,9 @@ and how deep; `plain` takes them out.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from enum import IntEnum
+
+from lagrange.records import record
 
 START, BREAK, END = "\ue000", "\ue001", "\ue002"
 _MARKS = re.compile(f"[{START}{BREAK}{END}]")
@@ -31,7 +32,7 @@ class Level(IntEnum):
     ATOM = 5  # x, f(x), (a + b)
 
 
-@dataclass(frozen=True)
+@record
 class Piece:
     """A piece of mathematics, spelled. `tight`: a number can stand before it without a space."""
 

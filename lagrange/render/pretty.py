@@ -58,8 +58,8 @@ def show(
 ) -> None:
     """Prints a derivation to standard output, or to another console."""
     console = console or Console(width=width)
-    for line in lines(derivation, notation, width or console.width, detail):
-        console.print(line, soft_wrap=True, highlight=False)
+    page = Text("\n").join(lines(derivation, notation, width or console.width, detail))
+    console.print(page, soft_wrap=True, highlight=False)
 
 
 def coloured(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> str:

@@ -8,7 +8,7 @@ left out: JSON has everything.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 
 import sympy as sp
@@ -29,6 +29,7 @@ from lagrange.derivation import (
     Step,
     listed,
 )
+from lagrange.records import record
 from lagrange.vectors import Vector
 
 LARGEST_STEP = 2000
@@ -39,7 +40,7 @@ BEGINNING = 500
 """Operations of what is shown of a larger step."""
 
 
-@dataclass(frozen=True)
+@record
 class Shown:
     """The steps with what is shown of them, the numbers of the equations, and the equations left out."""
 

@@ -43,8 +43,9 @@ class Spent:
 
 
 def run(command: Sequence[str]) -> Spent:
-    """One process, its output kept."""
-    environment = os.environ | {"PYTHONPATH": f"{ROOT}{os.pathsep}{ROOT / 'cli'}{os.pathsep}{ROOT / 'tests'}"}
+    """One process, its output kept. Bytecode is written and used, whatever the environment says, as where it is installed."""
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    environment["PYTHONPATH"] = os.pathsep.join(map(str, (ROOT, ROOT / "cli", ROOT / "tests")))
     with tempfile.TemporaryFile("w+", encoding="utf-8") as output:
         process = subprocess.Popen(command, stdout=output, stderr=subprocess.DEVNULL, cwd=ROOT, env=environment)
         _, status, usage = os.wait4(process.pid, 0)

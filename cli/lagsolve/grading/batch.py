@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
-from dataclasses import dataclass
 from typing import Any
 
 from lagrange.answers import Verdict
 from lagrange.grading import Graded, Submission
+from lagrange.records import record
 from lagsolve.grading.worker import FailedError, LostError, SetupError, StoppedError
 
 TRIES = 2
@@ -21,7 +21,7 @@ PULSE = 0.5
 """Seconds between two looks at the clock while nothing is ready."""
 
 
-@dataclass(frozen=True)
+@record
 class _Trial:
     submission: Submission
     number: int = 1

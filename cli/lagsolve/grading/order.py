@@ -10,7 +10,6 @@ import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
@@ -20,6 +19,7 @@ from typing import Any
 from lagrange.answers import Verdict
 from lagrange.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.grading import Graded, Submission
+from lagrange.records import record
 from lagsolve.grading.batch import outcomes
 from lagsolve.grading.examining import examine, examine_within_limits, grader, prepare
 from lagsolve.grading.feedback import page, page_names
@@ -34,7 +34,7 @@ AHEAD = 4
 """Submissions handed over for each process, so that none waits for the next."""
 
 
-@dataclass(frozen=True)
+@record
 class Order:
     """What the command line asks for. `csv` and `feedback` are None where they are not wanted."""
 

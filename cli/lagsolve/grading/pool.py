@@ -11,9 +11,9 @@ import queue
 import threading
 from collections.abc import Callable
 from concurrent.futures import Executor, Future
-from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from lagrange.records import record
 from lagsolve.grading.child import nothing
 from lagsolve.grading.worker import FailedError, Limits, LostError, Worker
 
@@ -28,7 +28,7 @@ def available_cores() -> int:
     return len(affinity(0)) if affinity else os.cpu_count() or 1
 
 
-@dataclass(frozen=True)
+@record
 class _Task:
     future: Future[Any]
     function: Callable[..., Any]

@@ -12,7 +12,7 @@ import re
 import textwrap
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 from rich import box
 from rich.console import Console
@@ -21,13 +21,14 @@ from rich.text import Text
 
 from lagrange.answers import Verdict
 from lagrange.grading import Graded
+from lagrange.records import record
 
 LONGEST_REMARK = 300
 FORMULA = re.compile(r"(^\s*|[;\t]\s*[\"']*)(?=[=+\-@＝＋－＠\t\r])")
 COLOURS = {Verdict.EQUIVALENT: "green", Verdict.WRONG: "red", Verdict.UNDECIDED: "magenta"}
 
 
-@dataclass(frozen=True)
+@record
 class Row:
     """One submission; the fields are the columns of the CSV file. What is not known is None."""
 

@@ -13,12 +13,12 @@ import stat
 import unicodedata
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 
 from lagrange.diagnostics import Diagnostic, ProblemError
 from lagrange.grading import Submission
+from lagrange.records import record
 from lagrange.yaml_nodes import MAX_BYTES
 
 ENDINGS = ("", ".txt", ".md", ".tex", ".yaml", ".yml")
@@ -38,7 +38,7 @@ class RefusedError(Exception):
     """A submission that is not read. The message completes `it ...`."""
 
 
-@dataclass(frozen=True)
+@record
 class Entry:
     """A submission that has not been read yet.
 

@@ -14,9 +14,9 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, TypeVar
 
+from lagrange.records import record
 from lagsolve.grading.child import read_frame, write_frame
 
 T = TypeVar("T")
@@ -24,7 +24,7 @@ T = TypeVar("T")
 PROGRAM = "import sys; sys.path[:] = {path!r}; from lagsolve.grading.child import main; main()"
 
 
-@dataclass(frozen=True)
+@record
 class Limits:
     """What one call may take: seconds of the clock, and megabytes of address space of its process."""
 

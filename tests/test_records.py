@@ -1,0 +1,113 @@
+"""Records are to be told from frozen dataclasses by nothing but what they cost."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from copy import deepcopy
+from dataclasses import FrozenInstanceError, dataclass, field, fields, replace
+from functools import cached_property
+from pickle import dumps, loads
+from typing import Any
+
+import pytest
+
+from lagrange.records import record
+
+
+def described(made: Callable[[type], type]) -> tuple[type, type]:
+    """A class with what dataclasses have, and one derived from it."""
+
+    @made
+    class Plane:
+        x: int
+        y: int = 0
+        note: str = field(default="", compare=False, repr=False)
+
+        @cached_property
+        def sum(self) -> int:
+            return self.x + self.y
+
+    @made
+    class Space(Plane):
+        z: tuple[int, ...] = field(default_factory=tuple, kw_only=True)
+
+    return Plane, Space
+
+
+@record
+class Picklable:
+    """At the top of a module, where pickle finds it."""
+
+    name: str
+
+
+@pytest.fixture(params=[record, dataclass(frozen=True)], ids=["record", "dataclass"])
+def classes(request: pytest.FixtureRequest) -> tuple[Any, Any]:
+    return described(request.param)
+
+
+def test_parts(classes: tuple[Any, Any]) -> None:
+    plane, space = classes
+    assert [f.name for f in fields(space)] == ["x", "y", "note", "z"]
+    assert plane(1) == plane(1, 0, "not compared") == replace(plane(2), x=1)
+    assert plane(1) != plane(2)
+    assert plane(1) != space(1)
+    assert plane(1) != (1, 0)
+    assert hash(plane(1)) == hash(plane(1, note="n"))
+    assert len({space(1), space(1), space(1, z=(2,))}) == 2
+    assert repr(plane(1)).endswith("Plane(x=1, y=0)")
+    assert repr(space(1, z=(2,))).endswith("Space(x=1, y=0, z=(2,))")
+
+
+def test_nothing_is_changed(classes: tuple[Any, Any]) -> None:
+    for one in (classes[0](1), classes[1](1)):
+        assert one.sum == 1  # what is cached may be written
+        for name in ("x", "y", "note", "new"):
+            with pytest.raises(FrozenInstanceError, match=f"cannot assign to field '{name}'"):
+                setattr(one, name, 2)
+            with pytest.raises(FrozenInstanceError, match=f"cannot delete field '{name}'"):
+                delattr(one, name)
+        assert deepcopy(one) == one
+        assert one.x == 1
+
+
+def test_arguments(classes: tuple[Any, Any]) -> None:
+    with pytest.raises(TypeError, match="missing 1 required positional argument: 'x'"):
+        classes[0]()
+    with pytest.raises(TypeError, match="takes from 2 to 4 positional arguments"):
+        classes[1](1, 2, "", ())
+
+
+def test_own_methods_stay() -> None:
+    @record
+    class Own:
+        x: int
+
+        def __repr__(self) -> str:
+            return "own"
+
+        def __eq__(self, other: object) -> bool:
+            return isinstance(other, Own)
+
+        def __hash__(self) -> int:
+            return 7
+
+    assert repr(Own(1)) == "own"
+    assert Own(1) == Own(2)
+    assert hash(Own(1)) == 7
+
+
+def test_without_a_hash_of_its_own_there_is_none() -> None:
+    @record
+    class Own:
+        x: int
+
+        def __eq__(self, other: object) -> bool:
+            return True
+
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(Own(1))
+
+
+def test_pickle() -> None:
+    assert loads(dumps(Picklable("n"))) == Picklable("n")
