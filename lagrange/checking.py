@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -20,7 +20,7 @@ from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.latex_layout import separated
 from lagrange.notation import base
 from lagrange.problem import Answers, Problem
-from lagrange.reaction_answers import AtRest, check_reaction, reading_error
+from lagrange.reaction_answers import AtRest, check_reaction
 from lagrange.records import record
 from lagrange.reference_systems import reference_of_equations
 from lagrange.references import Reference, reference_of_solution
@@ -141,18 +141,15 @@ def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> ComparedAn
     parts: list[EquationVerdict] = []
     messages: list[Diagnostic] = []
     for name, fragment in stated.items():
-        error = reading_error(fragment, reference)
-        if error is not None:
+        check = at_rest.check_stated if at_rest else partial(check_reaction, reference=reference)
+        unreadable = EquationVerdict(f"{name}: {fragment.text}", Verdict.UNREADABLE)
+        try:
+            found = check(fragment, reactions[name])
+        except ProblemError as error:
             messages += error.diagnostics
-            found = None
-        elif at_rest:
-            found = at_rest.check_stated(fragment, reactions[name])
-        else:
-            found = check_reaction(fragment, reactions[name], reference)
-        if found is not None:
-            parts.append(found)
-        elif error is not None or not _some_left_out(solution):
-            parts.append(EquationVerdict(f"{name}: {fragment.text}", Verdict.UNREADABLE))
+            found = unreadable
+        if found is not None or not _some_left_out(solution):
+            parts.append(found or unreadable)
     if not parts:
         return None
     order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)

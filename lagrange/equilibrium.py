@@ -15,8 +15,9 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 import sympy as sp
 
@@ -26,7 +27,7 @@ from lagrange.common_factor import Factor, common_factor, normalised
 from lagrange.displacements import Elimination
 from lagrange.equations import of_independent
 from lagrange.exact import is_zero, rank
-from lagrange.kinematics import Configuration
+from lagrange.kinematics import Configuration, Row
 from lagrange.notation import multiplier, variation
 from lagrange.principle import generalized_forces
 from lagrange.records import record
@@ -82,7 +83,7 @@ class Equilibrium:
     given        whether the position is taken as given, because the forces alone are determined
     solution     all solutions
     branches     those of the solution, without multipliers
-    multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each row that is no identity
+    multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
     """
 
     configuration: Configuration
@@ -103,6 +104,16 @@ class Equilibrium:
         return (*(c.expression for c in self.conditions), *self.configuration.finite_constraints)
 
     @property
+    def binding(self) -> tuple[Row, ...]:
+        """The constraints that are no identities."""
+        return tuple(r for r in self.configuration.rows if not r.is_identity)
+
+    def balance(self, multipliers: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
+        """Q + Aᵀ λ, shape (n,), one λ for each binding constraint."""
+        pairs = tuple(zip(multipliers, self.binding, strict=True))
+        return tuple(sp.Add(q, *(m * row.coefficients[k] for m, row in pairs)) for k, q in enumerate(self.work.forces))
+
+    @cached_property
     def needs_multipliers(self) -> bool:
         """Whether dividing by pivots may lose equilibria: one of them vanishes there, or no other was found."""
         pivots = self.elimination.pivots
@@ -143,7 +154,7 @@ def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None
     With constraints the generalized forces must be a combination of their rows, Q = −Aᵀ λ; nothing is divided by.
     Finite constraints must hold. Raises what `at` raises.
     """
-    rows = [r for r in e.configuration.rows if not r.is_identity]
+    rows = e.binding
     verdicts: list[bool | None] = [is_zero(at(f)) for f in e.configuration.finite_constraints]
     if not rows:
         verdicts += [is_zero(at(c.expression)) for c in e.conditions]
@@ -229,17 +240,12 @@ def _for_forces(e: Equilibrium) -> Equilibrium | None:
 
 def _for_all(e: Equilibrium) -> Equilibrium:
     """Positions, and the forces that go with them."""
-    rows = [r for r in e.configuration.rows if not r.is_identity]
-    multipliers = [multiplier(f"of_equilibrium_{n}") for n, _ in enumerate(rows)]
-    coordinates = e.configuration.slots.coordinates
-    if rows:
-        equations = [
-            e.work.forces[k] + sp.Add(*(m * row.coefficients[k] for m, row in zip(multipliers, rows, strict=True)))
-            for k, _ in enumerate(coordinates)
-        ]
-        equations += e.configuration.finite_constraints
+    multipliers = [multiplier(f"of_equilibrium_{n}") for n, _ in enumerate(e.binding)]
+    if multipliers:
+        equations = [*e.balance(multipliers), *e.configuration.finite_constraints]
     else:
         equations = [c.expression for c in e.conditions]
+    coordinates = e.configuration.slots.coordinates
     solution = solutions(equations, (*coordinates, *e.forces, *multipliers), (*multipliers, *e.forces))
     return replace(
         e, solution=solution, branches=_without(solution.branches, multipliers), multipliers=tuple(multipliers)

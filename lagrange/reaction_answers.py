@@ -9,7 +9,7 @@ Of a system at rest it is right when it holds at every equilibrium, exactly.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -17,7 +17,7 @@ import sympy as sp
 from lagrange.answer_readings import Reading
 from lagrange.answers import EquationVerdict, Verdict
 from lagrange.comparison import Standing, compare
-from lagrange.diagnostics import Fragment, ProblemError
+from lagrange.diagnostics import Fragment
 from lagrange.exact import DivisionByZeroError, is_zero
 from lagrange.expressions import MAX_ANSWER_CHARACTERS, read_equation, read_value
 from lagrange.newton import Newton, Reaction
@@ -34,15 +34,23 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
     """The verdict on what is stated of one reaction; None where no set of coordinates has all that it uses.
 
     Where it is right with another meaning of the reaction than the derivation's, the remark says which was taken.
+    Raises ProblemError where it cannot be read.
     """
+    return _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
+
+
+def _stated(
+    fragment: Fragment,
+    reaction: Reaction,
+    reference: Reference,
+    judged: Callable[[str, Claim], Iterator[EquationVerdict]],
+) -> EquationVerdict | None:
+    """The best verdict on all that may be meant; None where nothing is said of any of it."""
     text = f"{reaction.name}: {fragment.text}"
-    try:
-        claims = _claims(fragment, reaction, reference)
-    except ProblemError:
-        claims = []
+    claims = _claims(fragment, reaction, reference)
     if not claims:
         return EquationVerdict(text, Verdict.UNREADABLE)
-    return _best(_judged(text, claims, reference), _STATED)
+    return _best((verdict for claim in claims for verdict in judged(text, claim)), _STATED)
 
 
 _STATED = (Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG)
@@ -63,26 +71,14 @@ def _rank(verdict: Verdict, order: Sequence[Verdict]) -> int:
     return order.index(verdict) if verdict in order else len(order)
 
 
-def _judged(text: str, claims: Sequence[Claim], reference: Reference) -> Iterator[EquationVerdict]:
-    """The verdicts on all that may be meant, in all sets of coordinates that have what it uses."""
-    for claim, said in claims:
-        for c in reference.candidates:
-            verdict = _verdict(claim, c, reference)
-            if verdict is not None:
-                right = verdict is Verdict.EQUIVALENT
-                yield EquationVerdict(text, verdict, remarks=(*said, *c.said_of([claim])) if right else ())
-
-
-def reading_error(fragment: Fragment, reference: Reference) -> ProblemError | None:
-    """Why what is stated of a reaction cannot be read; None where it can."""
-    try:
-        if "=" in fragment.text:
-            read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS)
-        else:
-            read_value(fragment, reference.scope, [])
-    except ProblemError as error:
-        return error
-    return None
+def _judged(text: str, claim: Claim, reference: Reference) -> Iterator[EquationVerdict]:
+    """The verdicts on what may be meant, in all sets of coordinates that have what it uses."""
+    zero, said = claim
+    for c in reference.candidates:
+        verdict = _verdict(zero, c, reference)
+        if verdict is not None:
+            right = verdict is Verdict.EQUIVALENT
+            yield EquationVerdict(text, verdict, remarks=(*said, *c.said_of([zero])) if right else ())
 
 
 Claim = tuple[sp.Expr, tuple[str, ...]]
@@ -90,7 +86,7 @@ Claim = tuple[sp.Expr, tuple[str, ...]]
 
 
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[Claim]:
-    """What may be meant, what the derivation means first."""
+    """What may be meant, what the derivation means first. Raises ProblemError where it cannot be read."""
     if "=" in fragment.text:
         equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS, latex=True)
         lhs, rhs = equation.lhs, equation.rhs
@@ -149,15 +145,8 @@ class AtRest:
         self.names = {*newton.multipliers_by_name.values(), *newton.tensions}
 
     def check_stated(self, fragment: Fragment, reaction: Reaction) -> EquationVerdict | None:
-        """The verdict on what the file states of one reaction; None where no coordinates have all that it uses."""
-        text = f"{reaction.name}: {fragment.text}"
-        try:
-            claims = _claims(fragment, reaction, self.reference)
-        except ProblemError:
-            claims = []
-        if not claims:
-            return EquationVerdict(text, Verdict.UNREADABLE)
-        return _best((v for claim, said in claims for v in self._judged(text, [claim], said)), _STATED)
+        """The verdict on what the file states of one reaction, as `check_reaction` gives it of a moving system."""
+        return _stated(fragment, reaction, self.reference, lambda text, claim: self._judged(text, claim[:1], claim[1]))
 
     def is_about(self, reading: Reading) -> bool:
         """Whether an equation of an answer says something of reactions."""

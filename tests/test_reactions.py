@@ -239,6 +239,9 @@ def test_the_same_functions_at_rest(problem: Read) -> None:
         ("m*g*cos(theta)", "wrong"),
         ("2*(m*g*cos(theta) + m*l*theta'^2)", "wrong"),
         ("[0, 1]", "unreadable"),
+        (r"m g \\cos\\theta + m l \\dot\\theta^2", "equivalent"),  # in YAML's quotes a backslash is written twice
+        (r"T = m g \\cos\\theta + m l \\dot\\theta^2", "equivalent"),
+        (r"T = m g \\cos\\theta", "wrong"),
     ],
 )
 def test_stated_reactions(problem: Read, stated: str, verdict: str) -> None:

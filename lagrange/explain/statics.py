@@ -136,7 +136,7 @@ def _conclusion(found: Equilibrium) -> list[Block]:
 def _with_multipliers(found: Equilibrium) -> list[Block]:
     """The constraints added with multipliers, where dividing by a pivot could lose an equilibrium."""
     slots = found.configuration.slots
-    rows = [r for r in found.configuration.rows if not r.is_identity]
+    rows = found.binding
     numbers = [r.multiplier for r in rows]
     added = (n * virtual_displacement(r, slots) for n, r in zip(numbers, rows, strict=True))
     put_in = listed(math(variation(slots.coordinates[d])) for d in found.elimination.dependent)
@@ -162,11 +162,8 @@ def _stated(found: Equilibrium) -> list[tuple[str, sp.Expr]]:
     suffix = _suffix(found.configuration)
     if not found.needs_multipliers:
         return [(f"condition{suffix}-{c.coordinate.name}", c.expression) for c in found.conditions]
-    rows = [r for r in found.configuration.rows if not r.is_identity]
-    stated = (
-        (q, sp.Add(force, *(r.multiplier * r.coefficients[k] for r in rows)))
-        for k, (q, force) in enumerate(zip(found.configuration.slots.coordinates, found.work.forces, strict=True))
-    )
+    balance = found.balance([r.multiplier for r in found.binding])
+    stated = zip(found.configuration.slots.coordinates, balance, strict=True)
     return [(f"condition{suffix}-{q.name}", e) for q, e in stated if e != 0]
 
 
