@@ -34,11 +34,12 @@ MAX_CONSTANT = 150
 HIGHEST_RATE = 2
 HIGHEST_PRESCRIBED_RATE = 4
 
-_FUNCTIONS: dict[str, Any] = {
+SCALAR_FUNCTIONS: dict[str, Any] = {
     "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "cot": sp.cot, "sec": sp.sec, "csc": sp.csc, "asin": sp.asin,
     "acos": sp.acos, "atan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh,
     "exp": sp.exp, "log": sp.log, "abs": sp.Abs, "sign": sp.sign,
 }  # fmt: skip
+"""Those of the language, as SymPy has them; `sqrt` is a power."""
 
 
 class Purse:
@@ -238,7 +239,7 @@ class Arithmetic:
         return base**exponent
 
     def _applied(self, name: str, arguments: tuple[sp.Expr, ...]) -> sp.Expr:
-        function = _FUNCTIONS[name]
+        function = SCALAR_FUNCTIONS[name]
         measures = [self._measures.of(a) for a in arguments]
         size, doubt = sum(m.size for m in measures), sum(m.doubt for m in measures)
         if all(m.is_constant for m in measures):

@@ -15,6 +15,8 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import BooleanAtom
 
+from lagrange.bounded import SCALAR_FUNCTIONS, Arithmetic
+from lagrange.constants import RefusedError
 from lagrange.diagnostics import Diagnostic, ProblemError
 from lagrange.lexicon import FUNCTIONS
 from lagrange.notation import Slots, Unspecified, base, t
@@ -24,13 +26,6 @@ from lagrange.spelling import help_for_function, help_for_symbol
 
 TIME = sp.Symbol("t")
 """The time of `sympy.physics.mechanics.dynamicsymbols`."""
-
-_KNOWN = (
-    sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc, sp.asin, sp.acos, sp.atan, sp.atan2, sp.sinh, sp.cosh, sp.tanh,
-    sp.exp, sp.log, sp.Abs, sp.sign,
-)  # fmt: skip
-HIGHEST = 2
-"""Of the time derivatives that an equation of motion has."""
 
 
 def in_functions_of_time(expression: sp.Expr, slots: Slots, time: sp.Symbol = TIME) -> sp.Expr:
@@ -99,7 +94,7 @@ class Reader:
             return self._substituted(e)
         if isinstance(e, AppliedUndef):
             return self._applied(e)
-        if isinstance(e, (sp.Add, sp.Mul, sp.Pow, *_KNOWN)):
+        if isinstance(e, (sp.Add, sp.Mul, sp.Pow, *SCALAR_FUNCTIONS.values())):
             return e.func(*map(self.expression, e.args))
         raise _not_understood(e)
 
@@ -114,11 +109,13 @@ class Reader:
         return self._rate(value, len(name) - len(plain))
 
     def _rate(self, value: sp.Expr, order: int) -> sp.Expr:
-        if order > HIGHEST:
-            help_ = "an equation of motion has accelerations and no higher derivatives"
-            raise ProblemError(Diagnostic("too-many-primes", f"a time derivative of order {order}", help=help_))
-        for _ in range(order):
-            value = self.scope.slots.time_derivative(value)
+        """Total time derivatives, within the bounds of those in a text: two of a coordinate, four of a given motion."""
+        arithmetic = Arithmetic(self.scope.slots)
+        try:
+            for _ in range(order):
+                value = arithmetic.rate(value)
+        except RefusedError as refused:
+            raise ProblemError(Diagnostic(refused.code, refused.message.format(value), help=refused.help)) from None
         return value
 
     def _applied(self, e: AppliedUndef) -> sp.Expr:

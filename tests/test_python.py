@@ -229,6 +229,14 @@ def test_functions_of_time_are_read_back(name: str) -> None:
             assert sp.expand(reader.expression(written) - e) == 0
 
 
+def test_a_prescribed_motion_has_the_rates_that_a_text_may_have() -> None:
+    scope = lagrange.loads("title: p\ncoordinates: [x]\nfunctions: {u: [t]}\n").scope
+    u = dynamicsymbols("u")
+    assert str(Reader(scope).expression(sp.Derivative(u.diff(t, 3), t))) == "u''''"
+    with pytest.raises(lagrange.ProblemError, match="too-many-primes"):
+        Reader(scope).expression(u.diff(t, 5))
+
+
 # check
 
 
@@ -286,7 +294,9 @@ BAD = {
     "`ImaginaryUnit` has no meaning": sp.I * theta,
     "`f(x(t))` is not declared": sp.Function("f")(dynamicsymbols("x")),
     "`theta(2*t)` is not declared": sp.Function("theta")(2 * t),
-    "a time derivative of order 3": theta.diff(t, 3),
+    "a time derivative of `theta''` arises here": theta.diff(t, 3),
+    "derivative of `theta''` arises": sp.Derivative(l * theta.diff(t, 2) + theta, t),
+    "time derivative of `theta''`": sp.Symbol("theta'''"),
     "`NoneType` has no meaning": None,
     "`object` has no meaning": 3.5j,
     "`StrictLessThan` has no meaning": theta < 0,
