@@ -34,7 +34,7 @@ MAX_CONSTANT = 150
 HIGHEST_RATE = 2
 HIGHEST_PRESCRIBED_RATE = 4
 
-SCALAR_FUNCTIONS: dict[str, Any] = {
+SCALAR_FUNCTIONS: dict[str, type[sp.Expr]] = {
     "sin": sp.sin, "cos": sp.cos, "tan": sp.tan, "cot": sp.cot, "sec": sp.sec, "csc": sp.csc, "asin": sp.asin,
     "acos": sp.acos, "atan": sp.atan, "atan2": sp.atan2, "sinh": sp.sinh, "cosh": sp.cosh, "tanh": sp.tanh,
     "exp": sp.exp, "log": sp.log, "abs": sp.Abs, "sign": sp.sign,

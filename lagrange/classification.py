@@ -141,7 +141,7 @@ def classify(problem: Problem) -> Classification:
         analysis(c, row, finite, surface, slots, quasi) for c, row in zip(problem.constraints, rows, strict=True)
     )
     rank = _rank(rows, states)
-    true = [r for r in rows if quasi is None or not quasi.occur_in(r.form, slots)]
+    true = [r for r in rows if quasi is None or not quasi.used_by(r.form, slots)]
     flag = _flag(rows, rank, slots, surface, states, None if len(true) == len(rows) else quasi)
     return Classification(
         constraints=constraints,

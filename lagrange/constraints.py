@@ -123,7 +123,7 @@ def analysis(
     """What a constraint is. `geometric` are the rows of the geometric constraints, `surface` is where they hold."""
     if row.nonlinear is not None:
         return _of_nonlinear(constraint, row, row.nonlinear, geometric, slots)
-    if quasi is not None and row.finite is None and quasi.occur_in(row.form, slots):
+    if quasi is not None and row.finite is None and quasi.used_by(row.form, slots):
         return _in_quasi_coordinates(constraint, row, geometric, surface, slots, quasi)
     form, variables = (*row.coefficients, row.drift), (*slots.coordinates, t)
     pairs = exactness(form, variables, slots)
@@ -169,7 +169,6 @@ def _in_quasi_coordinates(
         integrable = is_integrable(turned, quasi.slots, surface.constraints)
         frobenius = _frobenius(Row(row.name, turned[:-1], turned[-1]), geometric, surface, quasi.slots)
     timed = row.drift != 0 or _contains_time(constraint.function, slots)
-    used = (q for q, a in zip(slots.coordinates, row.coefficients, strict=True) if a != 0)
     return ConstraintAnalysis(
         constraint=constraint,
         row=row,
@@ -180,7 +179,7 @@ def _in_quasi_coordinates(
         depends_on_time=_depends_on_time(row, integrable, None, surface, slots) if timed else False,
         catastatic=surface.is_zero(row.drift),
         contains_time=_contains_time(constraint.function, slots),
-        quasi=tuple(q for q in used if q in quasi.coordinates),
+        quasi=quasi.used_by(row.form, slots),
     )
 
 

@@ -22,7 +22,7 @@ import sympy as sp
 
 from lagrange.exact import is_zero
 from lagrange.notation import Slots, prime, t
-from lagrange.problem import Body, Problem
+from lagrange.problem import Problem
 from lagrange.records import record
 from lagrange.rotation import angular_velocity
 from lagrange.vectors import Vector
@@ -43,14 +43,13 @@ class QuasiCoordinates:
     slots: Slots
     velocities: Mapping[sp.Symbol, sp.Expr]
 
-    def occur_in(self, form: Sequence[sp.Expr], slots: Slots) -> bool:
-        """Whether a form in the coordinates of `slots`, dt last, has the differential of one."""
-        return any(a != 0 and q in self.coordinates for q, a in zip(slots.coordinates, form, strict=False))
+    def used_by(self, form: Sequence[sp.Expr], slots: Slots) -> tuple[sp.Symbol, ...]:
+        """Those whose differentials a form in the coordinates of `slots`, dt last, has."""
+        return tuple(q for q, a in zip(slots.coordinates, form, strict=False) if a != 0 and q in self.coordinates)
 
     def in_angles(self, form: Sequence[sp.Expr], slots: Slots) -> Form | None:
         """A form of shape (n + 1,) in true coordinates; None where these were not found."""
-        used = [q for q, a in zip(slots.coordinates, form, strict=False) if a != 0 and q in self.coordinates]
-        if any(prime(q) not in self.velocities for q in used):
+        if any(prime(q) not in self.velocities for q in self.used_by(form, slots)):
             return None
         total = sp.Add(*(a * v for a, v in zip(form, slots.velocities, strict=False)), form[-1])
         total = total.xreplace(dict(self.velocities))
@@ -60,23 +59,23 @@ class QuasiCoordinates:
 
 def quasi_coordinates(problem: Problem) -> QuasiCoordinates | None:
     """The quasi-coordinates of the bodies whose angular velocity is given; None where there are none."""
+    spins = {b.name: b.angular_velocity.fixed() for b in problem.bodies if b.angular_velocity is not None}
     found: list[sp.Symbol] = []
     angles: dict[sp.Symbol, sp.Symbol] = {}
     solved: dict[sp.Symbol, sp.Expr] = {}
-    plain = _occurring(problem)
-    for body in problem.bodies:
-        if body.angular_velocity is None:
-            continue
-        own = [q for q in _failing(body, problem.slots) if q not in plain and q not in found]
+    plain = _occurring(problem) if spins else set()
+    for body, spin in spins.items():
+        rates = _rates(spin, problem.slots)
+        own = [q for q in _failing(rates, problem.slots) if q not in plain and q not in found]
         found += own
         if len(own) == 3:
             taken = problem.scope.names()
-            names = (next(n for n in _names(body.name, k) if n not in taken) for k in range(3))
+            names = (next(n for n in _names(body, k) if n not in taken) for k in range(3))
             new = tuple(sp.Symbol(n, real=True) for n in names)
-            rates = _solved(body, own, new, problem.slots)
-            if rates is not None:
+            velocities = _solved(rates, own, new)
+            if velocities is not None:
                 angles |= dict(zip(own, new, strict=True))
-                solved |= rates
+                solved |= velocities
     if not found:
         return None
     slots = Slots(tuple(angles.get(q, q) for q in problem.slots.coordinates), problem.slots.prescribed)
@@ -98,22 +97,14 @@ def _occurring(problem: Problem) -> set[sp.Symbol]:
     return {s for e in parts for s in e.free_symbols}
 
 
-def _rates(body: Body, slots: Slots) -> dict[sp.Symbol, Vector]:
-    """Ω_k of each coordinate that ω has the velocity of, and Ω_t, in i, j, k."""
-    assert body.angular_velocity is not None
-    spin = body.angular_velocity.fixed()
+def _rates(spin: Vector, slots: Slots) -> dict[sp.Symbol, Vector]:
+    """Ω_k of each coordinate, and Ω_t, in i, j, k as ω is."""
     still = dict.fromkeys(slots.velocities, sp.S.Zero)
-    found = {q: _by(spin, prime(q)) for q in slots.coordinates}
-    return {**found, t: spin.map(lambda c: c.xreplace(still))}
+    return {**{q: spin.partial(prime(q)) for q in slots.coordinates}, t: spin.map(lambda c: c.xreplace(still))}
 
 
-def _by(vector: Vector, symbol: sp.Symbol) -> Vector:
-    return vector.map(lambda c: c.diff(symbol))
-
-
-def _failing(body: Body, slots: Slots) -> list[sp.Symbol]:
+def _failing(rates: Mapping[sp.Symbol, Vector], slots: Slots) -> list[sp.Symbol]:
     """The coordinates of ω for which the condition on pairs fails."""
-    rates = _rates(body, slots)
     turning = [q for q, w in rates.items() if not w.is_zero]
     failing: set[sp.Symbol] = set()
     for j, k in combinations(rates, 2):
@@ -126,14 +117,13 @@ def _failing(body: Body, slots: Slots) -> list[sp.Symbol]:
 
 
 def _derivative(rate: Vector, by: sp.Symbol, slots: Slots) -> Vector:
-    return rate.map(slots.frozen_derivative) if by == t else _by(rate, by)
+    return rate.frozen_derivative(slots) if by == t else rate.partial(by)
 
 
 def _solved(
-    body: Body, own: Sequence[sp.Symbol], angles: Sequence[sp.Symbol], slots: Slots
+    rates: Mapping[sp.Symbol, Vector], own: Sequence[sp.Symbol], angles: Sequence[sp.Symbol]
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """The velocities of three quasi-coordinates, ω being that of three rotations; None where they do not follow."""
-    rates = _rates(body, slots)
     matrix = sp.Matrix([rates[q].components for q in own]).T
     below = matrix.det(method="berkowitz")
     if is_zero(below) is not False:

@@ -94,7 +94,7 @@ class Reader:
             return self._substituted(e)
         if isinstance(e, AppliedUndef):
             return self._applied(e)
-        if isinstance(e, (sp.Add, sp.Mul, sp.Pow, *SCALAR_FUNCTIONS.values())):
+        if e.func in (sp.Add, sp.Mul, sp.Pow, *SCALAR_FUNCTIONS.values()):
             return e.func(*map(self.expression, e.args))
         raise _not_understood(e)
 
@@ -102,7 +102,7 @@ class Reader:
         if name in self.formal:
             return self.formal[name]
         plain = name.rstrip("'")
-        value = self.scope.scalar(name) if plain == name else self.scope.scalar(plain)
+        value = self.scope.scalar(plain)
         if value is None:
             error = Diagnostic("unknown-symbol", f"`{name}` is not declared", help=help_for_symbol(plain, self.scope))
             raise ProblemError(error)
