@@ -362,11 +362,14 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
 
 
 def _refuse_what_is_not_covered(problem: Problem) -> None:
-    for force in problem.forces:
-        if isinstance(force, Friction) and Find.EQUILIBRIUM in problem.find:
+    bodies = {b.name for b in problem.bodies}
+    for force in (f for f in problem.forces if isinstance(f, Friction)):
+        if Find.EQUILIBRIUM in problem.find:
             raise NotCoveredError(f"friction `{force.name}`", force.span)
-        if isinstance(force, Friction) and Find.LINEARIZATION in problem.find:
+        if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
+        if Find.MOTION in problem.find and force.on in bodies:  # where it touches, nobody says
+            raise NotCoveredError(f"friction on a rigid body, `{force.name}`,", force.span)
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
     if Find.LINEARIZATION in problem.find and problem.unknowns:

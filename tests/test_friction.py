@@ -9,7 +9,7 @@ import sympy as sp
 
 from lagrange.answers import Verdict, check_equations
 from lagrange.checking import compared_answers
-from lagrange.diagnostics import Fragment, ProblemError
+from lagrange.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.notation import Sign
 from lagrange.problem import Problem
 from lagrange.references import reference_of_solution
@@ -224,6 +224,27 @@ def test_what_is_refused(problem: Read, rest: str, code: str, says: str) -> None
     assert found.code == code
     assert says in str(found)
     assert caught.value.exit_status == 2
+
+
+ROD_ON_A_FLOOR = """title: Rod that slides on a rough floor
+parameters: [m, J, l, g, mu]
+coordinates: [x, y, theta]
+bodies: {rod: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {floor: y = l*cos(theta)}
+gravity: -g*j
+forces: {rub: {friction: mu, constraint: floor, on: rod}}
+"""
+
+
+def test_where_a_body_is_touched_is_not_known(problem: Read) -> None:
+    """The mass centre is not where it slides. What does not need the force is found; a particle beside it may slide."""
+    with pytest.raises(NotCoveredError, match="friction on a rigid body, `rub`") as caught:
+        solve(problem(ROD_ON_A_FLOOR))
+    assert caught.value.exit_status == 3
+    assert solve(problem(ROD_ON_A_FLOOR + "find: constraints\n")).classification.degrees_of_freedom == 2
+    beside = ROD_ON_A_FLOOR.replace("y = l*cos(theta)", "y = 0").replace("on: rod", "on: P")
+    assert solve(problem(beside.replace("mass: m, inertia: J, position: x*i + y*j", "inertia: J, position: 0*i")))
 
 
 def test_a_sense_where_there_is_no_line(problem: Read) -> None:
