@@ -17,7 +17,7 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from lagrange.comparison import System, affine_rows
-from lagrange.coordinates import solved_constraints, solved_for_one
+from lagrange.coordinates import solved_for_one
 from lagrange.elimination import row_reduced
 from lagrange.evaluation import Graph
 from lagrange.exact import InadmissibleError, ZeroDivisorError
@@ -34,8 +34,6 @@ RECOGNISED = 60
 LARGEST_DENOMINATOR = 1000
 MOST_ATTEMPTS = 24
 """Sets of dependent coordinates for which Newton's iteration is tried."""
-MOST_SOLVED = 1
-"""Constraints that are solved in symbols: roots of roots grow fast."""
 
 
 @record
@@ -94,16 +92,7 @@ def _positions(
     if not finite:
         return dict(chosen)
     equations = [f.xreplace(dict(values)) for f in finite]
-    if len(finite) > MOST_SOLVED:
-        return _in_turn(equations, chosen) or _by_newton(equations, chosen)
-    solution = solved_constraints(configuration.rows, list(slots.coordinates))
-    if len(solution.expressed) == len(finite):
-        free = {q: v for q, v in chosen.items() if q not in solution.expressed}
-        branch = dict.fromkeys(solution.signs, sp.S.One)
-        found = {q: e.xreplace({**values, **free, **branch}) for q, e in solution.expressed.items()}
-        if all(v.is_real for v in found.values()):
-            return free | found
-    return _by_newton(equations, chosen)
+    return _in_turn(equations, chosen) or _by_newton(equations, chosen)
 
 
 def _in_turn(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Basic, sp.Expr] | None:
