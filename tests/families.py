@@ -14,30 +14,19 @@ def links(n: int) -> str:
     return _text([*lines, "gravity: g*j"])
 
 
-def rods(n: int, *, angles: bool = True) -> str:
-    """The same in 2n Cartesian coordinates with n distance constraints; `angles` is a choice of coordinates."""
-    lines = [*_heading(f"Chain of {n} rods", n)]
-    lines += [f"coordinates: [{', '.join(f'x{k}, y{k}' for k in range(1, n + 1))}]", "particles:"]
-    lines += [f"  P{k}: {{mass: m{k}, position: x{k}*i + y{k}*j}}" for k in range(1, n + 1)]
-    lines += ["constraints:", "  rod1: x1^2 + y1^2 = l1^2"]
-    lines += [f"  rod{k}: (x{k} - x{k - 1})^2 + (y{k} - y{k - 1})^2 = l{k}^2" for k in range(2, n + 1)]
-    if angles:
-        names = [f"theta{k}" for k in range(1, n + 1)]
-        lines += ["generalized_coordinates:", "  angles:", f"    coordinates: [{', '.join(names)}]", "    substitute:"]
-        lines += [
-            f"      {c}{k}: {s}" for k, xy in enumerate(_positions(names), 1) for c, s in zip("xy", xy, strict=True)
-        ]
+def rods(n: int) -> str:
+    """The same in 2n Cartesian coordinates with n distance constraints, and the angles as a choice of coordinates."""
+    names = [f"theta{k}" for k in range(1, n + 1)]
+    lines = [*_heading(f"Chain of {n} rods", n), *_free_particles(n), "constraints:", "  rod1: x1^2 + y1^2 = l1^2"]
+    lines += [*_distances(n), "generalized_coordinates:", "  angles:", f"    coordinates: [{', '.join(names)}]"]
+    lines.append("    substitute:")
+    lines += [f"      {c}{k}: {s}" for k, xy in enumerate(_positions(names), 1) for c, s in zip("xy", xy, strict=True)]
     return _text([*lines, "gravity: g*j"])
 
 
 def necklace(n: int) -> str:
     """n free particles in the plane, in 2n dependent coordinates, with n - 1 distances kept; no choice is given."""
-    lines = [f"title: Necklace of {n} particles", "axes: {i: right, j: down}"]
-    lines.append(f"parameters: [{', '.join([*_numbered('m', n), *(f'l{k}' for k in range(2, n + 1)), 'g'])}]")
-    lines += [f"coordinates: [{', '.join(f'x{k}, y{k}' for k in range(1, n + 1))}]", "particles:"]
-    lines += [f"  P{k}: {{mass: m{k}, position: x{k}*i + y{k}*j}}" for k in range(1, n + 1)]
-    lines.append("constraints:")
-    lines += [f"  rod{k}: (x{k} - x{k - 1})^2 + (y{k} - y{k - 1})^2 = l{k}^2" for k in range(2, n + 1)]
+    lines = [*_heading(f"Necklace of {n} particles", n, first=2), *_free_particles(n), "constraints:", *_distances(n)]
     return _text([*lines, "gravity: g*j"])
 
 
@@ -61,9 +50,20 @@ FAMILIES: dict[str, Callable[[int], str]] = {
 }
 
 
-def _heading(title: str, n: int) -> list[str]:
-    parameters = [*_numbered("m", n), *_numbered("l", n), "g"]
+def _heading(title: str, n: int, first: int = 1) -> list[str]:
+    """With n masses, and the lengths from the first on."""
+    parameters = [*_numbered("m", n), *_numbered("l", n)[first - 1 :], "g"]
     return [f"title: {title}", "axes: {i: right, j: down}", f"parameters: [{', '.join(parameters)}]"]
+
+
+def _free_particles(n: int) -> list[str]:
+    particles = [f"  P{k}: {{mass: m{k}, position: x{k}*i + y{k}*j}}" for k in range(1, n + 1)]
+    return [f"coordinates: [{', '.join(f'x{k}, y{k}' for k in range(1, n + 1))}]", "particles:", *particles]
+
+
+def _distances(n: int) -> list[str]:
+    """Those of each particle from the one before."""
+    return [f"  rod{k}: (x{k} - x{k - 1})^2 + (y{k} - y{k - 1})^2 = l{k}^2" for k in range(2, n + 1)]
 
 
 def _numbered(letter: str, n: int) -> list[str]:

@@ -49,7 +49,7 @@ LAYERS = {
     "pictures": """pictures pictures.floats pictures.poses pictures.views pictures.labels pictures.sketch pictures.shapes
         pictures.marks pictures.systems pictures.curves pictures.loads pictures.measures pictures.configurations
         pictures.free_bodies pictures.illustrated""",
-    "renderers": """render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
+    "renderers": """render.abridged render.shown render.breaking render.matrices render.paragraphs render.tables render.pretty render.ems render.escape
         render.aligned render.letters_of_vectors render.tikz render.latex render.markdown render.style_mathml render.formulas render.svg render.stylesheet render.html""",
     "reports": "report render.json_linear render.json_motion render.json render.verdict",
     "in Python": """time_functions given_functions first_order numerical sympy_answers judgement formulation result interface

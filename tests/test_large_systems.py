@@ -32,8 +32,9 @@ from lagrange.loader import read_problem
 from lagrange.points import Point
 from lagrange.render import html, latex, markdown, pretty
 from lagrange.render import json as as_json
+from lagrange.render.abridged import BEGINNING, LARGEST_STEP
 from lagrange.render.kinds import Notation
-from lagrange.render.shown import BEGINNING, LARGEST_STEP, shown
+from lagrange.render.shown import shown
 from lagrange.report import Report, report
 
 ZERO = sp.S.Zero
