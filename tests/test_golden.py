@@ -14,6 +14,7 @@ from conftest import PROBLEMS, ROOT
 from lagrange.dynamics import Method
 from lagrange.loader import load
 from lagrange.render import html, json, latex, markdown, pretty
+from lagrange.render.stylesheet import CSS
 from lagrange.report import Report, report
 
 GOLDEN = ROOT / "tests" / "golden"
@@ -41,8 +42,6 @@ PAGES = {
 }
 KEPT = [p for p in SHIPPED if p.name.startswith(("ex04", "ex06", "ex11", "ex16", "ex17", "ex18"))]
 """The problems whose pages are kept as well."""
-STYLESHEET = "stylesheet.css"
-"""What all web pages have in common: kept once, and compared with that of every page."""
 
 
 @pytest.mark.parametrize("ending", FORMATS)
@@ -68,18 +67,7 @@ def test_pages_are_as_they_were(
     solved: tuple[str, Report, Report], ending: str, request: pytest.FixtureRequest
 ) -> None:
     name, printed, _ = solved
-    page = PAGES[ending](printed)
-    if ending == "html":
-        page, stylesheet = _without_stylesheet(page)
-        compare(STYLESHEET, stylesheet, request)
-    compare(f"{name}.{ending}", page, request)
-
-
-def _without_stylesheet(page: str) -> tuple[str, str]:
-    """A page with a mark where its one stylesheet was, and the stylesheet."""
-    head, rest = page.split("<style>\n")
-    stylesheet, body = rest.split("</style>\n")
-    return f"{head}<style>...</style>\n{body}", stylesheet
+    compare(f"{name}.{ending}", PAGES[ending](printed).replace(f"\n{CSS}\n", "..."), request)
 
 
 def compare(name: str, actual: str, request: pytest.FixtureRequest) -> None:
@@ -98,5 +86,5 @@ def compare(name: str, actual: str, request: pytest.FixtureRequest) -> None:
 def test_no_golden_file_is_left_over() -> None:
     expected = {f"{p.stem}.{ending}" for p in SHIPPED for ending in FORMATS}
     expected |= {_by_lagrange(name, ending) for name in BY_LAGRANGE for ending in ("80.txt", "tex")}
-    expected |= {f"{p.stem}.{ending}" for p in KEPT for ending in PAGES} | {STYLESHEET}
+    expected |= {f"{p.stem}.{ending}" for p in KEPT for ending in PAGES}
     assert {p.name for p in GOLDEN.iterdir() if p.name != "README.md"} == expected
