@@ -12,6 +12,7 @@ files (`theta''`, `d(x)`, `delta(x)`, `lambda_rod`), so that what is printed can
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 from functools import lru_cache
 
@@ -140,6 +141,11 @@ def variation(symbol: sp.Symbol) -> sp.Symbol:
 def multiplier(constraint: str) -> sp.Symbol:
     """The multiplier of a constraint, λ_rod."""
     return sp.Symbol(f"lambda_{constraint}", real=True)
+
+
+def counting(name: str) -> str:
+    """A name to sort by, with its numbers as numbers: m_2 before m_10."""
+    return re.sub(r"\d+", lambda n: n[0].zfill(4), name)
 
 
 def base(symbol: sp.Symbol) -> sp.Symbol:

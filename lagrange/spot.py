@@ -22,7 +22,7 @@ from lagrange.elimination import row_reduced
 from lagrange.evaluation import Graph
 from lagrange.exact import InadmissibleError, ZeroDivisorError
 from lagrange.kinematics import Configuration, is_pfaffian
-from lagrange.notation import Sign, Unspecified, t
+from lagrange.notation import Sign, Unspecified, counting, t
 from lagrange.reals import RealPoint, Reals
 from lagrange.records import record
 
@@ -64,9 +64,10 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     used = set().union(*(e.free_symbols for e in _all_expressions(system)))
     values: dict[sp.Basic, sp.Expr] = {}
     moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
-    others = [s for s in sorted(used - moving, key=lambda s: s.name, reverse=True) if not isinstance(s, Sign)]
+    fixed = sorted(used - moving, key=lambda s: counting(s.name), reverse=True)
+    others = [s for s in fixed if not isinstance(s, Sign)]
     numbers = count(1 + trial)
-    values |= {s: sp.S.One for s in sorted(used, key=lambda s: s.name) if isinstance(s, Sign)}
+    values |= {s: sp.S.One for s in reversed(fixed) if isinstance(s, Sign)}
     angles = _angles(system.equations)
     parameters = {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in others}
     values |= reversed(parameters.items())

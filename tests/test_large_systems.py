@@ -88,6 +88,16 @@ def test_what_introduces_nothing_goes_too() -> None:
     ]
 
 
+def test_what_introduces_equations_comes_with_them() -> None:
+    """Also after others that were left out, which it must not stand before."""
+    long, short = sums(1, 3000), sums(1, 10)
+    large = derivation(prose("It is"), display(*long), prose("The force is"), display(*short), prose("and"))
+    left, words, kept, last = shown(large, Detail.STEPS).steps[0].body
+    assert isinstance(left, Prose)
+    assert str(left.parts[0]).startswith("One equation of 3,000 operations is left out here")
+    assert [words, kept, last] == [prose("The force is"), display(*short), prose("and")]
+
+
 def test_large_matrices_are_counted() -> None:
     name, entry = sp.Symbol("M", real=True), sp.Add(*sp.symbols("a:9"))
     large = derivation(Matrices(((name, ((entry,) * 20,) * 20),)))
@@ -114,6 +124,8 @@ def test_a_chain_too_long_to_read_is_complete_in_json() -> None:
     assert "more equations of" in page
     assert "`--format json` has them" in page
     assert page.count("\n") < 400
+    assert "to try on a calculator" not in page
+    assert re.search(r"m₉\s+=\s+\d+,\s+m₁₀", pretty.text(found.derivation, found.notation, 80, Detail.FULL))
     whole = json.loads(as_json.render([found]))
     assert len(whole["equations"]) == 14
     assert len(whole["mass_matrix"]) == 14

@@ -6,10 +6,13 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Block, CheckMark, Part, Rule, Step, listed, math, prose
+from lagrange.derivation import Block, CheckMark, Detail, Part, Rule, Step, listed, math, prose
 from lagrange.explain.words import spoken
 from lagrange.solution import Solution
 from lagrange.verification import Check
+
+LONGEST_SPOT = 60
+"""Numbers of a spot value that somebody may still type."""
 
 
 def explain_checks(
@@ -30,7 +33,8 @@ def explain_checks(
             where = f" ({spoken(name)})" if name and several else ""
             parts: list[Part] = [f"A value to try on a calculator{where}: "]
             parts += [*_assignments(spot.values), " give ", *_assignments(spot.accelerations), "."]
-            body.append(prose(*parts))
+            long = len(spot.values) + len(spot.accelerations) > LONGEST_SPOT
+            body.append(prose(*parts, detail=Detail.FULL if long else Detail.STEPS))
     return Step(Rule.CHECKS, "Checks", tuple(body))
 
 

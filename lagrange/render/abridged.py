@@ -25,8 +25,7 @@ def abridged(body: Sequence[Block]) -> tuple[tuple[Block, ...], set[str]]:
     beginning = _Beginning()
     for block in body:
         beginning.add(block)
-    beginning.say_what_is_left()
-    return tuple(beginning.kept), beginning.labels
+    return beginning.all(), beginning.labels
 
 
 def not_referring(block: Block, left: set[str]) -> Block:
@@ -41,27 +40,45 @@ def not_referring(block: Block, left: set[str]) -> Block:
 
 
 class _Beginning:
-    """The beginning of a step, block by block, and the labels of the equations that are left out."""
+    """The beginning of a step, block by block, and the labels of the equations that are left out.
+
+    Words that introduce equations wait for these, and stand or fall with them.
+    """
 
     def __init__(self) -> None:
-        self.kept: list[Block] = []
         self.labels: set[str] = set()
+        self._kept: list[Block] = []
+        self._waiting: list[Block] = []
         self._left: list[Equation] = []
         self._room = BEGINNING
 
     def add(self, block: Block) -> None:
-        """Words that introduce equations stand or fall with these."""
+        """The next block, or as much of it as there is room for."""
         if isinstance(block, Display):
             self._add_equations(block)
-        elif not (self._left and _introduces(block)):
-            self.say_what_is_left()
-            self.kept.append(block)
+        elif _introduces(block):
+            self._keep()
+            self._waiting.append(block)
+        else:
+            self._keep(block)
 
-    def say_what_is_left(self) -> None:
-        """After what is kept, the count of the equations since that are not."""
+    def all(self) -> tuple[Block, ...]:
+        """The blocks that are kept, once all have been added."""
+        self._keep()
+        self._say_what_is_left()
+        return tuple(self._kept)
+
+    def _keep(self, *blocks: Block) -> None:
+        """Keeps what waits, and further blocks, after the count of what has been left out before them."""
+        if self._waiting or blocks:
+            self._say_what_is_left()
+        self._kept += (*self._waiting, *blocks)
+        self._waiting.clear()
+
+    def _say_what_is_left(self) -> None:
         if self._left:
             self.labels.update(e.label for e in self._left if e.label is not None)
-            self.kept.append(_left_out(self._left, more=bool(self.kept) and isinstance(self.kept[-1], Display)))
+            self._kept.append(_left_out(self._left, more=bool(self._kept) and isinstance(self._kept[-1], Display)))
             self._left.clear()
 
     def _add_equations(self, block: Display) -> None:
@@ -69,11 +86,9 @@ class _Beginning:
         while fit < len(block.equations) and _operations(block.equations[: fit + 1]) <= self._room:
             fit += 1
         if fit:
-            self.say_what_is_left()
-            self.kept.append(replace(block, equations=block.equations[:fit]))
+            self._keep(replace(block, equations=block.equations[:fit]))
             self._room -= _operations(block.equations[:fit])
-        elif not self._left and self.kept and _introduces(self.kept[-1]):
-            self.kept.pop()
+        self._waiting.clear()
         self._left += block.equations[fit:]
 
 

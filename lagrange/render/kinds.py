@@ -12,7 +12,7 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.notation import FormSymbol, Sign, UnitVector, VectorSymbol
+from lagrange.notation import FormSymbol, Sign, UnitVector, VectorSymbol, counting
 from lagrange.records import record
 from lagrange.render.names import GREEK, Name
 
@@ -120,5 +120,4 @@ def alphabetic(name: str) -> tuple[str, tuple[str, ...]]:
     """Latin before Greek, and otherwise as in a dictionary; x_2 before x_10."""
     parts = Name.of(name)
     greek = "1" if parts.letter in GREEK and parts.letter != "ell" else "0"
-    indices = (index.zfill(4) if index.isdigit() else index for index in parts.indices)
-    return f"{greek}{parts.letter.lower()}{parts.letter}", tuple(indices)
+    return f"{greek}{parts.letter.lower()}{parts.letter}", tuple(map(counting, parts.indices))

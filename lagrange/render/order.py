@@ -10,13 +10,12 @@ that could begin with a plus (l^2 - y^2). Terms with differentials or unit vecto
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from enum import IntEnum
 
 import sympy as sp
 
-from lagrange.notation import Dot, Inert, Partial, UnitVector, Unspecified, VectorSymbol, Wedge
+from lagrange.notation import Dot, Inert, Partial, UnitVector, Unspecified, VectorSymbol, Wedge, counting
 from lagrange.render.kinds import MOVING, Kind, Notation, Place, alphabetic
 from lagrange.render.names import Name
 from lagrange.render.products import Factor, factors, is_negative
@@ -26,7 +25,6 @@ Degrees = dict[Kind, dict[Place, float]]
 
 FUNCTIONS = ("exp", "log", "sinh", "cosh", "tanh", "sin", "cos", "tan", "cot", "sec", "csc")
 MASSES = frozenset({"m", "M"})
-_DIGITS = re.compile(r"\d+")  # P2 before P10
 _END = ((1 << 30,),)  # after everything: x y stands before x, as a longer word after a shorter one
 
 
@@ -280,7 +278,7 @@ class Order:
             parts = [self.signature(a) for a in expression.args]
             if isinstance(expression, sp.Add | sp.Mul):
                 parts.sort()
-            name = type(expression).__name__ if parts else _DIGITS.sub(lambda n: n[0].zfill(4), str(expression))
+            name = type(expression).__name__ if parts else counting(str(expression))
             found = self._signatures[expression] = f"{name}({','.join(parts)})" if parts else name
         return found
 
