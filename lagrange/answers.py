@@ -165,7 +165,7 @@ def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_At
                 return
             tried.append((candidate, attempt))
     for candidate, before in tried:
-        there = candidate.where_positive()
+        there = candidate.where_positive
         attempt = None if there is None else _attempt(readings, there, reference)
         if there is not None and attempt is not None:
             yield replace(attempt, verdict=_where_positive(attempt.verdict, before.verdict, there))

@@ -124,23 +124,26 @@ def affine_rows(point: Point, expressions: Sequence[sp.Expr], unknowns: Sequence
     return rows
 
 
+def follow(point: Point, claims: Sequence[sp.Expr], known: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> bool:
+    """Whether expressions that vanish follow from others here, all being affine in the unknowns."""
+    rows = affine_rows(point, (*known, *claims), unknowns)
+    return bool(point.rank(rows) == point.rank(rows[: len(known)]))
+
+
 def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]) -> Comparison:
     eliminated = len(free) + len(system.multipliers)
     unknowns = (*free, *system.multipliers, *system.configuration.slots.accelerations)
-    derived = affine_rows(moving, (*system.accelerated_constraints, *system.equations), unknowns)
-    constraints, known = derived[: len(system.accelerated_constraints)], derived
+    derived = (*system.accelerated_constraints, *system.equations)
+    found = moving.affine_each((*derived, *answer), unknowns)
+    zero = [moving.number(0)] * (len(unknowns) + 1)
+    whole = [zero if row is None else row for row in found]
+    known, rows = whole[: len(derived)], whole[len(derived) :]
+    constraints = known[: len(system.accelerated_constraints)]
     spaces = _Spaces(moving, constraints, known)
-    rows: list[list[Any]] = []
-    standings = []
-    for e in answer:
-        affine = moving.affine([e], unknowns)
-        if affine is None:
-            standings.append(Standing.NOT_LINEAR)
-            rows.append([moving.number(0)] * (len(unknowns) + 1))
-            continue
-        row = affine[0]
-        standings.append(spaces.standing(row, len(free)))
-        rows.append(row)
+    standings = [
+        Standing.NOT_LINEAR if linear is None else spaces.standing(row, len(free))
+        for row, linear in zip(rows, found[len(derived) :], strict=True)
+    ]
     _judge_free(moving, standings, rows, spaces.known, len(free))
     good = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]
     wanted = _rank_without(moving, known, eliminated)

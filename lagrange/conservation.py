@@ -20,7 +20,7 @@ from enum import StrEnum
 import sympy as sp
 
 from lagrange.common_factor import as_term, normalised
-from lagrange.comparison import System, affine_rows, state, symbols_of
+from lagrange.comparison import System, follow, state, symbols_of
 from lagrange.dynamics import Motion
 from lagrange.energy_functions import EnergyFunctions, energy_functions, in_one_term
 from lagrange.equations import EquationsOfMotion
@@ -370,9 +370,7 @@ class _Search:
         symbols = symbols_of((difference, *equations))
 
         def holds(point: Point) -> bool:
-            moving = state(point, self.configuration, symbols)
-            known = affine_rows(moving, equations, unknowns)
-            return bool(moving.rank([*known, *affine_rows(moving, [difference], unknowns)]) == moving.rank(known))
+            return follow(state(point, self.configuration, symbols), [difference], equations, unknowns)
 
         return agreed(self.configuration.states, holds, (difference, *equations))
 

@@ -16,7 +16,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.balance import Balance
-from lagrange.comparison import affine_rows, state, symbols_of
+from lagrange.comparison import follow, state, symbols_of
 from lagrange.displacements import Elimination
 from lagrange.eliminated_rates import closed
 from lagrange.energies import energies
@@ -244,12 +244,10 @@ def _is_unaffected(law: Law, configuration: Configuration, reactions: Reactions,
     claims = [s - reactions.values[s] for s in wanted]
     symbols = symbols_of((*equations, *claims))
 
-    def follow(point: Point) -> bool:
-        moving = state(point, configuration, symbols)
-        rows = affine_rows(moving, equations, law.system.unknowns)
-        return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, law.system.unknowns)])
+    def hold(point: Point) -> bool:
+        return follow(state(point, configuration, symbols), claims, equations, law.system.unknowns)
 
-    return agreed(configuration.states, follow, (*equations, *claims)) is True
+    return agreed(configuration.states, hold, (*equations, *claims)) is True
 
 
 def _with_friction(law: Law, configuration: Configuration, reactions: Reactions, loads: Sequence[Load]) -> Reactions:

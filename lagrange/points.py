@@ -89,24 +89,19 @@ class Point:
         return bool(self.arithmetic.vanishes(self.value(expression)))
 
     def affine(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[Row] | None:
-        """Rows [A | b], shape (m, n + 1), with expressions = A u + b here; None if one is not affine in u.
+        """Rows [A | b], shape (m, n + 1), with expressions = A u + b here; None if one is not affine in u."""
+        rows = self.affine_each(expressions, unknowns)
+        return None if None in rows else [row for row in rows if row is not None]
+
+    def affine_each(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[Row | None]:
+        """The row of each expression, shape (n + 1,); None for one that is not affine in u.
 
         expressions (m,), unknowns (n,). A is read off at random u; that A u + b holds is tried at other ones.
         """
         nodes = [self.graph.node(e) for e in expressions]
-        reduce = self.arithmetic.reduce
         here = self.with_values({u: self.random() for u in unknowns})
         there = self.with_values({u: self.random() for u in unknowns})
-        rows = []
-        for node in nodes:
-            row = here._slopes(node, unknowns)
-            if row is None:
-                return None
-            b, c = (p.at(node) - sum(a * p.input(u) for a, u in zip(row, unknowns, strict=True)) for p in (here, there))
-            if not self.arithmetic.vanishes(reduce(b - c)):
-                return None
-            rows.append([*row, reduce(b)])
-        return rows
+        return [here._affine(node, unknowns, there) for node in nodes]
 
     def with_values(self, changes: Mapping[sp.Symbol, Any]) -> Self:
         """The same point but for the given symbols. What does not depend on them is not evaluated again."""
@@ -193,6 +188,15 @@ class Point:
         symbols = self.graph.symbols
         other._values = [v if not symbols[n] & mask else None for n, v in enumerate(self._values)]
         return other
+
+    def _affine(self, node: int, unknowns: Sequence[sp.Symbol], there: Self) -> Row | None:
+        """The row of a node; None if it does not hold `there` as well, at other values of the unknowns."""
+        row = self._slopes(node, unknowns)
+        if row is None:
+            return None
+        b, c = (p.at(node) - sum(a * p.input(u) for a, u in zip(row, unknowns, strict=True)) for p in (self, there))
+        reduce = self.arithmetic.reduce
+        return [*row, reduce(b)] if self.arithmetic.vanishes(reduce(b - c)) else None
 
     def _slopes(self, node: int, unknowns: Sequence[sp.Symbol]) -> Row | None:
         """Derivatives of a node by the unknowns; None if these occur in other than sums, products, powers."""

@@ -154,8 +154,7 @@ def _over_velocities(moving: Point, rate: sp.Expr, system: System) -> list[Any] 
     """c_k/q_k' of dF/dt = Σ c_k E_k, one for each coordinate that moves."""
     unknowns = (*system.multipliers, *system.configuration.slots.accelerations)
     velocities = system.configuration.slots.velocities
-    known = affine_rows(moving, (*system.equations, *system.accelerated_constraints), unknowns)
-    [row] = affine_rows(moving, [rate], unknowns)
+    *known, row = affine_rows(moving, (*system.equations, *system.accelerated_constraints, rate), unknowns)
     c = moving.solution([list(column) for column in zip(*known, strict=True)], row)
     if c is None or len(system.equations) != len(velocities):
         return None

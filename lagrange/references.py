@@ -84,6 +84,7 @@ class Candidate:
         there = self.configuration.rewritten(meant)
         return where_positive(there, self.positive) if self.positive else there
 
+    @cached_property
     def where_positive(self) -> Candidate | None:
         """The same at the states at which the radii are positive; None where their signs do not matter."""
         positive = () if self.positive else radii(self.system)

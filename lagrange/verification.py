@@ -19,7 +19,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from lagrange.classification import Classification
-from lagrange.comparison import System, affine_rows, compare, state, symbols_of
+from lagrange.comparison import System, affine_rows, compare, follow, state, symbols_of
 from lagrange.displacements import Elimination, virtual_displacement
 from lagrange.dynamics import Method
 from lagrange.equations import EquationsOfMotion
@@ -225,12 +225,10 @@ def check_reactions(
     unknowns = (*original.slots.accelerations, *multipliers)
     symbols = symbols_of((*known, *claims))
 
-    def follow(point: Point) -> bool:
-        moving = state(point, configuration, symbols)
-        rows = affine_rows(moving, known, unknowns)
-        return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, unknowns)])
+    def hold(point: Point) -> bool:
+        return follow(state(point, configuration, symbols), claims, known, unknowns)
 
-    passed = agreed(configuration.states, follow, (*known, *claims))
+    passed = agreed(configuration.states, hold, (*known, *claims))
     equations = "Lagrange's equations" if method is Method.DALEMBERT else "the equations of d'Alembert's principle"
     what = (
         f"reactions satisfy {equations} with multipliers"

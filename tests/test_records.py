@@ -34,6 +34,13 @@ def described(made: Callable[[type], type]) -> tuple[type, type]:
     return Plane, Space
 
 
+@pytest.mark.parametrize("name", ["parts", "self", "fields", "names", "MISSING", "made", "_hidden"])
+def test_names_of_parts(name: str) -> None:
+    made = record(type("Named", (), {"__annotations__": {name: int, "other": int}, "other": 2}))
+    assert getattr(made(1), name) == 1
+    assert made(**{name: 1, "other": 3}) == made(1, 3) != made(1)
+
+
 @record
 class Picklable:
     """At the top of a module, where pickle finds it."""
