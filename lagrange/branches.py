@@ -53,6 +53,11 @@ class Branches:
         """How many signs there are, of both kinds."""
         return self.ambiguous + len(self._readable) + len(self._signs)
 
+    @property
+    def random(self) -> int:
+        """How many of them a point takes at random."""
+        return self.ambiguous + len(self._readable)
+
     def meet(self, point: Point) -> None:
         """Count a point."""
         self._met += 1

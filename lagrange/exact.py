@@ -20,6 +20,7 @@ roots and transcendental functions.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cached_property
 from itertools import islice
 from typing import TypeAlias, TypeVar
 
@@ -113,6 +114,21 @@ class Surface(Sampler):
             return {s: sp.Float(point.input(s), 50) for s in symbols}
 
         return self.sampled(values, 1, real=True)[0]
+
+    def random_signs(self, expressions: Sequence[sp.Expr]) -> int:
+        """How many signs in some expressions a point of a prime field takes at random: of |a|, and of dependent roots.
+
+        Raises NoPointError, UnsupportedError.
+        """
+        nodes = self.graph.needed(self.graph.node(e) for e in expressions)
+        branching = tuple(n for n in nodes if n in self.graph.branching)
+        if branching not in self._random_signs:
+            self._random_signs[branching] = Branches(self.graph, branching, self._new_point).random
+        return self._random_signs[branching]
+
+    @cached_property
+    def _random_signs(self) -> dict[tuple[int, ...], int]:
+        return {}
 
     def _rank(self, nodes: list[int], width: int) -> int | None:
         def at(point: Point) -> int:

@@ -63,7 +63,7 @@ def test_sympy_is_not_loaded_before_it_is_needed(arguments: str) -> None:
     assert "lagsolve.main" in loaded
     assert not loaded & {"sympy", "mpmath", "rich", "lagrange.loader"}
     own = {m for m in loaded if m.partition(".")[0] == "lagrange"}
-    assert arguments.startswith("new") or own <= {"lagrange", "lagrange.library"}
+    assert arguments.startswith("new") or own <= {"lagrange", "lagrange.library", "lagrange.records"}
 
 
 def test_help_loads_click_and_little_more() -> None:

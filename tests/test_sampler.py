@@ -9,6 +9,7 @@ import sympy as sp
 
 from lagrange.exact import Fields, NoPointError, Surface
 from lagrange.notation import Sign, Unspecified, prime, t
+from lagrange.sampling import agreed
 
 sin, cos, tan, sqrt, pi = sp.sin, sp.cos, sp.tan, sp.sqrt, sp.pi
 x, y, z, theta, phi, psi, alpha, u = sp.symbols("x y z theta phi psi alpha u", real=True)
@@ -246,3 +247,14 @@ def test_real_values_are_admissible() -> None:
     assert set(values) == {x, y, l, m}
     assert abs((x**2 + y**2 - l**2).subs(values)) < 1e-45
     assert values[l] > values[m] > 0
+
+
+@pytest.mark.parametrize(
+    "expression",
+    [sp.Abs(x) - x, sp.sqrt(x**2) + x, (sp.Abs(x) - x) * (sp.Abs(y) - y)],
+    ids=["one magnitude", "a root", "two magnitudes"],
+)
+def test_what_is_so_on_one_side_only_is_not_agreed(expression: sp.Expr) -> None:
+    """A half or a quarter of all points have it otherwise, and a few points may miss them all."""
+    for _ in range(300):
+        assert agreed(Surface(), lambda p: p.is_zero(expression), [expression]) is not True
