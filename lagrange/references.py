@@ -356,10 +356,13 @@ def _candidates(solution: Solution) -> Iterator[Candidate]:
     unknowns = solution.problem.unknowns
     yield _candidate("", solution.motion, solution)
     reactions = tuple(c.reaction for c in solution.problem.constraints)
+    tensions = solution.law.newton.tensions if solution.law else {}
     for c in solution.choices:
         if c.motion is None:
             continue
-        yield _candidate(c.name, c.motion, solution)
+        reduced = _candidate(c.name, c.motion, solution)
+        yield reduced
+        lost = {r for r in reactions if r not in reduced.multipliers}
         configuration = c.motion.configuration
 
         def rewritten(configuration: Configuration = configuration) -> System:
@@ -368,7 +371,9 @@ def _candidates(solution: Solution) -> Iterator[Candidate]:
             equations = tuple(configuration.rewritten(e) for e in own.equations)
             return System(configuration, equations, (*reactions, *occurring(unknowns, equations)))
 
-        yield Candidate(c.name, configuration, (*reactions, *unknowns), rewritten)
+        if lost:
+            names = {s.name for s in lost} | {s.name for s, e in tensions.items() if e.free_symbols & lost}
+            yield Candidate(c.name, configuration, (*reactions, *unknowns), rewritten, only_for=frozenset(names))
 
 
 def _candidate(choice: str, motion: EquationsOfMotion, solution: Solution) -> Candidate:
