@@ -9,9 +9,12 @@ from functools import cache
 
 import pytest
 import sympy as sp
+from conftest import PROBLEMS
 from families import FAMILIES
 
-from lagrange import notation
+from lagrange import answers, notation
+from lagrange.answers import check_equations
+from lagrange.checking import reference
 from lagrange.derivation import (
     Derivation,
     Detail,
@@ -26,9 +29,9 @@ from lagrange.derivation import (
     display,
     prose,
 )
-from lagrange.diagnostics import Source
+from lagrange.diagnostics import Fragment, Source
 from lagrange.field import PrimeField
-from lagrange.loader import read_problem
+from lagrange.loader import load, read_problem
 from lagrange.points import Point
 from lagrange.render import html, latex, markdown, pretty
 from lagrange.render import json as as_json
@@ -149,29 +152,26 @@ def test_every_renderer_leaves_out_the_same() -> None:
 # How the work grows: counts, which are the same on every machine
 
 
-class Counted:
-    """How often the slow things are done."""
+def count(counts: Counter[str], monkeypatch: pytest.MonkeyPatch, place: object, name: str, what: str) -> None:
+    """Counts how often a function is called."""
+    original = getattr(place, name)
 
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.counts: Counter[str] = Counter()
-        self._count(monkeypatch, notation, "_by_chain_rule", "derivatives")
-        self._count(monkeypatch, sp.Expr, "diff", "derivatives of SymPy")
-        self._count(monkeypatch, Point, "at", "values at points")
-        self._count(monkeypatch, PrimeField, "less", "rows reduced")
+    def counting(*args: object, **kwargs: object) -> object:
+        counts[what] += 1
+        return original(*args, **kwargs)
 
-    def _count(self, monkeypatch: pytest.MonkeyPatch, place: object, name: str, what: str) -> None:
-        original = getattr(place, name)
-
-        def counting(*args: object, **kwargs: object) -> object:
-            self.counts[what] += 1
-            return original(*args, **kwargs)
-
-        monkeypatch.setattr(place, name, counting)
+    monkeypatch.setattr(place, name, counting)
 
 
 @pytest.fixture
 def counted(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
-    return Counted(monkeypatch).counts
+    """How often the slow things are done."""
+    counts: Counter[str] = Counter()
+    count(counts, monkeypatch, notation, "_by_chain_rule", "derivatives")
+    count(counts, monkeypatch, sp.Expr, "diff", "derivatives of SymPy")
+    count(counts, monkeypatch, Point, "at", "values at points")
+    count(counts, monkeypatch, PrimeField, "less", "rows reduced")
+    return counts
 
 
 def work(family: str, n: int, counts: Counter[str]) -> dict[str, int]:
@@ -214,3 +214,27 @@ def test_the_equations_of_a_chain_are_short(n: int, operations: int) -> None:
     motion = solved("links", n).solution.motion
     assert motion is not None
     assert sum(int(e.count_ops()) for e in motion.expressions) <= operations
+
+
+VERDICTS = {  # on answers to ex. 18 in its angles: what they take today, and a tenth more
+    "phi1'' + (g/l1)*sin(phi1) = 0": {"values at points": 60, "rows reduced": 18, "comparisons": 1},
+    "(m1 + m2)*l1*phi1'' + m2*l2*phi2''*cos(phi1 - phi2) + m2*l2*phi2'^2*sin(phi1 - phi2) + (m1 + m2)*g*sin(phi1) = 0": {
+        "values at points": 67,
+        "rows reduced": 18,
+        "comparisons": 1,
+    },
+}
+
+
+@pytest.mark.parametrize("answer", VERDICTS, ids=["wrong", "right"])
+def test_a_verdict_takes_no_more_than_before(
+    answer: str, counted: Counter[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In the one set of coordinates that it is written in, with the reference warm."""
+    against = reference(load(PROBLEMS / "chapter6" / "ex18-double-pendulum.yaml"))
+    check_equations([Fragment.of("0 = 0")], against)
+    count(counted, monkeypatch, answers, "compare", "comparisons")
+    counted.clear()
+    check_equations([Fragment.of(answer)], against, diagnosing=False)
+    found = {what: counted[what] for what in VERDICTS[answer]}
+    assert all(found[what] <= most for what, most in VERDICTS[answer].items()), found
