@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 
@@ -256,6 +257,63 @@ def test_what_is_not_solved_is_left() -> None:
     assert relations(found)[0] == {"theta": "0"}
     assert len(found.branches[1].left) == 1
     assert found.exists
+
+
+COLUMN = """
+title: Two bars with torsion springs under a load
+parameters: [l, c, P]
+coordinates: [a, b]
+forces: {springs: {potential: c*a^2/2 + c*(b - a)^2/2}, load: {potential: P*l*(cos(a) + cos(b))}}
+"""
+
+
+def test_rest_at_zero_is_seen_in_equations_that_are_not_solved() -> None:
+    """c (2a − b) = P l sin a and c (b − a) = P l sin b: the straight column, and perhaps bent ones.
+
+    det K = c² − 3 c P l + P² l² > 0, so that the smaller root, P l = (3 − √5)/2 c, is the load at which it buckles.
+    """
+    solution = solve(read(COLUMN))
+    found = solution.equilibrium
+    assert found is not None
+    assert relations(found)[0] == {"a": "0", "b": "0"}
+    assert [bool(b.left) for b in found.branches] == [False, True]
+    assert solution.stability is not None
+    straight = solution.stability.verdicts[0]
+    assert straight.verdict is Stable.CONDITIONAL
+    for push, stable in ((sp.Rational(38, 100), True), (sp.Rational(39, 100), False), (3, False)):
+        values = dict(zip(symbols("l c P", positive=True), (1, 1, push), strict=True))
+        held = [(c.lhs - c.rhs).subs(values) > 0 for c in straight.conditions if c.relation == ">"]
+        assert len(held) == len(straight.conditions)
+        assert all(held) is stable
+
+
+LOADED_WHEEL = """
+title: A wheel with a weight on its rim, on an incline
+parameters: [M, m, R, r, g, alpha]
+coordinates: [phi]
+particles:
+  C: {mass: M, position: R*phi*i}
+  Q: {mass: m, position: (R*phi + r*sin(phi))*i + r*cos(phi)*j}
+gravity: g*sin(alpha)*i - g*cos(alpha)*j
+find: [equilibrium, linearization]
+"""
+
+
+def test_angles_given_by_an_angle_of_the_parameters() -> None:
+    """m r sin(φ + α) = −(M + m) R sin α; V'' = −m g r cos(φ + α) is of either sign, and no sin²α + cos²α is left."""
+    solution = solve(read(LOADED_WHEEL))
+    assert solution.equilibrium is not None
+    assert solution.stability is not None
+    assert {v.verdict for v in solution.stability.verdicts} == {Stable.STABLE, Stable.UNSTABLE}
+    values = dict(zip(symbols("M m R r g alpha", positive=True), (2, 3, 1, 4, 10, 0.3), strict=True))
+    for branch, verdict in zip(solution.equilibrium.branches, solution.stability.verdicts, strict=True):
+        point = {str(r.lhs): r.rhs for r in branch.relations}
+        assert max(e.count_ops() for e in point.values()) < 40
+        sine, cosine = (float(point[f"{f}(phi)"].subs(values)) for f in ("sin", "cos"))
+        assert math.isclose(sine**2 + cosine**2, 1)
+        assert math.isclose(12 * (sine * math.cos(0.3) + cosine * math.sin(0.3)), -5 * math.sin(0.3))
+        second = -120 * (cosine * math.cos(0.3) - sine * math.sin(0.3))
+        assert (second > 0) is (verdict.verdict is Stable.STABLE)
 
 
 def test_a_spring_between_two_points() -> None:
