@@ -44,11 +44,13 @@ class Stability:
 
     minors      the leading minors of V_kj on the branch; the first is V'' where there is one coordinate
     conditions  stable where these hold
+    unstable    of what is undecided: unstable where one of these holds
     """
 
     verdict: Verdict
     minors: tuple[sp.Expr, ...] = ()
     conditions: tuple[Condition, ...] = ()
+    unstable: tuple[Condition, ...] = ()
 
 
 @record
@@ -157,7 +159,8 @@ def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium)
     if -1 in diagonal or _is_indefinite(signs):
         return Stability(Verdict.UNSTABLE, written)
     if 0 in signs:
-        return Stability(Verdict.UNDECIDED, written)
+        open_ = [-matrix[n][n] for n, sign in enumerate(diagonal) if sign is None]
+        return Stability(Verdict.UNDECIDED, written, unstable=where_positive(open_, known))
     if None not in signs:
         return Stability(Verdict.STABLE, written)
     conditions = conditions_for(minors, known)
@@ -186,6 +189,12 @@ def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> 
     if any((c.lhs - c.rhs).count_ops() > MOST_OPERATIONS for c in wanted):
         return None
     return tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in wanted)
+
+
+def where_positive(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[Condition, ...]:
+    """The condition that each of them is positive, one by one; without those that are too long to be of use."""
+    found = (conditions_for([e], known) for e in expressions)
+    return tuple(dict.fromkeys(c for conditions in found for c in conditions or ()))
 
 
 def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:

@@ -704,3 +704,36 @@ def test_brief_names_the_small_changes_where_they_are_used() -> None:
     told = report(load(str(next(PROBLEMS.rglob("ziegler-column.yaml")))))
     brief = pretty.text(told.derivation, told.notation, 80, Detail.BRIEF)
     assert "Let ξ₁ and ξ₂ be the small changes of θ and ψ from rest.\n" in brief
+
+
+CAM = """
+axes: {i: right, j: up}
+parameters: [m, J, a, b, g]
+coordinates: [x, y, theta]
+bodies: {cam: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+constraints: {contact: y = sqrt(a^2*sin(theta)^2 + b^2*cos(theta)^2)}
+gravity: -g*j
+"""
+
+
+def test_a_zero_root_beside_one_that_may_be_negative() -> None:
+    """An ellipse on smooth ground may glide away; upright (y = a at θ = π/2) it falls over where a > b."""
+    solution = solved(CAM, "find: [equilibrium, linearization]")
+    found = linear_equations(solution)
+    a, b = sp.symbols("a b", positive=True)
+    theta, y = (sp.Symbol(n, real=True) for n in ("theta", "y"))
+    assert solution.stability is not None
+    for branch, s, second in zip(found.branches, found.at, solution.stability.verdicts, strict=True):
+        at = {r.lhs: r.rhs for r in branch.relations}
+        upright = at[theta] in (sp.pi / 2, -sp.pi / 2)
+        assert at[y] == (a if upright else b)
+        assert s is not None
+        for stability in (s.judgement.stability, second):
+            assert stability.verdict is Verdict.UNDECIDED
+            [condition] = stability.unstable
+            larger = condition.lhs if condition.relation == ">" else condition.rhs
+            assert {condition.lhs, condition.rhs} == {a, b}
+            assert larger == (a if upright else b)
+    told = report(read_problem(Source("cam", f"title: cam\n{CAM}find: linearization\n")))
+    page = " ".join(pretty.text(told.derivation, told.notation, 80, Detail.STEPS).split())
+    assert "is unstable where a > b. To the root zero belongs a uniform motion" in page

@@ -296,5 +296,8 @@ def _said(s: Stability, one: bool) -> tuple[Part, ...]:
             if long:
                 return ("the equilibrium is stable where ", *where, ".")
             return (*what, ": stable where ", *where, contrary)
+        case Verdict.UNDECIDED if s.unstable:
+            where = listed((_condition(c) for c in s.unstable), " or ")
+            return (*what, ": unstable where ", *where, "; elsewhere the second variation does not decide.")
         case Verdict.UNDECIDED:
             return (*what, ": the second variation does not decide.") if not long else ("they do not decide.",)
