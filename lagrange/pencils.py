@@ -140,7 +140,7 @@ def _parts_of_roots(factor: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Exp
     if len(coefficients) != 3:
         return None
     a, b, c = coefficients
-    half = _factored_roots(square_root(b**2 - 4 * a * c)) / (2 * a)
+    half = _factored_roots(square_root(b**2 - 4 * a * c)) / sp.factor(2 * a)
     return sp.factor(-b / (2 * a)), -half if sign_of(half) == -1 else half
 
 

@@ -188,7 +188,18 @@ def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> 
             known.append(sp.factor(wanted[-1].lhs - wanted[-1].rhs) * (-1 if wanted[-1].relation == "<" else 1))
     if any((c.lhs - c.rhs).count_ops() > MOST_OPERATIONS for c in wanted):
         return None
-    return tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in wanted)
+    return tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in _without_weaker(wanted))
+
+
+def _without_weaker(conditions: Sequence[Condition]) -> list[Condition]:
+    """Without those that another one implies: of e > 2a and e > 4a, with a > 0, the second."""
+    above = [(c.lhs - c.rhs) * (-1 if c.relation == "<" else 1) for c in conditions]
+    kept = list(range(len(conditions)))
+    for n in range(len(conditions)):
+        others = [k for k in kept if k != n]
+        if any(sign_of(sp.expand(above[n] - above[k])) in (0, 1) for k in others):
+            kept = others
+    return [conditions[k] for k in kept]
 
 
 def where_positive(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[Condition, ...]:

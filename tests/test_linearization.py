@@ -737,3 +737,28 @@ def test_a_zero_root_beside_one_that_may_be_negative() -> None:
     told = report(read_problem(Source("cam", f"title: cam\n{CAM}find: linearization\n")))
     page = " ".join(pretty.text(told.derivation, told.notation, 80, Detail.STEPS).split())
     assert "is unstable where a > b. To the root zero belongs a uniform motion" in page
+
+
+SPUN_TOP = """
+parameters: [m, A, C, g, l, Omega]
+coordinates: [alpha, beta]
+bodies:
+  top: {mass: m, inertia: [A, A, C], position: l*e3_top, orientation: {axes: 123, angles: [alpha, beta, Omega*t]}}
+gravity: -g*k
+"""
+
+
+def test_a_sleeping_top_by_one_condition() -> None:
+    """Klein and Sommerfeld: C² Ω² > 4 (A + m l²) m g l, which implies the condition with 2 for 4."""
+    found = linear_equations(solved(SPUN_TOP))
+    m, A, C, g, l, Omega = sp.symbols("m A C g l Omega", positive=True)
+    alpha, beta = (sp.Symbol(n, real=True) for n in ("alpha", "beta"))
+    [upright] = [n for n, b in enumerate(found.branches) if {r.lhs: r.rhs for r in b.relations} == {alpha: 0, beta: 0}]
+    s = found.at[upright]
+    assert s is not None
+    [condition] = s.judgement.stability.conditions
+    assert condition.relation == ">"
+    assert sp.expand(condition.lhs - condition.rhs - C**2 * Omega**2 + 4 * m * g * l * (A + m * l**2)) == 0
+    for f in s.frequencies:  # without the common factor (A + m l²)²
+        assert f.square is not None
+        assert f.square.count_ops() < 50
