@@ -224,11 +224,11 @@ def _special(value: sp.Expr, angle: Angle, cosine: bool) -> list[Root]:
 
 
 def at_angle(angle: Angle, measure: sp.Expr) -> Root:
-    """θ itself."""
+    """θ itself; where θ/2 occurs it is told from θ + 2π, and −π from π."""
     c, s = angle.letters
     [unknown] = angle.measure.free_symbols
     share = angle.measure / unknown
-    relation = Relation(unknown, between_minus_pi_and_pi(measure / share))
+    relation = Relation(unknown, between_minus_pi_and_pi(measure) / share)
     return Root((relation,), ({c: sp.cos(measure), s: sp.sin(measure)},))
 
 

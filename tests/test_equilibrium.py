@@ -576,3 +576,73 @@ def test_no_reactions_are_found_where_there_are_none() -> None:
 
 def solution_of(text: str) -> Solution:
     return solve(read(text))
+
+
+HALF = """
+title: A pendulum pulled over a pulley above it
+parameters: [W, Q, l]
+coordinates: [theta]
+forces: {weights: {potential: W*l*cos(theta) + 2*Q*l*sin(theta/2)}}
+answers:
+  equilibrium: [["theta = pi"], ["sin(theta/2) = Q/(2*W)"]]
+"""
+
+
+def test_half_angles_tell_a_position_from_the_same_a_turn_later() -> None:
+    """V'' = −W l cos θ − ½ Q l sin(θ/2) is (W − Q/2) l at π and (W + Q/2) l at −π."""
+    solution = solve(read(HALF))
+    assert solution.equilibrium is not None
+    assert solution.stability is not None
+    W, Q, l = symbols("W Q l", positive=True)
+    at = {
+        r.rhs: s
+        for b, s in zip(solution.equilibrium.branches, solution.stability.verdicts, strict=True)
+        for r in b.relations
+        if r.lhs == sp.Symbol("theta", real=True)
+    }
+    assert sp.expand(at[sp.pi].minors[0] - (W - Q / 2) * l) == 0
+    assert at[sp.pi].verdict is Stable.CONDITIONAL
+    assert sp.expand(at[-sp.pi].minors[0] - (W + Q / 2) * l) == 0
+    assert at[-sp.pi].verdict is Stable.STABLE
+    assert report(read(HALF)).holds  # in answers angles count modulo 2π
+
+
+@pytest.mark.parametrize(
+    ("potential", "verdict", "order"),
+    [
+        ("a*theta^2/2 + a*cos(theta)", Stable.STABLE, 4),
+        ("-a*theta^2/2 - a*cos(theta)", Stable.UNSTABLE, 4),
+        ("a*theta - a*sin(theta)", Stable.UNSTABLE, 3),
+        ("a*theta^2/2 + a*cos(theta) - a*theta^4/24", Stable.UNSTABLE, 6),
+        ("b*(1 - cos(theta))^4", Stable.UNDECIDED, 2),
+    ],
+)
+def test_higher_derivatives_where_the_second_is_zero(potential: str, verdict: Stable, order: int) -> None:
+    text = f"title: v\nparameters: [a, b]\ncoordinates: [theta]\nforces: {{v: {{potential: '{potential}'}}}}\n"
+    stability = solve(read(text)).stability
+    assert stability is not None
+    assert (stability.verdicts[0].verdict, stability.verdicts[0].order) == (verdict, order)
+
+
+WIRE = """
+title: Bead on an elliptic wire
+parameters: [m, a, b, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {wire: x^2/a^2 + y^2/b^2 = 1}
+gravity: -g*j
+find: equilibrium
+"""
+
+
+def test_stability_where_other_displacements_are_free() -> None:
+    """δx = −(a² y/(b² x)) δy fails at x = 0, where y = ∓b (1 − x²/(2a²)) gives V'' = ± m g b/a²."""
+    solution = solve(read(WIRE))
+    assert solution.equilibrium is not None
+    assert solution.stability is not None
+    m, a, b, g = symbols("m a b g", positive=True)
+    for branch, s in zip(solution.equilibrium.branches, solution.stability.verdicts, strict=True):
+        below = {str(r.lhs): r.rhs for r in branch.relations}["y"] == -b
+        assert s.verdict is (Stable.STABLE if below else Stable.UNSTABLE)
+        assert [str(q) for q in s.free] == ["x"]
+        assert sp.cancel(s.minors[0] - (1 if below else -1) * m * g * b / a**2) == 0
