@@ -363,7 +363,8 @@ class _Search:
 
     def _nonzero(self, coefficient: sp.Expr) -> list[Condition]:
         """The conditions under which what is divided by does not vanish: k l ≠ m g."""
-        sums = [p for p in factors(coefficient) or [] if p.is_Add and not self._circular(p)]
+        pieces = [self.letters.shortest(p) for p in factors(coefficient) or [] if p.is_Add]
+        sums = [p for p in pieces if p.is_Add]
         return [c for p in sums if not self.letters.unknowns_in(p) for c in different_from_zero(p)]
 
     def _as_linear(self, e: sp.Expr, u: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:

@@ -125,6 +125,11 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
                    is known
     """
     letters = e.solution.letters
+    for jump in expression.atoms(sp.DiracDelta):
+        at = on_branch(b, jump.args[0], e)
+        if at is None or sign_on(at, known_positive(b)) not in (1, -1):
+            return None
+        expression = expression.xreplace({jump: sp.S.Zero})  # the derivative of a sign, beside its jump
     try:
         there = resolved(letters.read(expression), b.common)
     except NotAlgebraicError:

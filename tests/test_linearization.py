@@ -762,3 +762,47 @@ def test_a_sleeping_top_by_one_condition() -> None:
     for f in s.frequencies:  # without the common factor (A + m l²)²
         assert f.square is not None
         assert f.square.count_ops() < 50
+
+
+POLAR_SPRING = """
+parameters: [m, c, l, g]
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+gravity: g*i
+forces: {spring: {spring: c, between: [0*i, P], length: l}}
+"""
+
+
+def test_the_sign_in_a_spring_has_a_derivative_away_from_its_jump() -> None:
+    """The spring's length is |r|; at r = l + m g/c, φ = 0 small motions have ω² = c/m and g/(l + m g/c)."""
+    found = linear_equations(solved(POLAR_SPRING))
+    m, c, l, g = sp.symbols("m c l g", positive=True)
+    assert all(s is not None for s in found.at)
+    r = sp.Symbol("r", real=True)
+    [lowest] = [
+        s
+        for b, s in zip(found.branches, found.at, strict=True)
+        if any(sp.cancel(x.rhs - l - m * g / c) == 0 for x in b.relations if x.lhs == r)
+    ]
+    assert lowest is not None
+    assert {sp.cancel(f.square) for f in lowest.frequencies if f.square is not None} == {c / m, c * g / (m * g + c * l)}
+    assert lowest.judgement.stability.verdict is Verdict.STABLE
+
+
+TILTED = """
+parameters: [m, c, l, g, Omega, alpha]
+coordinates: [s]
+particles: {P: {mass: m, position: s*sin(alpha)*(cos(Omega*t)*i + sin(Omega*t)*j) + s*cos(alpha)*k}}
+gravity: -g*k
+forces: {spring: {potential: c*(s - l)^2/2}}
+"""
+
+
+def test_what_is_divided_by_is_said_with_angles_of_parameters_in_it() -> None:
+    """s (c − m Ω² sin² α) = c l − m g cos α on a wire that turns, inclined by α: c ≠ m Ω² sin² α."""
+    [branch] = linear_equations(solved(TILTED)).branches
+    m, c, Omega, alpha = sp.symbols("m c Omega alpha", positive=True)
+    [condition] = branch.conditions
+    assert condition.relation == "≠"
+    assert sp.expand(condition.lhs - condition.rhs - c + m * Omega**2 * sp.sin(alpha) ** 2) == 0

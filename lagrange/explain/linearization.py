@@ -63,7 +63,7 @@ def _rest(found: Linearization) -> Iterator[Block]:
     finite = e.configuration.finite_constraints
     cancelled = "The positions contain time, and the equations of motion do not: it has cancelled. "
     start = (cancelled if found.driven else "") + "At rest all velocities and accelerations are zero"
-    shown = [c.expression for c in e.conditions]
+    shown = list(dict.fromkeys(c.expression for c in e.conditions))
     long = not found.complete and sum(c.count_ops() for c in shown) > LONGEST
     if e.configuration.rows:
         start += ". Reactions balance the forces that are left" + (", and the constraints hold," if finite else "")
