@@ -237,6 +237,11 @@ forces: {rub: {friction: mu, constraint: floor, on: rod}}
 """
 
 
+def test_friction_at_rest_has_no_law(problem: Read) -> None:
+    with pytest.raises(NotCoveredError, match="`rub`, which at rest is any force up to a limit"):
+        solve(problem("title: Example\n" + INCLINE.format(more="") + "find: equilibrium\n"))
+
+
 def test_where_a_body_is_touched_is_not_known(problem: Read) -> None:
     """The mass centre is not where it slides. What does not need the force is found; a particle beside it may slide."""
     with pytest.raises(NotCoveredError, match="friction on a rigid body, `rub`") as caught:
