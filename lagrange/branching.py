@@ -23,6 +23,7 @@ from lagrange.exact import is_zero
 from lagrange.polynomial_roots import factors, numerator, square_root, tidied
 from lagrange.positivity import Condition, different_from_zero, sign_of
 from lagrange.records import record
+from lagrange.seen import seen_at_once
 from lagrange.solution_sets import (
     MOST_POINTS,
     Branch,
@@ -253,7 +254,21 @@ class _Search:
             yield from self.branches(other)
             continue
         if self._linear(state, with_unknowns=True) is None:
+            for values in seen_at_once(state.equations, self.letters):
+                yield from self.branches(self._taken(state, (), values))
             yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
+
+    def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
+        """The state in which some unknowns have values that were seen."""
+        relations = tuple(Relation(u, v) for u, v in values.items() if u in self.letters.unknowns)
+        return replace(
+            state,
+            equations=rest,
+            values={**state.values, **values},
+            common={**state.common, **values},
+            relations=(*state.relations, *relations),
+            solved=(*state.solved, *(r.lhs for r in relations)),
+        )
 
     def _roots(self, e: sp.Expr, u: sp.Symbol) -> list[Root] | None:
         angle = self.letters.angles.get(u)
@@ -273,22 +288,10 @@ class _Search:
 
     def _mixed(self, e: sp.Expr, u: sp.Symbol, rest: tuple[sp.Expr, ...], state: _State) -> Iterator[Branch]:
         """An equation that is not solved, such as k θ = m g l sin θ; its root θ = 0 is seen at once."""
-        angle = self.letters.angles.get(u)
         left = replace(state, equations=rest, stuck=(*state.stuck, e), solved=(*state.solved, u))
-        if angle is not None and u in e.free_symbols:
-            zero = {u: sp.S.Zero, angle.cosine: sp.S.One, angle.sine: sp.S.Zero}
-            if sp.expand(e.xreplace(zero)) == 0:
-                yield from self.branches(
-                    replace(
-                        state,
-                        equations=rest,
-                        values={**state.values, **zero},
-                        common={**state.common, **zero},
-                        relations=(*state.relations, Relation(u, sp.S.Zero)),
-                        solved=(*state.solved, u),
-                    )
-                )
-                left = replace(left, conditions=(*left.conditions, Condition(u, "≠", sp.S.Zero)))
+        for values in seen_at_once((e,), self.letters):
+            yield from self.branches(self._taken(state, rest, values))
+            left = replace(left, conditions=(*left.conditions, Condition(u, "≠", values[u])))
         yield from self.branches(left)
 
     def _linear(self, state: _State, with_unknowns: bool) -> list[_State] | None:
@@ -360,7 +363,8 @@ class _Search:
 
     def _nonzero(self, coefficient: sp.Expr) -> list[Condition]:
         """The conditions under which what is divided by does not vanish: k l ≠ m g."""
-        sums = [p for p in factors(coefficient) or [] if p.is_Add and not self._circular(p)]
+        pieces = [self.letters.shortest(p) for p in factors(coefficient) or [] if p.is_Add]
+        sums = [p for p in pieces if p.is_Add]
         return [c for p in sums if not self.letters.unknowns_in(p) for c in different_from_zero(p)]
 
     def _as_linear(self, e: sp.Expr, u: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:

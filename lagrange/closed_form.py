@@ -148,7 +148,7 @@ def angle_roots(f: sp.Expr, u: sp.Symbol, letters: Letters) -> list[Root] | None
     forms = [pieces for form in _forms(f, angle) if (pieces := factors(form)) is not None]
     for squaring in (False, True):
         for pieces in forms:
-            found = [_angle_factor(p, angle, squaring) for p in pieces if set(angle.letters) & p.free_symbols]
+            found = [_angle_factor(p, angle, letters, squaring) for p in pieces if set(angle.letters) & p.free_symbols]
             if all(r is not None for r in found):
                 return [root for roots in found for root in roots or ()]
     return None
@@ -175,7 +175,7 @@ def _homogeneous(f: sp.Expr, c: sp.Symbol, s: sp.Symbol) -> sp.Expr | None:
     return sp.expand(sp.Add(*parts))
 
 
-def _angle_factor(f: sp.Expr, angle: Angle, squaring: bool) -> list[Root] | None:
+def _angle_factor(f: sp.Expr, angle: Angle, letters: Letters, squaring: bool) -> list[Root] | None:
     c, s = angle.letters
     if s not in f.free_symbols:
         return _of_one_function(f, angle, sp.cos)
@@ -186,7 +186,7 @@ def _angle_factor(f: sp.Expr, angle: Angle, squaring: bool) -> list[Root] | None
     if len(degrees) == 1:
         return _of_tangent(f, angle)
     if max(degrees) == 1:
-        return _linear(f, angle)
+        return _linear(f, angle, letters)
     return _squared(f, angle) if squaring else None
 
 
@@ -224,11 +224,11 @@ def _special(value: sp.Expr, angle: Angle, cosine: bool) -> list[Root]:
 
 
 def at_angle(angle: Angle, measure: sp.Expr) -> Root:
-    """θ itself."""
+    """θ itself; where θ/2 occurs it is told from θ + 2π, and −π from π."""
     c, s = angle.letters
     [unknown] = angle.measure.free_symbols
     share = angle.measure / unknown
-    relation = Relation(unknown, between_minus_pi_and_pi(measure / share))
+    relation = Relation(unknown, between_minus_pi_and_pi(measure) / share)
     return Root((relation,), ({c: sp.cos(measure), s: sp.sin(measure)},))
 
 
@@ -259,13 +259,13 @@ def _of_tangent(f: sp.Expr, angle: Angle) -> list[Root] | None:
     return found
 
 
-def _linear(f: sp.Expr, angle: Angle) -> list[Root]:
+def _linear(f: sp.Expr, angle: Angle, letters: Letters) -> list[Root]:
     """a sin θ + b cos θ + d = 0."""
     c, s = angle.letters
     poly = sp.Poly(f, c, s)
     a, b, d = (sp.factor(poly.coeff_monomial(m)) for m in (s, c, 1))
-    square = sp.factor(a**2 + b**2)
-    radicand = sp.factor(a**2 + b**2 - d**2)
+    square = sp.factor(letters.shortest(a**2 + b**2))
+    radicand = sp.factor(letters.shortest(square - d**2))
     conditions = not_negative(radicand)
     if conditions is None:
         return []

@@ -68,6 +68,12 @@ class Elimination:
             for d, row in zip(self.dependent, self.solution, strict=True)
         }
 
+    def shape(self, size: int) -> tuple[tuple[sp.Expr, ...], ...]:
+        """N with δq = N δq_I, shape (size, number independent), `size` being the number of coordinates."""
+        rows = dict(zip(self.dependent, self.solution, strict=True))
+        unit = {k: tuple(sp.Integer(j == k) for j in self.independent) for k in self.independent}
+        return tuple((rows | unit)[k] for k in range(size))
+
 
 def possible_displacement(row: Row, slots: Slots) -> sp.Expr:
     """Σ a_i dq_i + a_t dt; of a constraint that is not linear in the velocities φ, with dq_i = q_i' dt."""

@@ -174,7 +174,21 @@ def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -
         size = textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))
         if size.free_symbols.isdisjoint(configuration.slots.coordinates):
             return size
-    return textbook_form(sp.sqrt(textbook_form(direction.dot(direction))))
+    square = textbook_form(direction.dot(direction))
+    return textbook_form(sp.sqrt(_where_it_holds(square, reaction, configuration)))
+
+
+def _where_it_holds(square: sp.Expr, reaction: Reaction, configuration: Configuration) -> sp.Expr:
+    """|g|² with the constraint put in, where that leaves no coordinates: of x² + y² = R² in space it is 4R²."""
+    coordinates = configuration.slots.coordinates
+    finite = (reaction.row.finite or sp.S.Zero).xreplace(configuration.substitution)
+    if not (finite.is_polynomial(*coordinates) and square.is_polynomial(*coordinates)):
+        return square
+    poly, wanted = sp.Poly(finite, *coordinates), sp.Poly(square, *coordinates)
+    if poly.is_ground or wanted.is_ground:
+        return square
+    left = wanted - poly * (wanted.coeff_monomial(poly.monoms()[0]) / poly.LC())
+    return sp.factor(left.as_expr()) if left.is_ground else square
 
 
 def _slip(friction: Friction, reaction: Reaction, direction: Vector, configuration: Configuration) -> Vector:

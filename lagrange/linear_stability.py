@@ -30,7 +30,16 @@ from lagrange.pencils import Frequency, Matrix
 from lagrange.positivity import MOST_OPERATIONS, different_from_zero
 from lagrange.records import record
 from lagrange.solution_sets import Branch
-from lagrange.stability import Stability, Verdict, conditions_for, definiteness, known_positive, on_branch, sign_on
+from lagrange.stability import (
+    Stability,
+    Verdict,
+    conditions_for,
+    definiteness,
+    known_positive,
+    on_branch,
+    sign_on,
+    where_positive,
+)
 
 
 class Kind(StrEnum):
@@ -73,7 +82,17 @@ class LinearSystem:
 
 
 def judged(s: LinearSystem, b: Branch, found: Equilibrium) -> Judgement:
-    """The verdict on stability at one equilibrium."""
+    """The verdict on stability at one equilibrium; of what is undecided, where some ω² is negative."""
+    judgement = _judged(s, b, found)
+    if judgement.stability.verdict is not Verdict.UNDECIDED:
+        return judgement
+    known = known_positive(b)
+    opposite = [-f.square for f in s.frequencies if f.square is not None and not _has_root(f.square)]
+    unstable = where_positive([w for w in opposite if sign_on(w, known) is None], known)
+    return replace(judgement, stability=replace(judgement.stability, unstable=unstable))
+
+
+def _judged(s: LinearSystem, b: Branch, found: Equilibrium) -> Judgement:
     known = known_positive(b)
     squares = [f.square for f in s.frequencies]
     negative = tuple(w for w in squares if w is not None and sign_on(w, known) == -1)

@@ -24,7 +24,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.displacements import Elimination, eliminate
+from lagrange.displacements import eliminate
 from lagrange.equations import EquationsOfMotion
 from lagrange.equilibrium import Equilibrium
 from lagrange.exact import DivisionByZeroError, Surface, is_zero
@@ -247,7 +247,7 @@ def matrices_on(
     there = eliminate(fixed, len(slots.coordinates), Surface())
     if len(there.independent) != len(found.elimination.independent):
         return None  # the constraints bind more or fewer displacements here than elsewhere
-    shape = _shape(there, len(slots.coordinates))
+    shape = there.shape(len(slots.coordinates))
     reduced = [_reduced(matrix, shape, b, found) for matrix in (mass, damping, stiffness)]
     if any(r is None for r in reduced):
         return None
@@ -259,16 +259,6 @@ def _is_smooth(e: sp.Expr, configuration: Configuration) -> bool:
     """Whether an entry is a function of parameters that exists: no 1/0, no derivative of a jump, no time."""
     bad = e.has(sp.zoo, sp.nan, sp.oo, sp.DiracDelta, sp.Heaviside, sp.Derivative)
     return not bad and not any(is_time(s, configuration) for s in e.free_symbols)
-
-
-def _shape(there: Elimination, size: int) -> Matrix:
-    """N, shape (size, f), with ξ = N η."""
-    rows = [[ZERO] * len(there.independent) for _ in range(size)]
-    for column, k in enumerate(there.independent):
-        rows[k][column] = sp.S.One
-    for d, solved in zip(there.dependent, there.solution, strict=True):
-        rows[d] = list(solved)
-    return tuple(tuple(r) for r in rows)
 
 
 def _reduced(matrix: list[list[sp.Expr | None]], shape: Matrix, b: Branch, found: Equilibrium) -> Matrix | None:

@@ -24,6 +24,7 @@ from sympy.polys.polyerrors import NotInvertible
 from lagrange.elimination import nullspace
 from lagrange.polynomial_roots import MOST_OPERATIONS, square_root
 from lagrange.positivity import Condition, different_from_zero, sign_of
+from lagrange.presentation import shown
 from lagrange.records import record
 
 MOST_ROWS = 6
@@ -126,6 +127,7 @@ def closed_roots(factor: sp.Expr, letter: sp.Symbol) -> list[sp.Expr] | None:
         return None
     centre, half = found
     roots = [without_minus(centre)] if half == 0 else [_sum(centre, -half), _sum(centre, half)]
+    roots = [shown(r) for r in roots]
     return None if any(r.count_ops() > LONGEST_ROOT for r in roots) else roots
 
 
@@ -138,7 +140,7 @@ def _parts_of_roots(factor: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Exp
     if len(coefficients) != 3:
         return None
     a, b, c = coefficients
-    half = _factored_roots(square_root(b**2 - 4 * a * c)) / (2 * a)
+    half = _factored_roots(square_root(b**2 - 4 * a * c)) / sp.factor(2 * a)
     return sp.factor(-b / (2 * a)), -half if sign_of(half) == -1 else half
 
 
@@ -218,7 +220,8 @@ class Field:
         coefficients = [c.xreplace(back) for c in reversed(x.all_coeffs())]
         constant = coefficients[0]
         slope = coefficients[1] if len(coefficients) > 1 else sp.S.Zero
-        return _sum(sp.factor(constant + slope * centre), sp.factor_terms(sp.together(sp.factor(slope) * half)))
+        moving = sp.factor_terms(sp.together(sp.factor(slope) * half))
+        return shown(_sum(sp.factor(constant + slope * centre), moving))
 
 
 def modes(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import sympy as sp
 
 from lagrange.textbook import textbook_form
@@ -14,7 +16,8 @@ def shown(e: sp.Expr) -> sp.Expr:
     if e.is_Atom or e.count_ops() > MOST_OPERATIONS:
         return e
     forms = [e]
-    roots = any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow))
+    roots = [p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer]
+    forms += [_with_radicands(e, roots)] if roots else []
     if not roots and e.has(sp.sin, sp.cos):
         above, below = sp.fraction(sp.together(e))
         forms.append(textbook_form(above) / textbook_form(below))
@@ -22,6 +25,17 @@ def shown(e: sp.Expr) -> sp.Expr:
         forms.append(textbook_form(e))
     written = [with_tangents(f) for f in forms]
     return min(written, key=lambda f: (f.count_ops(), forms.index(f) if f in forms else 0))
+
+
+def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:
+    """Sines and cosines under roots in textbook form, where that is shorter."""
+    written = {}
+    for p in roots:
+        if (p.base.is_Add or p.base.is_Mul) and p.base.has(sp.sin, sp.cos):
+            form = textbook_form(p.base)
+            if form.count_ops() < p.base.count_ops() and not p.base.atoms(sp.Pow) & {*roots}:
+                written[p] = form**p.exp
+    return e.xreplace(written)
 
 
 def with_tangents(e: sp.Expr) -> sp.Expr:

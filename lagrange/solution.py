@@ -365,7 +365,8 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
     bodies = {b.name for b in problem.bodies}
     for force in (f for f in problem.forces if isinstance(f, Friction)):
         if Find.EQUILIBRIUM in problem.find:
-            raise NotCoveredError(f"friction `{force.name}`", force.span)
+            what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
+            raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
         if Find.MOTION in problem.find and force.on in bodies:  # where it touches, nobody says

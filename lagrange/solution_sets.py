@@ -148,6 +148,10 @@ def written(b: Branch, letters: Letters, unknowns: Sequence[sp.Symbol]) -> Branc
     several = {s for u in unknowns if u in letters.angles for s in letters.angles[u].letters}
     several = {s for s in several if s not in b.common or b.common[s].free_symbols & several}
     known = {s: v for s, v in b.common.items() if s not in several}
+    for root, radicand in letters.roots.items():
+        there = resolved(radicand, known)
+        if root not in known and there != radicand and not letters.unknowns_in(there):
+            known[root] = sp.sqrt(letters.write(there))
 
     def place(r: Relation) -> int:
         used = [unknowns.index(owner[s]) for s in letters.read(r.lhs).free_symbols if s in owner]

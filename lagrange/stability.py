@@ -7,18 +7,25 @@ displacements that the constraints leave free,
     V_kj = −D_j Q_k ,      D_j = ∂/∂q_j + Σ_d B_dj ∂/∂q_d ,      Q_k the generalized force of the free δq_k ,
 
 and there is a potential where V_kj = V_jk. The signs of the leading minors decide. A sign that the parameters leave
-open becomes a condition; a minor that vanishes leaves the question undecided.
+open becomes a condition. Where V'' of one coordinate vanishes, the first derivative of V that does not decides; a minor
+that vanishes leaves the question undecided.
+
+Where a pivot of the displacements vanishes at an equilibrium (a bead at the lowest point of x² + y² = l²), others are
+free there, and V_kj is that of V − Σ λ f with the multipliers λ of the equilibrium, in displacements with A δq = 0.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from enum import StrEnum
 
 import sympy as sp
 
+from lagrange.displacements import eliminate
 from lagrange.equilibrium import Equilibrium
-from lagrange.exact import is_zero
+from lagrange.exact import Surface, is_zero
+from lagrange.kinematics import Row
 from lagrange.polynomial_roots import MOST_OPERATIONS, factors
 from lagrange.positivity import Condition, more_than_zero, sign_of
 from lagrange.presentation import shown
@@ -27,6 +34,8 @@ from lagrange.solution_sets import Branch, resolved
 from lagrange.unit_circle import NotAlgebraicError
 
 MOST_COORDINATES = 4
+HIGHEST_ORDER = 6
+"""Of the derivatives of V that are looked at."""
 
 
 class Verdict(StrEnum):
@@ -44,11 +53,17 @@ class Stability:
 
     minors      the leading minors of V_kj on the branch; the first is V'' where there is one coordinate
     conditions  stable where these hold
+    unstable    of what is undecided: unstable where one of these holds
+    order       of the first derivative of V that is not zero, in one coordinate; `minors` has it
+    free        the coordinates of the free δq where they are others than elsewhere, and multipliers are used
     """
 
     verdict: Verdict
     minors: tuple[sp.Expr, ...] = ()
     conditions: tuple[Condition, ...] = ()
+    unstable: tuple[Condition, ...] = ()
+    order: int = 2
+    free: tuple[sp.Symbol, ...] = ()
 
 
 @record
@@ -72,15 +87,21 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
     matrix = []
     for force in e.independent_forces:
         row = []
-        for column, j in enumerate(free):
-            along = force.diff(q[j])
-            for d, solved in zip(e.elimination.dependent, e.elimination.solution, strict=True):
-                along += solved[column] * force.diff(q[d])
-            row.append(e.work.textbook.form(-along))
+        for column in range(len(free)):
+            row.append(e.work.textbook.form(-_along(force, column, e)))
         matrix.append(tuple(row))
     if not _is_symmetric(matrix, e):
         return None
     return SecondVariation(tuple(q[k] for k in free), tuple(matrix), tuple(_verdict(b, matrix, e) for b in e.branches))
+
+
+def _along(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:
+    """D_j of an expression, j being the coordinate of a free displacement."""
+    q = e.configuration.slots.coordinates
+    found = expression.diff(q[e.elimination.independent[column]])
+    for d, solved in zip(e.elimination.dependent, e.elimination.solution, strict=True):
+        found += solved[column] * expression.diff(q[d])
+    return found
 
 
 def _is_symmetric(matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> bool:
@@ -104,6 +125,11 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
                    is known
     """
     letters = e.solution.letters
+    for jump in expression.atoms(sp.DiracDelta):
+        at = on_branch(b, jump.args[0], e)
+        if at is None or sign_on(at, known_positive(b)) not in (1, -1):
+            return None
+        expression = expression.xreplace({jump: sp.S.Zero})  # the derivative of a sign, beside its jump
     try:
         there = resolved(letters.read(expression), b.common)
     except NotAlgebraicError:
@@ -128,15 +154,56 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
 
 
 def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
-    if b.left or b.special or any(_vanishes(p, b, e) for p in e.elimination.pivots):
+    if b.left or b.special:
         return Stability(Verdict.UNDECIDED)
+    if any(_vanishes(p, b, e) for p in e.elimination.pivots):
+        return _with_multipliers(b, e)
     entries = [on_branch(b, x, e) for row in matrix for x in row]
     if any(x is None for x in entries):
         return Stability(Verdict.UNDECIDED)
     width = len(matrix)
+    if width == 1 and entries[0] is not None and is_zero(entries[0]):
+        return _by_higher_derivatives(matrix[0][0], b, e)
     return definiteness(
         [[x for x in entries[n * width : (n + 1) * width] if x is not None] for n in range(width)], b, e
     )
+
+
+def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stability:
+    """The verdict in one coordinate where V'' is zero: the first derivative that is not decides, of even order."""
+    undecided = Stability(Verdict.UNDECIDED, (sp.S.Zero,))
+    derivative, known = second, known_positive(b)
+    for order in range(3, HIGHEST_ORDER + 1):
+        derivative = e.work.textbook.form(_along(derivative, 0, e))
+        there = on_branch(b, derivative, e)
+        sign = None if there is None else sign_on(there, known)
+        if there is None or sign is None:
+            return undecided
+        if sign != 0:
+            stable = order % 2 == 0 and sign == 1
+            return Stability(Verdict.STABLE if stable else Verdict.UNSTABLE, (shown(there),), order=order)
+    return undecided
+
+
+def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:
+    """The verdict from the second variation of V − Σ λ f, in the displacements that are free on the branch."""
+    undecided = Stability(Verdict.UNDECIDED)
+    if any(r.finite is None for r in e.binding):
+        return undecided
+    q = e.configuration.slots.coordinates
+    rows = [[on_branch(b, a, e) for a in r.coefficients] for r in e.binding]
+    second = [[on_branch(b, -f.diff(x), e, in_parameters=True) for x in q] for f in e.balance(e.multipliers)]
+    found = [x for row in (*rows, *second) for x in row]
+    if any(x is None or x.free_symbols & {*e.multipliers} for x in found):
+        return undecided
+    there = eliminate(
+        [Row(r.name, tuple(row), sp.S.Zero) for r, row in zip(e.binding, rows, strict=True)], len(q), Surface()
+    )
+    if len(there.independent) != len(e.elimination.independent):
+        return undecided
+    shape = sp.Matrix(there.shape(len(q)))
+    reduced = (shape.T * sp.Matrix(second) * shape).tolist()
+    return replace(definiteness(reduced, b, e), free=tuple(q[k] for k in there.independent))
 
 
 def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium) -> Stability:
@@ -157,7 +224,8 @@ def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium)
     if -1 in diagonal or _is_indefinite(signs):
         return Stability(Verdict.UNSTABLE, written)
     if 0 in signs:
-        return Stability(Verdict.UNDECIDED, written)
+        open_ = [-matrix[n][n] for n, sign in enumerate(diagonal) if sign is None]
+        return Stability(Verdict.UNDECIDED, written, unstable=where_positive(open_, known))
     if None not in signs:
         return Stability(Verdict.STABLE, written)
     conditions = conditions_for(minors, known)
@@ -185,7 +253,24 @@ def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> 
             known.append(sp.factor(wanted[-1].lhs - wanted[-1].rhs) * (-1 if wanted[-1].relation == "<" else 1))
     if any((c.lhs - c.rhs).count_ops() > MOST_OPERATIONS for c in wanted):
         return None
-    return tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in wanted)
+    return tuple(Condition(shown(c.lhs), c.relation, shown(c.rhs)) for c in _without_weaker(wanted))
+
+
+def _without_weaker(conditions: Sequence[Condition]) -> list[Condition]:
+    """Without those that another one implies: of e > 2a and e > 4a, with a > 0, the second."""
+    above = [(c.lhs - c.rhs) * (-1 if c.relation == "<" else 1) for c in conditions]
+    kept = list(range(len(conditions)))
+    for n in range(len(conditions)):
+        others = [k for k in kept if k != n]
+        if any(sign_of(sp.expand(above[n] - above[k])) in (0, 1) for k in others):
+            kept = others
+    return [conditions[k] for k in kept]
+
+
+def where_positive(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[Condition, ...]:
+    """The condition that each of them is positive, one by one; without those that are too long to be of use."""
+    found = (conditions_for([e], known) for e in expressions)
+    return tuple(dict.fromkeys(c for conditions in found for c in conditions or ()))
 
 
 def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:

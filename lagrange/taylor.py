@@ -47,6 +47,7 @@ class Expansion:
         self.value = value
         self.order = len(variables[t]) - 1
         self._prescribed = frozenset(prescribed)
+        self._variables = frozenset(variables)
         self._known: dict[sp.Expr, Jet] = dict(variables)
         self._varies: dict[sp.Basic, bool] = {}
 
@@ -61,7 +62,7 @@ class Expansion:
     def _moves(self, e: sp.Basic) -> bool:
         """Whether an expansion variable occurs in it."""
         if e.is_Symbol:
-            return e in self._known or base(e) in self._prescribed
+            return e in self._variables or base(e) in self._prescribed
         known = self._varies.get(e)
         if known is None:
             known = self._varies[e] = any(self._moves(a) for a in e.args)

@@ -122,8 +122,15 @@ class Letters:
         return found
 
     def reduced(self, e: sp.Expr, keep: str = "cosine") -> sp.Expr:
-        """A polynomial with S² = 1 − C² put in (or C² = 1 − S², `keep="sine"`), expanded. Zero comes out as 0."""
+        """A polynomial with S² = 1 − C² put in (or C² = 1 − S², `keep="sine"`), expanded. Zero comes out as 0.
+
+        What is under roots is reduced by itself, and the roots are then coefficients.
+        """
         e = sp.expand(e)
+        masks = {p: sp.Dummy("root") for p in self._roots_of_letters(e)}
+        if masks:
+            back = {mask: self.reduced(p.base, keep) ** p.exp for p, mask in masks.items()}
+            return sp.expand(self.reduced(e.xreplace(masks), keep).xreplace(back))
         symbols = e.free_symbols
         for a in self.angles.values():
             other, kept = (a.sine, a.cosine) if keep == "cosine" else a.letters
@@ -133,6 +140,16 @@ class Letters:
             if root in e.free_symbols:
                 e = with_square(e, root, radicand)
         return e
+
+    def shortest(self, e: sp.Expr) -> sp.Expr:
+        """The shortest of a polynomial's forms on the circles: a² for a² C² + a² S²."""
+        return min((e, self.reduced(e), self.reduced(e, "sine")), key=lambda f: int(f.count_ops()))
+
+    def _roots_of_letters(self, e: sp.Expr) -> list[sp.Expr]:
+        """The roots of polynomials in letters of angles, such as √(C² + S²/4)."""
+        letters = {s for a in self.angles.values() for s in a.letters}
+        roots = (p for p in e.atoms(sp.Pow) if not p.exp.is_Integer and p.base.free_symbols & letters)
+        return [p for p in roots if p.base.is_polynomial(*letters)]
 
     def _has_unknown(self, e: sp.Expr) -> bool:
         return any(u in e.free_symbols for u in self.unknowns)

@@ -30,7 +30,7 @@ LAYERS = {
     "differential forms": """quadratics waves antiderivatives potentials exterior jets taylor flags charts
         integrability one_forms factor_candidates exponents symmetries one_variable relations integrating_factors
         restrictions combinations candidates first_integrals hidden_relations""",
-    "closed forms": "positivity unit_circle presentation polynomial_roots pencils closed_form solution_sets branching",
+    "closed forms": "positivity unit_circle presentation polynomial_roots pencils closed_form seen solution_sets branching",
     "a derivation": "scene derivation",
     "mathematics written": """render render.names render.pieces render.kinds render.products render.order render.styles
         render.style_unicode render.style_latex render.mathematics""",

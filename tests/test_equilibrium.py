@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from functools import cache
 
@@ -256,6 +257,63 @@ def test_what_is_not_solved_is_left() -> None:
     assert relations(found)[0] == {"theta": "0"}
     assert len(found.branches[1].left) == 1
     assert found.exists
+
+
+COLUMN = """
+title: Two bars with torsion springs under a load
+parameters: [l, c, P]
+coordinates: [a, b]
+forces: {springs: {potential: c*a^2/2 + c*(b - a)^2/2}, load: {potential: P*l*(cos(a) + cos(b))}}
+"""
+
+
+def test_rest_at_zero_is_seen_in_equations_that_are_not_solved() -> None:
+    """c (2a − b) = P l sin a and c (b − a) = P l sin b: the straight column, and perhaps bent ones.
+
+    det K = c² − 3 c P l + P² l² > 0, so that the smaller root, P l = (3 − √5)/2 c, is the load at which it buckles.
+    """
+    solution = solve(read(COLUMN))
+    found = solution.equilibrium
+    assert found is not None
+    assert relations(found)[0] == {"a": "0", "b": "0"}
+    assert [bool(b.left) for b in found.branches] == [False, True]
+    assert solution.stability is not None
+    straight = solution.stability.verdicts[0]
+    assert straight.verdict is Stable.CONDITIONAL
+    for push, stable in ((sp.Rational(38, 100), True), (sp.Rational(39, 100), False), (3, False)):
+        values = dict(zip(symbols("l c P", positive=True), (1, 1, push), strict=True))
+        held = [(c.lhs - c.rhs).subs(values) > 0 for c in straight.conditions if c.relation == ">"]
+        assert len(held) == len(straight.conditions)
+        assert all(held) is stable
+
+
+LOADED_WHEEL = """
+title: A wheel with a weight on its rim, on an incline
+parameters: [M, m, R, r, g, alpha]
+coordinates: [phi]
+particles:
+  C: {mass: M, position: R*phi*i}
+  Q: {mass: m, position: (R*phi + r*sin(phi))*i + r*cos(phi)*j}
+gravity: g*sin(alpha)*i - g*cos(alpha)*j
+find: [equilibrium, linearization]
+"""
+
+
+def test_angles_given_by_an_angle_of_the_parameters() -> None:
+    """m r sin(φ + α) = −(M + m) R sin α; V'' = −m g r cos(φ + α) is of either sign, and no sin²α + cos²α is left."""
+    solution = solve(read(LOADED_WHEEL))
+    assert solution.equilibrium is not None
+    assert solution.stability is not None
+    assert {v.verdict for v in solution.stability.verdicts} == {Stable.STABLE, Stable.UNSTABLE}
+    values = dict(zip(symbols("M m R r g alpha", positive=True), (2, 3, 1, 4, 10, 0.3), strict=True))
+    for branch, verdict in zip(solution.equilibrium.branches, solution.stability.verdicts, strict=True):
+        point = {str(r.lhs): r.rhs for r in branch.relations}
+        assert max(e.count_ops() for e in point.values()) < 40
+        sine, cosine = (float(point[f"{f}(phi)"].subs(values)) for f in ("sin", "cos"))
+        assert math.isclose(sine**2 + cosine**2, 1)
+        assert math.isclose(12 * (sine * math.cos(0.3) + cosine * math.sin(0.3)), -5 * math.sin(0.3))
+        second = -120 * (cosine * math.cos(0.3) - sine * math.sin(0.3))
+        assert (second > 0) is (verdict.verdict is Stable.STABLE)
 
 
 def test_a_spring_between_two_points() -> None:
@@ -518,3 +576,73 @@ def test_no_reactions_are_found_where_there_are_none() -> None:
 
 def solution_of(text: str) -> Solution:
     return solve(read(text))
+
+
+HALF = """
+title: A pendulum pulled over a pulley above it
+parameters: [W, Q, l]
+coordinates: [theta]
+forces: {weights: {potential: W*l*cos(theta) + 2*Q*l*sin(theta/2)}}
+answers:
+  equilibrium: [["theta = pi"], ["sin(theta/2) = Q/(2*W)"]]
+"""
+
+
+def test_half_angles_tell_a_position_from_the_same_a_turn_later() -> None:
+    """V'' = −W l cos θ − ½ Q l sin(θ/2) is (W − Q/2) l at π and (W + Q/2) l at −π."""
+    solution = solve(read(HALF))
+    assert solution.equilibrium is not None
+    assert solution.stability is not None
+    W, Q, l = symbols("W Q l", positive=True)
+    at = {
+        r.rhs: s
+        for b, s in zip(solution.equilibrium.branches, solution.stability.verdicts, strict=True)
+        for r in b.relations
+        if r.lhs == sp.Symbol("theta", real=True)
+    }
+    assert sp.expand(at[sp.pi].minors[0] - (W - Q / 2) * l) == 0
+    assert at[sp.pi].verdict is Stable.CONDITIONAL
+    assert sp.expand(at[-sp.pi].minors[0] - (W + Q / 2) * l) == 0
+    assert at[-sp.pi].verdict is Stable.STABLE
+    assert report(read(HALF)).holds  # in answers angles count modulo 2π
+
+
+@pytest.mark.parametrize(
+    ("potential", "verdict", "order"),
+    [
+        ("a*theta^2/2 + a*cos(theta)", Stable.STABLE, 4),
+        ("-a*theta^2/2 - a*cos(theta)", Stable.UNSTABLE, 4),
+        ("a*theta - a*sin(theta)", Stable.UNSTABLE, 3),
+        ("a*theta^2/2 + a*cos(theta) - a*theta^4/24", Stable.UNSTABLE, 6),
+        ("b*(1 - cos(theta))^4", Stable.UNDECIDED, 2),
+    ],
+)
+def test_higher_derivatives_where_the_second_is_zero(potential: str, verdict: Stable, order: int) -> None:
+    text = f"title: v\nparameters: [a, b]\ncoordinates: [theta]\nforces: {{v: {{potential: '{potential}'}}}}\n"
+    stability = solve(read(text)).stability
+    assert stability is not None
+    assert (stability.verdicts[0].verdict, stability.verdicts[0].order) == (verdict, order)
+
+
+WIRE = """
+title: Bead on an elliptic wire
+parameters: [m, a, b, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {wire: x^2/a^2 + y^2/b^2 = 1}
+gravity: -g*j
+find: equilibrium
+"""
+
+
+def test_stability_where_other_displacements_are_free() -> None:
+    """δx = −(a² y/(b² x)) δy fails at x = 0, where y = ∓b (1 − x²/(2a²)) gives V'' = ± m g b/a²."""
+    solution = solve(read(WIRE))
+    assert solution.equilibrium is not None
+    assert solution.stability is not None
+    m, a, b, g = symbols("m a b g", positive=True)
+    for branch, s in zip(solution.equilibrium.branches, solution.stability.verdicts, strict=True):
+        below = {str(r.lhs): r.rhs for r in branch.relations}["y"] == -b
+        assert s.verdict is (Stable.STABLE if below else Stable.UNSTABLE)
+        assert [str(q) for q in s.free] == ["x"]
+        assert sp.cancel(s.minors[0] - (1 if below else -1) * m * g * b / a**2) == 0

@@ -237,6 +237,11 @@ forces: {rub: {friction: mu, constraint: floor, on: rod}}
 """
 
 
+def test_friction_at_rest_has_no_law(problem: Read) -> None:
+    with pytest.raises(NotCoveredError, match="`rub`, which at rest is any force up to a limit"):
+        solve(problem("title: Example\n" + INCLINE.format(more="") + "find: equilibrium\n"))
+
+
 def test_where_a_body_is_touched_is_not_known(problem: Read) -> None:
     """The mass centre is not where it slides. What does not need the force is found; a particle beside it may slide."""
     with pytest.raises(NotCoveredError, match="friction on a rigid body, `rub`") as caught:
@@ -312,3 +317,19 @@ def test_the_distance_may_be_negative(problem: Read) -> None:
     assert verdict(found, "s*theta'' = g*sin(theta) + mu*(g*cos(theta) + R*theta'^2)") is Verdict.EQUIVALENT
     assert found.motion is not None
     assert not any(e.atoms(sp.Abs) for e in found.motion.expressions)
+
+
+def test_what_a_surface_keeps_constant_is_put_into_the_normal_force(problem: Read) -> None:
+    """Inside a rough pipe: |R| = m (x'² + y'²)/R and not √(x² + y²) times something."""
+    found = solution(
+        problem,
+        "parameters: [m, g, R, mu]\ncoordinates: [x, y, z]\nparticles: {P: {mass: m, position: '[x, y, z]'}}\n"
+        "constraints: {pipe: x^2 + y^2 = R^2}\ngravity: '[0, 0, -g]'\n"
+        "forces: {rub: {friction: mu, constraint: pipe, on: P, contact: negative}}\n",
+    )
+    x, y = (sp.Symbol(n, real=True) for n in "xy")
+    assert not any(e.has(sp.sqrt(x**2 + y**2)) for e in found.motion.expressions)
+    assert verdict(
+        found, "z'' = -g - mu*(x'^2 + y'^2)*z'/(R*sqrt(x'^2 + y'^2 + z'^2))", "x*y'' - y*x'' = "
+        "-mu*(x'^2 + y'^2)*(x*y' - y*x')/(R*sqrt(x'^2 + y'^2 + z'^2))",
+    ) is Verdict.EQUIVALENT  # fmt: skip

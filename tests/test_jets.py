@@ -43,6 +43,7 @@ EXPRESSIONS = [
     (x**2 + y) ** sp.Rational(-3, 2),
     (x + y) ** sp.Rational(1, 3),
     (x + a) ** a,
+    a * (x + a) * sp.sin(y),
     x**y,
     sp.log(x + y * z),
     sp.atan(x * y),

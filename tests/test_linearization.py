@@ -704,3 +704,105 @@ def test_brief_names_the_small_changes_where_they_are_used() -> None:
     told = report(load(str(next(PROBLEMS.rglob("ziegler-column.yaml")))))
     brief = pretty.text(told.derivation, told.notation, 80, Detail.BRIEF)
     assert "Let ξ₁ and ξ₂ be the small changes of θ and ψ from rest.\n" in brief
+
+
+CAM = """
+axes: {i: right, j: up}
+parameters: [m, J, a, b, g]
+coordinates: [x, y, theta]
+bodies: {cam: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+constraints: {contact: y = sqrt(a^2*sin(theta)^2 + b^2*cos(theta)^2)}
+gravity: -g*j
+"""
+
+
+def test_a_zero_root_beside_one_that_may_be_negative() -> None:
+    """An ellipse on smooth ground may glide away; upright (y = a at θ = π/2) it falls over where a > b."""
+    solution = solved(CAM, "find: [equilibrium, linearization]")
+    found = linear_equations(solution)
+    a, b = sp.symbols("a b", positive=True)
+    theta, y = (sp.Symbol(n, real=True) for n in ("theta", "y"))
+    assert solution.stability is not None
+    for branch, s, second in zip(found.branches, found.at, solution.stability.verdicts, strict=True):
+        at = {r.lhs: r.rhs for r in branch.relations}
+        upright = at[theta] in (sp.pi / 2, -sp.pi / 2)
+        assert at[y] == (a if upright else b)
+        assert s is not None
+        for stability in (s.judgement.stability, second):
+            assert stability.verdict is Verdict.UNDECIDED
+            [condition] = stability.unstable
+            larger = condition.lhs if condition.relation == ">" else condition.rhs
+            assert {condition.lhs, condition.rhs} == {a, b}
+            assert larger == (a if upright else b)
+    told = report(read_problem(Source("cam", f"title: cam\n{CAM}find: linearization\n")))
+    page = " ".join(pretty.text(told.derivation, told.notation, 80, Detail.STEPS).split())
+    assert "is unstable where a > b. To the root zero belongs a uniform motion" in page
+
+
+SPUN_TOP = """
+parameters: [m, A, C, g, l, Omega]
+coordinates: [alpha, beta]
+bodies:
+  top: {mass: m, inertia: [A, A, C], position: l*e3_top, orientation: {axes: 123, angles: [alpha, beta, Omega*t]}}
+gravity: -g*k
+"""
+
+
+def test_a_sleeping_top_by_one_condition() -> None:
+    """Klein and Sommerfeld: C² Ω² > 4 (A + m l²) m g l, which implies the condition with 2 for 4."""
+    found = linear_equations(solved(SPUN_TOP))
+    m, A, C, g, l, Omega = sp.symbols("m A C g l Omega", positive=True)
+    alpha, beta = (sp.Symbol(n, real=True) for n in ("alpha", "beta"))
+    [upright] = [n for n, b in enumerate(found.branches) if {r.lhs: r.rhs for r in b.relations} == {alpha: 0, beta: 0}]
+    s = found.at[upright]
+    assert s is not None
+    [condition] = s.judgement.stability.conditions
+    assert condition.relation == ">"
+    assert sp.expand(condition.lhs - condition.rhs - C**2 * Omega**2 + 4 * m * g * l * (A + m * l**2)) == 0
+    for f in s.frequencies:  # without the common factor (A + m l²)²
+        assert f.square is not None
+        assert f.square.count_ops() < 50
+
+
+POLAR_SPRING = """
+parameters: [m, c, l, g]
+coordinates: [r, phi]
+frame: {type: polar, coordinates: [r, phi]}
+particles: {P: {mass: m, position: r*e_r}}
+gravity: g*i
+forces: {spring: {spring: c, between: [0*i, P], length: l}}
+"""
+
+
+def test_the_sign_in_a_spring_has_a_derivative_away_from_its_jump() -> None:
+    """The spring's length is |r|; at r = l + m g/c, φ = 0 small motions have ω² = c/m and g/(l + m g/c)."""
+    found = linear_equations(solved(POLAR_SPRING))
+    m, c, l, g = sp.symbols("m c l g", positive=True)
+    assert all(s is not None for s in found.at)
+    r = sp.Symbol("r", real=True)
+    [lowest] = [
+        s
+        for b, s in zip(found.branches, found.at, strict=True)
+        if any(sp.cancel(x.rhs - l - m * g / c) == 0 for x in b.relations if x.lhs == r)
+    ]
+    assert lowest is not None
+    assert {sp.cancel(f.square) for f in lowest.frequencies if f.square is not None} == {c / m, c * g / (m * g + c * l)}
+    assert lowest.judgement.stability.verdict is Verdict.STABLE
+
+
+TILTED = """
+parameters: [m, c, l, g, Omega, alpha]
+coordinates: [s]
+particles: {P: {mass: m, position: s*sin(alpha)*(cos(Omega*t)*i + sin(Omega*t)*j) + s*cos(alpha)*k}}
+gravity: -g*k
+forces: {spring: {potential: c*(s - l)^2/2}}
+"""
+
+
+def test_what_is_divided_by_is_said_with_angles_of_parameters_in_it() -> None:
+    """s (c − m Ω² sin² α) = c l − m g cos α on a wire that turns, inclined by α: c ≠ m Ω² sin² α."""
+    [branch] = linear_equations(solved(TILTED)).branches
+    m, c, Omega, alpha = sp.symbols("m c Omega alpha", positive=True)
+    [condition] = branch.conditions
+    assert condition.relation == "≠"
+    assert sp.expand(condition.lhs - condition.rhs - c + m * Omega**2 * sp.sin(alpha) ** 2) == 0

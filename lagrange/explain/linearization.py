@@ -63,7 +63,7 @@ def _rest(found: Linearization) -> Iterator[Block]:
     finite = e.configuration.finite_constraints
     cancelled = "The positions contain time, and the equations of motion do not: it has cancelled. "
     start = (cancelled if found.driven else "") + "At rest all velocities and accelerations are zero"
-    shown = [c.expression for c in e.conditions]
+    shown = list(dict.fromkeys(c.expression for c in e.conditions))
     long = not found.complete and sum(c.count_ops() for c in shown) > LONGEST
     if e.configuration.rows:
         start += ". Reactions balance the forces that are left" + (", and the constraints hold," if finite else "")
@@ -266,6 +266,8 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
     firm = ground is Ground.POTENTIAL or ground is Ground.HURWITZ
     stable = "stable, and the motion dies away" if s.judgement.asymptotic else "stable"
     stable = stable if firm or ground is None else "stable to first order"
+    first, *others = named
+    capital = (f"{first[0].upper()}{first[1:]}", *others) if isinstance(first, str) else named
     match stability.verdict:
         case Verdict.STABLE:
             yield prose(*_why(s), *named, f" is {stable}.", detail=detail)
@@ -286,9 +288,13 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
                 if strict
                 else "; where the sides are equal, the linear equations do not decide."
             )
-            first, *rest = named
-            start = (f"{first[0].upper()}{first[1:]}", *rest) if isinstance(first, str) else named
-            yield prose(*start, f" is {stable} where ", *where, contrary, detail=detail)
+            yield prose(*capital, f" is {stable} where ", *where, contrary, detail=detail)
+        case Verdict.UNDECIDED if stability.unstable:
+            uniform = any(f.square == 0 for f in s.frequencies)
+            rest = "To the root zero belongs a uniform motion: elsewhere" if uniform else "Elsewhere"
+            where = listed((math(c.lhs, c.rhs, relation=c.relation) for c in stability.unstable), " or ")
+            end = f". {rest} the linear equations do not decide."
+            yield prose(*capital, " is unstable where ", *where, end, detail=detail)
         case Verdict.UNDECIDED if any(f.square == 0 for f in s.frequencies):
             words = "To the root zero belongs a uniform motion: the linear equations do not decide whether "
             yield prose(words, *named, " is stable.", detail=detail)

@@ -256,7 +256,10 @@ def _stability(found: Equilibrium, second: SecondVariation | None) -> Iterator[B
         return
     start = "The forces have a potential V, and an equilibrium is stable where V has a strict minimum. "
     one = len(second.coordinates) == 1
-    if one:
+    turned = any(s.minors and s.free for s in second.verdicts)
+    if all(s.free for s in second.verdicts if s.minors):
+        yield prose(start.removesuffix(" "))
+    elif one:
         [q] = second.coordinates
         yield prose(start, "Its second derivative by ", math(q), " is ", math(second.matrix[0][0]), ".")
     else:
@@ -264,13 +267,25 @@ def _stability(found: Equilibrium, second: SecondVariation | None) -> Iterator[B
             start, "So it is where the leading minors of the matrix of its second derivatives are positive, and it is "
             "unstable where the second variation takes negative values."
         )  # fmt: skip
+    if turned:
+        yield prose(
+            "Where one may not divide to express the dependent displacements, the second variation is that of V less "
+            "the constraints, each times its multiplier, for the displacements that are free there."
+        )
     suffix = _suffix(found.configuration)
     sentences = (
-        prose("At ", Ref(f"equilibrium{suffix}-{n}"), " ", *_said(s, one))
+        prose("At ", Ref(f"equilibrium{suffix}-{n}"), *_freely(s), " ", *_said(s, one))
         for n, s in enumerate(second.verdicts, start=1)
         if s.minors
     )
     yield paragraph(*sentences)
+
+
+def _freely(s: Stability) -> tuple[Part, ...]:
+    """`, δx being free,` where other displacements are free than elsewhere."""
+    if not s.free:
+        return ()
+    return (", ", *listed(math(variation(q)) for q in s.free), " being free,")
 
 
 LONGEST = 30
@@ -281,6 +296,10 @@ def _said(s: Stability, one: bool) -> tuple[Part, ...]:
     long = not one and sum(m.count_ops() for m in s.minors) > LONGEST
     values = listed(math(m) for m in s.minors)
     what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
+    if s.order > 2:
+        sign = "odd" if s.order % 2 else "even, and positive" if s.verdict is Verdict.STABLE else "even, and negative"
+        order = f", of order {s.order}, {sign}: {s.verdict.value}."
+        return ("it is zero, and the first derivative that is not is ", *values, order)
     match s.verdict:
         case Verdict.STABLE if long:
             return ("all of them are positive: stable.",)
@@ -296,5 +315,8 @@ def _said(s: Stability, one: bool) -> tuple[Part, ...]:
             if long:
                 return ("the equilibrium is stable where ", *where, ".")
             return (*what, ": stable where ", *where, contrary)
+        case Verdict.UNDECIDED if s.unstable:
+            where = listed((_condition(c) for c in s.unstable), " or ")
+            return (*what, ": unstable where ", *where, "; elsewhere the second variation does not decide.")
         case Verdict.UNDECIDED:
             return (*what, ": the second variation does not decide.") if not long else ("they do not decide.",)
