@@ -13,9 +13,9 @@ their number. A result that differs from point to point is "undecided".
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from enum import Enum, auto
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -24,6 +24,8 @@ from lagrange.exact import Point
 from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.records import record
 from lagrange.sampling import agreed
+
+T = TypeVar("T")
 
 
 class Standing(Enum):
@@ -74,14 +76,24 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
 
     Raises DivisionByZero where the answer divides by what is exactly zero.
     """
-    expressions = (*answer, *system.equations, *system.accelerated_constraints)
-    symbols = symbols_of(expressions)
-    return agreed(
-        system.configuration.states,
-        lambda p: _compared(state(p, system.configuration, symbols), answer, system, free),
-        expressions,
+    return agreed_in_motion(
+        system.configuration,
+        lambda moving: _compared(moving, answer, system, free),
+        (*answer, *system.equations, *system.accelerated_constraints),
         settles=lambda comparison: Standing.CONTRADICTS in comparison.standings,
     )
+
+
+def agreed_in_motion(
+    configuration: Configuration,
+    evaluate: Callable[[Point], T],
+    expressions: Sequence[sp.Expr],
+    settles: Callable[[T], bool] = lambda _: False,
+) -> T | None:
+    """What `evaluate` returns at random states of motion, if all agree (`agreed`). Raises DivisionByZeroError."""
+    symbols = symbols_of(expressions)
+    states = configuration.states
+    return agreed(states, evaluate, expressions, settles, lambda p: state(p, configuration, symbols))
 
 
 def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:

@@ -16,7 +16,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.balance import Balance
-from lagrange.comparison import affine_rows, state, symbols_of
+from lagrange.comparison import affine_rows, agreed_in_motion
 from lagrange.displacements import Elimination
 from lagrange.eliminated_rates import closed
 from lagrange.energies import energies
@@ -32,7 +32,6 @@ from lagrange.principle import dalembert
 from lagrange.problem import Friction, Problem
 from lagrange.reactions import Dragging, LinearSystem, Reactions, motion_system, solved_reactions, written_out
 from lagrange.records import record
-from lagrange.sampling import agreed
 from lagrange.vectors import Vector
 
 T = TypeVar("T")
@@ -242,14 +241,12 @@ def _is_unaffected(law: Law, configuration: Configuration, reactions: Reactions,
         return False
     equations = written_out(law.system, configuration, dragging)
     claims = [s - reactions.values[s] for s in wanted]
-    symbols = symbols_of((*equations, *claims))
 
-    def follow(point: Point) -> bool:
-        moving = state(point, configuration, symbols)
+    def follow(moving: Point) -> bool:
         rows = affine_rows(moving, equations, law.system.unknowns)
         return moving.rank(rows) == moving.rank([*rows, *affine_rows(moving, claims, law.system.unknowns)])
 
-    return agreed(configuration.states, follow, (*equations, *claims)) is True
+    return agreed_in_motion(configuration, follow, (*equations, *claims)) is True
 
 
 def _with_friction(law: Law, configuration: Configuration, reactions: Reactions, loads: Sequence[Load]) -> Reactions:

@@ -121,7 +121,7 @@ class Surface(Sampler):
 
         if not self.exact:
             return _common(self.sampled(at, _REAL_POINTS))
-        ranks, branches = self._on_all_branches(nodes, at, lambda _: True)
+        ranks, branches = self.on_all_branches(nodes, at, lambda _: True)
         if not branches.signs and not self.graph.marked(nodes) & OPAQUE:
             return max(ranks)
         real = _common(self.sampled(at, _REAL_POINTS, real=True))
@@ -148,7 +148,7 @@ class Surface(Sampler):
         def at(point: Point) -> bool:
             return bool(point.arithmetic.vanishes(point.at(node)))
 
-        zeros, branches = self._on_all_branches([node], at, lambda zero: zero)
+        zeros, branches = self.on_all_branches([node], at, lambda zero: zero)
         opaque = bool(self.graph.marks[node] & OPAQUE)
         if all(zeros):
             return not branches.ambiguous or self._vanishes_really(node, branches.walls) is not False
@@ -161,21 +161,31 @@ class Surface(Sampler):
             if really:
                 raise _HangsOnDerivativesError
             return None
-        zeros, _ = self._on_all_branches([node], at, lambda _: True)
+        zeros, _ = self.on_all_branches([node], at, lambda _: True)
         if any(zeros):
             return really
         return False if really is None else None
 
-    def _on_all_branches(
-        self, nodes: list[int], at: Callable[[Point], T], go_on: Callable[[T], bool]
+    def on_all_branches(
+        self,
+        nodes: Sequence[int],
+        at: Callable[[Point], T],
+        go_on: Callable[[T], bool],
+        there: Callable[[Point], Point] = lambda point: point,
     ) -> tuple[list[T], Branches]:
-        """What `at` says at points that meet all signs of the nodes, or until `go_on` says no."""
+        """What `at` says at points that meet all signs of the nodes, or until `go_on` says no.
+
+        there  what is made of a point before (the velocities that constraints admit): signs are read at that
+
+        Raises DivisionByZeroError, NoPointError, UnsupportedError.
+        """
         branches = Branches(self.graph, nodes, self._new_point)
         least = _POINTS_WHERE_ROOTS_WERE_TAKEN if self.order and self.order.roots else _POINTS
 
         def met(point: Point) -> T:
-            result = at(point)
-            branches.meet(point)
+            moved = there(point)
+            result = at(moved)
+            branches.meet(moved)
             return result
 
         results: list[T] = []

@@ -13,6 +13,7 @@ T = TypeVar("T")
 
 POINTS = 3
 BRANCHING_POINTS = 6
+MOST_BRANCHING_POINTS = 80
 REAL_POINTS = 2
 REAL_POINTS_WHERE_BRANCHES_DIFFER = 16
 
@@ -22,31 +23,54 @@ def agreed(
     evaluate: Callable[[Point], T],
     expressions: Iterable[sp.Expr],
     settles: Callable[[T], bool] = lambda _: False,
+    there: Callable[[Point], Point] = lambda point: point,
 ) -> T | None:
     """What `evaluate` returns at random points of a surface, if all agree; None where they do not: undecided.
 
     expressions  those that it evaluates
     settles      whether one real point with this result is enough, as a counterexample is
+    there        what is made of a point before it is evaluated: a state of motion
 
-    Where the expressions have branches (roots, absolute values) a prime field picks them at random, so that more points
-    are taken, and points with real values must agree with them. Where those in the field differ among themselves, the
-    real ones decide, as many as it takes to meet the branches. Raises DivisionByZeroError.
+    Where the expressions have branches (roots, absolute values) a prime field picks them at random, so that points are
+    taken until all signs have been met, and points with real values must agree with them. Where those in the field
+    differ among themselves, the real ones decide, as many as it takes to meet the branches. Raises DivisionByZeroError.
     """
     try:
-        marks = 0
-        for e in expressions:
-            marks |= surface.graph.marks[surface.graph.node(e)]
-        found = surface.sampled(evaluate, BRANCHING_POINTS if marks else POINTS)
-        if marks:
-            same = _unanimous(found)
-            real = surface.sampled(evaluate, REAL_POINTS if same else REAL_POINTS_WHERE_BRANCHES_DIFFER, real=True)
-            for result in real:
-                if settles(result):
-                    return result
-            found = [*real, *(found if same else [])]
-        return found[0] if _unanimous(found) else None
+        nodes = [surface.graph.node(e) for e in expressions]
+        if not any(surface.graph.marks[n] for n in nodes):
+            return _common(surface.sampled(lambda p: evaluate(there(p)), POINTS))
+        found = _on_branches(surface, evaluate, nodes, there)
+        same = _unanimous(found)
+        number = REAL_POINTS if same else REAL_POINTS_WHERE_BRANCHES_DIFFER
+        real = surface.sampled(lambda p: evaluate(there(p)), number, real=True)
+        for result in real:
+            if settles(result):
+                return result
+        return _common([*real, *(found if same else [])])
     except (NoPointError, UnsupportedError):
         return None
+
+
+def _on_branches(
+    surface: Surface, evaluate: Callable[[Point], T], nodes: list[int], there: Callable[[Point], Point]
+) -> list[T]:
+    """What is found at points that meet all signs, within bounds, or until two of them differ."""
+    if not surface.exact:
+        return surface.sampled(lambda p: evaluate(there(p)), REAL_POINTS_WHERE_BRANCHES_DIFFER)
+    before: list[T] = []
+
+    def go_on(result: T) -> bool:
+        before.append(result)
+        return _unanimous(before) and len(before) < MOST_BRANCHING_POINTS
+
+    found, _ = surface.on_all_branches(nodes, evaluate, go_on, there)
+    if _unanimous(found) and len(found) < BRANCHING_POINTS:
+        found += surface.sampled(lambda p: evaluate(there(p)), BRANCHING_POINTS - len(found))
+    return found
+
+
+def _common(found: list[T]) -> T | None:
+    return found[0] if _unanimous(found) else None
 
 
 def _unanimous(found: list[T]) -> bool:
