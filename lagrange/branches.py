@@ -66,6 +66,20 @@ class Branches:
             return bool(point.at(node) != point.number(1))
         return bool(point.at(node) != point.at(self._graph.data[node][0]))
 
+    @property
+    def met(self) -> int:
+        """How many points have been counted."""
+        return self._met
+
+    @property
+    def each_met(self) -> bool:
+        """Whether every sign that can be read has been met both ways, though not with every other one."""
+        readable = len(self._readable) + len(self._signs)
+        changed = 0
+        for p in self._patterns:
+            changed |= p ^ next(iter(self._patterns))
+        return changed == (1 << readable) - 1
+
     def complete(self, at_least: int) -> bool:
         """Whether the points met will do: every pattern has occurred, and each ambiguous sign by chance."""
         most = _CHANCES << min(self.signs, _MOST_SIGNS)

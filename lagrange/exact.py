@@ -172,10 +172,12 @@ class Surface(Sampler):
         at: Callable[[Point], T],
         go_on: Callable[[T], bool],
         there: Callable[[Point], Point] = lambda point: point,
+        enough: Callable[[Branches], bool] = lambda _: False,
     ) -> tuple[list[T], Branches]:
         """What `at` says at points that meet all signs of the nodes, or until `go_on` says no.
 
-        there  what is made of a point before (the velocities that constraints admit): signs are read at that
+        there   what is made of a point before (the velocities that constraints admit): signs are read at that
+        enough  whether the points met will do although they have not met all signs
 
         Raises DivisionByZeroError, NoPointError, UnsupportedError.
         """
@@ -191,7 +193,7 @@ class Surface(Sampler):
         results: list[T] = []
         for result in self.results(met):
             results.append(result)
-            if branches.complete(least) or not go_on(result):
+            if branches.complete(least) or enough(branches) or not go_on(result):
                 break
         return results, branches
 

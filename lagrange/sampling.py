@@ -7,6 +7,7 @@ from typing import TypeVar
 
 import sympy as sp
 
+from lagrange.branches import Branches
 from lagrange.exact import NoPointError, Point, Surface, UnsupportedError
 
 T = TypeVar("T")
@@ -14,6 +15,8 @@ T = TypeVar("T")
 POINTS = 3
 BRANCHING_POINTS = 6
 MOST_BRANCHING_POINTS = 80
+FEW_SIGNS = 3
+POINTS_OF_MANY_SIGNS = 20
 REAL_POINTS = 2
 REAL_POINTS_WHERE_BRANCHES_DIFFER = 16
 
@@ -54,19 +57,28 @@ def agreed(
 def _on_branches(
     surface: Surface, evaluate: Callable[[Point], T], nodes: list[int], there: Callable[[Point], Point]
 ) -> list[T]:
-    """What is found at points that meet all signs, within bounds, or until two of them differ."""
+    """What is found at points that meet all signs, or until two of them differ.
+
+    Of many signs each is met both ways, but not each with every other one: a term of a sum depends on its own.
+    """
     if not surface.exact:
         return surface.sampled(lambda p: evaluate(there(p)), REAL_POINTS_WHERE_BRANCHES_DIFFER)
     before: list[T] = []
 
     def go_on(result: T) -> bool:
         before.append(result)
-        return _unanimous(before) and len(before) < MOST_BRANCHING_POINTS
+        return _unanimous(before)
 
-    found, _ = surface.on_all_branches(nodes, evaluate, go_on, there)
+    found, _ = surface.on_all_branches(nodes, evaluate, go_on, there, _are_enough)
     if _unanimous(found) and len(found) < BRANCHING_POINTS:
         found += surface.sampled(lambda p: evaluate(there(p)), BRANCHING_POINTS - len(found))
     return found
+
+
+def _are_enough(branches: Branches) -> bool:
+    if branches.signs <= FEW_SIGNS:
+        return branches.met >= MOST_BRANCHING_POINTS
+    return branches.met >= POINTS_OF_MANY_SIGNS or (branches.met >= BRANCHING_POINTS and branches.each_met)
 
 
 def _common(found: list[T]) -> T | None:

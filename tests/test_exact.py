@@ -378,3 +378,21 @@ def test_the_signs_that_count_are_those_of_the_points_evaluated() -> None:
             return p.redrawn([x])
 
         assert agreed(surface, lambda p: p.is_zero(wrong), [wrong], lambda zero: not zero, redrawn) is False
+
+
+def test_many_signs_are_each_met_both_ways_in_few_points() -> None:
+    """All 2^9 patterns would take hundreds of points; a term depends on its own sign."""
+    letters = sp.symbols("a1:10", real=True)
+    right, wrong = sp.Add(*map(abs, letters)), letters[4] - abs(letters[4])
+    for seed in range(40):
+        number = 0
+
+        def vanishes(p: Point) -> bool:
+            nonlocal number
+            number += 1
+            return p.is_zero(wrong)
+
+        surface = Surface(fields=Fields(seed))
+        assert agreed(surface, vanishes, [right, wrong], lambda zero: not zero) is False
+        assert agreed(surface, lambda p: p.is_zero(sp.S.Zero), [right]) is True
+        assert number <= 40
