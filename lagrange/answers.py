@@ -277,7 +277,7 @@ def _of_one(reading: Reading, standings: Sequence[Standing]) -> EquationVerdict:
 REDUNDANT = "redundant: it follows from those before it"
 WHAT_IT_IS = {
     Kind.SQUARE: "it is not linear in the accelerations: it is the square of an equation that is right",
-    Kind.SUM_OF_SQUARES: "it is not linear in the accelerations: it is made of squares of equations that are right",
+    Kind.SUM_OF_SQUARES: "it is not linear in the accelerations: it is made of squares and products of right equations",
     Kind.POWER: "it is not linear in the accelerations: it is a power, or a product, of equations that are right",
     Kind.HOLDS: "it is not linear in the accelerations, though it holds for the motion",
     Kind.NOT_LINEAR: "it is not linear in the accelerations, as an equation of motion is",

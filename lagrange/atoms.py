@@ -4,8 +4,9 @@ to.
     atom := number | name | name "(" sum { "," sum } ")" | function [ "^" number ] argument
           | "(" sum ")" | "[" sum { "," sum } "]" | "|" sum "|"
 
-A function without parentheses takes the product that follows, as books print it: `sin 2 theta cos theta` is
-sin(2 theta) cos(theta), and `sin theta/2` is sin(theta)/2. Bars are read in pairs, from the left.
+A function without parentheses takes the product that follows, as books print it: numbers and constants, and one
+coordinate or t. `sin 2 theta cos theta` is sin(2 theta) cos(theta), `sin theta theta''` is sin(theta) theta'', and
+`sin theta/2` is sin(theta)/2. Bars are read in pairs, from the left.
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from lagrange.lexicon import FUNCTIONS, OPERATIONS, Lexicon, Role
 from lagrange.stream import TokenStream
 from lagrange.tokens import Kind, Token
 from lagrange.trees import Bars, Call, Components, Name, Number, Power, Primed, Product, Sum, Tree
+
+_MOVING = (Role.COORDINATE, Role.PRESCRIBED)
 
 
 class AtomParser(TokenStream):
@@ -160,16 +163,35 @@ class AtomParser(TokenStream):
                 raise self._number_behind_factor()
             return True
         if token.kind is Kind.NAME:
-            return not factors or not self._ends_argument(token.text)
+            return not factors or not self._ends_argument(factors, token, function)
         return (self._is("(") and all(isinstance(f, Number) for f in factors)) or (
             self._is("|") and not factors and not self._in_bars
         )
 
-    def _ends_argument(self, name: str) -> bool:
-        """Whether a name begins the next factor: `sin theta cos phi`, `sin theta i`, `sin theta d(x)`."""
+    def _ends_argument(self, factors: list[Tree], token: Token, function: Token) -> bool:
+        """Whether a name begins the next factor: `sin theta cos phi`, `sin theta i`, `sin theta d(x)`, `cos phi phi''`.
+
+        A root has no end that books would print without a bar or brackets; it goes on.
+        """
+        if function.text != "sqrt" and (self._moves(factors[-1]) or self._is_derivative(factors)):
+            return True
+        return self._stands_apart(token.text)
+
+    def _stands_apart(self, name: str) -> bool:
+        """Whether a name is applied to what follows it, or a vector."""
         if name in FUNCTIONS or name in OPERATIONS or self._role(name) is Role.VECTOR:
             return True
         return self._ahead(1).text == "(" and self._is_applied(name)
+
+    def _moves(self, factor: Tree) -> bool:
+        """Whether a factor of an argument is a coordinate or t, perhaps with primes or an exponent."""
+        while isinstance(factor, Power | Primed):
+            factor = factor.base if isinstance(factor, Power) else factor.operand
+        return isinstance(factor, Name) and (factor.text == "t" or self._role(factor.text) in _MOVING)
+
+    def _is_derivative(self, factors: list[Tree]) -> bool:
+        """Whether a name with primes stands here, behind a symbol."""
+        return self._ahead(1).kind is Kind.PRIMES and not all(isinstance(f, Number) for f in factors)
 
     def _note_surprise(self, token: Token, factors: list[Tree], call: Call) -> None:
         """Says what the argument is, where another reader might end it elsewhere."""
@@ -183,9 +205,15 @@ class AtomParser(TokenStream):
             function = "sqrt" if token.tight else self._text(token.start, argument.start)
             reading = f"{function}({self._text(argument.start, call.end)})"
             self._read_as(token.start, call.end, reading, help_)
-        elif self._is("(") or (self._is("/") and not token.tight) or (token.tight and self._here.kind is Kind.NAME):
+        elif self._is("(") or (self._is("/") and not token.tight) or self._is_cut_short(token):
             message = f"the argument of `{token.text}` ends before the `{self._here.text}`"
             self._note(token.start, self._here.end, message, help_)
+
+    def _is_cut_short(self, function: Token) -> bool:
+        """Whether the argument ends before a symbol that it might have had."""
+        if self._here.kind is not Kind.NAME or function.tight:
+            return self._here.kind is Kind.NAME
+        return not self._stands_apart(self._here.text) and self._ahead(1).kind is not Kind.PRIMES
 
     # -- brackets --------------------------------------------------------------------------------------------
 

@@ -3,6 +3,9 @@
 A term, affine in the unknowns u, is a row [A | b] there. Its residue is what is left of the row modulo the row space of
 the derived equations: an equation Σ t_i follows just when the residues of its terms add up to zero. Residues are
 linear, so that the sum for a changed equation costs next to nothing. Two benches share no random number.
+
+Roots and absolute values are on either branch in a prime field, at random: what fits at two states may fit on one
+branch only. Where there are branches more states are taken, real ones among them.
 """
 
 from __future__ import annotations
@@ -15,10 +18,12 @@ import sympy as sp
 
 from lagrange.comparison import System, affine_rows, state, symbols_of
 from lagrange.elimination import RowSpace
-from lagrange.exact import DivisionByZeroError, InadmissibleError, Point
+from lagrange.exact import DivisionByZeroError, InadmissibleError, Point, Surface
 from lagrange.records import record
 
 _STATES = 2
+_BRANCHING_STATES = 12
+_REAL_STATES = 4
 
 
 @record
@@ -85,7 +90,15 @@ def benches(equations: Sequence[sp.Expr], system: System) -> list[Bench]:
         moving = state(point, configuration, symbols)
         return Bench(moving, unknowns, RowSpace(moving.arithmetic, affine_rows(moving, derived, unknowns)))
 
-    return configuration.states.sampled(at, _STATES)
+    states = configuration.states
+    if not _branches((*equations, *derived), states):
+        return states.sampled(at, _STATES)
+    return [*states.sampled(at, _BRANCHING_STATES), *states.sampled(at, _REAL_STATES, real=True)]
+
+
+def _branches(expressions: Sequence[sp.Expr], states: Surface) -> bool:
+    """Whether expressions depend on signs that a prime field picks at random."""
+    return any(states.graph.marks[states.graph.node(e)] for e in expressions)
 
 
 def equations_of(system: System) -> tuple[sp.Expr, ...]:

@@ -53,11 +53,6 @@ class Branches:
         """How many signs there are, of both kinds."""
         return self.ambiguous + len(self._readable) + len(self._signs)
 
-    @property
-    def random(self) -> int:
-        """How many of them a point takes at random."""
-        return self.ambiguous + len(self._readable)
-
     def meet(self, point: Point) -> None:
         """Count a point."""
         self._met += 1
@@ -70,6 +65,20 @@ class Branches:
         if self._graph.operations[node] == Op.SIGN:
             return bool(point.at(node) != point.number(1))
         return bool(point.at(node) != point.at(self._graph.data[node][0]))
+
+    @property
+    def met(self) -> int:
+        """How many points have been counted."""
+        return self._met
+
+    @property
+    def each_met(self) -> bool:
+        """Whether every sign that can be read has been met both ways, though not with every other one."""
+        readable = len(self._readable) + len(self._signs)
+        changed = 0
+        for p in self._patterns:
+            changed |= p ^ next(iter(self._patterns))
+        return changed == (1 << readable) - 1
 
     def complete(self, at_least: int) -> bool:
         """Whether the points met will do: every pattern has occurred, and each ambiguous sign by chance."""

@@ -13,9 +13,9 @@ their number. A result that differs from point to point is "undecided".
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from enum import Enum, auto
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy as sp
 
@@ -24,6 +24,8 @@ from lagrange.exact import Point
 from lagrange.kinematics import Configuration, is_pfaffian
 from lagrange.records import record
 from lagrange.sampling import agreed
+
+T = TypeVar("T")
 
 
 class Standing(Enum):
@@ -74,14 +76,24 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
 
     Raises DivisionByZero where the answer divides by what is exactly zero.
     """
-    expressions = (*answer, *system.equations, *system.accelerated_constraints)
-    symbols = symbols_of(expressions)
-    return agreed(
-        system.configuration.states,
-        lambda p: _compared(state(p, system.configuration, symbols), answer, system, free),
-        expressions,
+    return agreed_in_motion(
+        system.configuration,
+        lambda moving: _compared(moving, answer, system, free),
+        (*answer, *system.equations, *system.accelerated_constraints),
         settles=lambda comparison: Standing.CONTRADICTS in comparison.standings,
     )
+
+
+def agreed_in_motion(
+    configuration: Configuration,
+    evaluate: Callable[[Point], T],
+    expressions: Sequence[sp.Expr],
+    settles: Callable[[T], bool] = lambda _: False,
+) -> T | None:
+    """What `evaluate` returns at random states of motion, if all agree (`agreed`). Raises DivisionByZeroError."""
+    symbols = symbols_of(expressions)
+    states = configuration.states
+    return agreed(states, evaluate, expressions, settles, lambda p: state(p, configuration, symbols))
 
 
 def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
@@ -124,10 +136,22 @@ def affine_rows(point: Point, expressions: Sequence[sp.Expr], unknowns: Sequence
     return rows
 
 
-def follow(point: Point, claims: Sequence[sp.Expr], known: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> bool:
-    """Whether expressions that vanish follow from others here, all being affine in the unknowns."""
-    rows = affine_rows(point, (*known, *claims), unknowns)
-    return bool(point.rank(rows) == point.rank(rows[: len(known)]))
+def follow(
+    configuration: Configuration,
+    claims: Sequence[sp.Expr],
+    known: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+) -> bool | None:
+    """Whether expressions that vanish follow from others, all affine in the unknowns. None: undecided.
+
+    Raises DivisionByZeroError.
+    """
+
+    def at(moving: Point) -> bool:
+        rows = affine_rows(moving, (*known, *claims), unknowns)
+        return bool(moving.rank(rows) == moving.rank(rows[: len(known)]))
+
+    return agreed_in_motion(configuration, at, (*known, *claims))
 
 
 def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]) -> Comparison:

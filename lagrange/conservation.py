@@ -20,7 +20,7 @@ from enum import StrEnum
 import sympy as sp
 
 from lagrange.common_factor import as_term, normalised
-from lagrange.comparison import System, follow, state, symbols_of
+from lagrange.comparison import System, agreed_in_motion, follow
 from lagrange.dynamics import Motion
 from lagrange.energy_functions import EnergyFunctions, energy_functions, in_one_term
 from lagrange.equations import EquationsOfMotion
@@ -29,7 +29,6 @@ from lagrange.kinematics import Configuration, Row, is_pfaffian
 from lagrange.noether import Kind, Symmetry, candidates, symmetries
 from lagrange.notation import partial
 from lagrange.records import record
-from lagrange.sampling import agreed
 from lagrange.terms import Exponent
 from lagrange.textbook import Textbook, textbook_form
 from lagrange.trigonometry import Element
@@ -133,14 +132,13 @@ def _vanish_along(motion: EquationsOfMotion, rates: Sequence[sp.Expr]) -> list[b
         return []
     system = System(motion.configuration, motion.expressions)
     expressions = (*rates, *system.equations, *system.accelerated_constraints)
-    symbols = symbols_of(expressions)
 
-    def hold(point: Point) -> list[bool | None]:
-        accelerated = with_accelerations(state(point, motion.configuration, symbols), system)
+    def hold(moving: Point) -> list[bool | None]:
+        accelerated = with_accelerations(moving, system)
         return [None if accelerated is None else accelerated.is_zero(r) for r in rates]
 
     try:
-        together = agreed(motion.configuration.states, hold, expressions)
+        together = agreed_in_motion(motion.configuration, hold, expressions)
     except DivisionByZeroError:
         together = None
     if together is not None:
@@ -283,13 +281,12 @@ class _Search:
         """The integral, without its multipliers where the identity does not hold."""
         sides = (m * e for m, e in zip(integral.multipliers, self.motion.expressions, strict=True) if m != 0)
         difference = sp.Add(self._rate(integral.expression), *(-s for s in sides))
-        symbols = symbols_of([difference])
 
-        def holds(point: Point) -> bool:
-            return state(point, self.configuration, symbols).is_zero(difference)
+        def holds(moving: Point) -> bool:
+            return moving.is_zero(difference)
 
         try:
-            proved = agreed(self.configuration.states, holds, [difference]) is True
+            proved = agreed_in_motion(self.configuration, holds, [difference]) is True
         except DivisionByZeroError:
             proved = False
         return integral if proved else replace(integral, multipliers=())
@@ -315,14 +312,12 @@ class _Search:
 
     def _adds(self, known: Sequence[Sequence[sp.Expr]], gradient: Sequence[sp.Expr]) -> bool:
         """Whether a gradient is independent of others, each of shape (2n,), at admitted states."""
-        symbols = symbols_of([e for row in (*known, gradient) for e in row])
 
-        def adds(point: Point) -> bool:
-            there = state(point, self.configuration, symbols)
+        def adds(there: Point) -> bool:
             values = there.matrix(known)
             return bool(there.rank([*values, there.values(gradient)]) > there.rank(values))
 
-        return agreed(self.configuration.states, adds, gradient) is True
+        return agreed_in_motion(self.configuration, adds, [e for row in (*known, gradient) for e in row]) is True
 
     # -- along the motion ----------------------------------------------------------------------------------------------
 
@@ -367,12 +362,7 @@ class _Search:
         ]
         equations += self.system.accelerated_constraints
         unknowns = (*self.slots.accelerations, *multipliers)
-        symbols = symbols_of((difference, *equations))
-
-        def holds(point: Point) -> bool:
-            return follow(state(point, self.configuration, symbols), [difference], equations, unknowns)
-
-        return agreed(self.configuration.states, holds, (difference, *equations))
+        return follow(self.configuration, [difference], equations, unknowns)
 
 
 def _denominators(column: Sequence[sp.Expr]) -> list[sp.Expr]:

@@ -57,8 +57,7 @@ def _vanish(parts: tuple[sp.Expr, ...], configuration: Configuration) -> bool | 
         return True
     symbols = symbols_of(parts)
 
-    def vanish(point: Point) -> bool:
-        moving = state(point, configuration, symbols)
+    def vanish(moving: Point) -> bool:
         return all(moving.is_zero(e) for e in parts)
 
-    return agreed(configuration.surface, vanish, parts)
+    return agreed(configuration.surface, vanish, parts, there=lambda p: state(p, configuration, symbols))

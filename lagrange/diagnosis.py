@@ -9,8 +9,9 @@ equation follows just when Σ r_i = 0. So
     a term should be another, t_i'    where  Σ r_j = r_i − r_i' .
 
 f and c are numbers at one state; they are sought among simple factors, and what is found is tried at a second state
-that shares nothing with the first, by exact arithmetic. Where no single change is enough, the group of terms that
-differs is named, if it is one: those with accelerations, those with velocities, the others.
+that shares nothing with the first, by exact arithmetic (at several where there are branches). Where no single change is
+enough, the group of terms that differs is named, if it is one: those with accelerations, those with velocities, the
+others.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.benches import benches, equations_of
+from lagrange.benches import Bench, benches, equations_of, follows
 from lagrange.comparison import System, affine_rows
 from lagrange.edits import NUMBERS, Slip, cleared, factors, terms_of, variants
 from lagrange.exact import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
@@ -126,7 +127,7 @@ class _Search:
         self.parameters = sorted((s for s in used if base(s) not in moving and s not in unknowns), key=str)
         waves = set().union(*(e.atoms(sp.sin, sp.cos, sp.tan) for e in (equation, *system.equations)))
         self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
-        self.benches = benches((equation,), system)
+        self.benches = sorted(benches((equation,), system), key=lambda bench: follows(equation, [bench]))
 
     def change(self) -> Diagnosis | None:
         """The likeliest change that makes the equation right."""
@@ -147,27 +148,32 @@ class _Search:
         return None
 
     def group(self) -> Group | None:
-        """The group of terms that differs, if it is one."""
-        bench = self.benches[0]
-        derived = equations_of(self.system)
-        accelerations = len(self.slots.accelerations)
-        rows = affine_rows(bench.moving, (self.equation, *derived), bench.unknowns)
-        head = len(self.system.multipliers)
-        moved = [[row[head + k] for k in range(accelerations)] for row in rows]
-        if head or self.system.configuration.rows:
+        """The group of terms that differs, if it is one, at all states."""
+        if self.system.multipliers or self.system.configuration.rows:
             return None
-        c = bench.moving.solution([list(column) for column in zip(*moved[1:], strict=True)], moved[0])
-        if c is None:
+        found = [self._differences(bench) for bench in self.benches]
+        known = [f for f in found if f is not None]
+        if len(known) < len(found):
             return Group.INERTIA
+        at_rest, moving = (any(side) for side in zip(*known, strict=True))
+        if at_rest and moving:
+            return None
+        return Group.FORCE if at_rest else Group.VELOCITY if moving else None
+
+    def _differences(self, bench: Bench) -> tuple[bool, bool] | None:
+        """Whether the terms without velocities differ at a state, and whether those with; None: the accelerations."""
+        rows = affine_rows(bench.moving, (self.equation, *equations_of(self.system)), bench.unknowns)
+        c = bench.moving.solution(
+            [list(column) for column in zip(*(r[:-1] for r in rows[1:]), strict=True)], rows[0][:-1]
+        )
+        if c is None:
+            return None
         still = bench.moving.with_values(dict.fromkeys(self.slots.velocities, bench.moving.number(0)))
-        rest = affine_rows(still, (self.equation, *derived), bench.unknowns)
-        reduce = bench.moving.arithmetic.reduce
+        rest = affine_rows(still, (self.equation, *equations_of(self.system)), bench.unknowns)
+        reduce, vanishes = bench.moving.arithmetic.reduce, bench.moving.arithmetic.vanishes
         at_rest = reduce(rest[0][-1] - sum(x * row[-1] for x, row in zip(c, rest[1:], strict=True)))
         moving = reduce(rows[0][-1] - sum(x * row[-1] for x, row in zip(c, rows[1:], strict=True)))
-        zero = bench.moving.arithmetic.vanishes
-        if zero(at_rest):
-            return Group.VELOCITY
-        return Group.FORCE if zero(reduce(moving - at_rest)) else None
+        return not vanishes(at_rest), not vanishes(reduce(moving - at_rest))
 
     # Candidates: (cost, diagnosis), found at the first state
 

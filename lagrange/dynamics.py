@@ -16,12 +16,11 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.balance import Balance
-from lagrange.comparison import follow, state, symbols_of
+from lagrange.comparison import follow
 from lagrange.displacements import Elimination
 from lagrange.eliminated_rates import closed
 from lagrange.energies import energies
 from lagrange.equations import EquationsOfMotion, WithMultipliers, equations_of_motion, equations_with_multipliers
-from lagrange.exact import Point
 from lagrange.friction import Rubbing, rubbings, solved_loads, symbolic_loads
 from lagrange.kinematics import Configuration, Load, is_pfaffian
 from lagrange.matrix_form import MatrixForm, matrix_form
@@ -32,7 +31,6 @@ from lagrange.principle import dalembert
 from lagrange.problem import Friction, Problem
 from lagrange.reactions import Dragging, LinearSystem, Reactions, motion_system, solved_reactions, written_out
 from lagrange.records import record
-from lagrange.sampling import agreed
 from lagrange.vectors import Vector
 
 T = TypeVar("T")
@@ -242,12 +240,7 @@ def _is_unaffected(law: Law, configuration: Configuration, reactions: Reactions,
         return False
     equations = written_out(law.system, configuration, dragging)
     claims = [s - reactions.values[s] for s in wanted]
-    symbols = symbols_of((*equations, *claims))
-
-    def hold(point: Point) -> bool:
-        return follow(state(point, configuration, symbols), claims, equations, law.system.unknowns)
-
-    return agreed(configuration.states, hold, (*equations, *claims)) is True
+    return follow(configuration, claims, equations, law.system.unknowns) is True
 
 
 def _with_friction(law: Law, configuration: Configuration, reactions: Reactions, loads: Sequence[Load]) -> Reactions:

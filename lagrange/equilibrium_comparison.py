@@ -23,6 +23,7 @@ from lagrange.equilibrium import Equilibrium, is_balanced
 from lagrange.exact import DivisionByZeroError, Surface, is_zero
 from lagrange.polynomial_roots import factors, numerator
 from lagrange.records import record
+from lagrange.render.mathematics import text
 from lagrange.solution_sets import Branch, SolutionSet, parameters_given
 from lagrange.unit_circle import CIRCULAR, Letters, NotAlgebraicError
 
@@ -202,9 +203,10 @@ class EquilibriumComparison:
             return _Judged(False, covered, True, tuple(verdicts))
         right, loose, why = self._right(rest, a.angles)
         if right is False and not loose:
+            # whether an equation holds at equilibria that are not known is of no matter where it holds elsewhere
+            undone = (Verdict.EQUIVALENT, Verdict.UNDECIDED)
             verdicts = [
-                replace(v, verdict=Verdict.WRONG, diagnosis=why) if v.verdict is Verdict.EQUIVALENT else v
-                for v in verdicts
+                replace(v, verdict=Verdict.WRONG, diagnosis=why) if v.verdict in undone else v for v in verdicts
             ]
         if right is None:
             verdicts = [
@@ -348,7 +350,7 @@ def _points(b: Branch, unknowns: Sequence[sp.Symbol]) -> list[Values]:
 
 
 def _stated(b: Branch) -> str:
-    return " and ".join(f"{r.lhs} = {r.rhs}" for r in b.relations) or "nothing is determined"
+    return " and ".join(f"{text(r.lhs)} = {text(r.rhs)}" for r in b.relations) or "nothing is determined"
 
 
 def _is_angle(u: sp.Symbol, forces: Sequence[sp.Expr], rows: Sequence[sp.Expr]) -> bool:

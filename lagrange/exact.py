@@ -20,7 +20,6 @@ roots and transcendental functions.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from itertools import islice
 from typing import TypeAlias, TypeVar
 
@@ -115,21 +114,6 @@ class Surface(Sampler):
 
         return self.sampled(values, 1, real=True)[0]
 
-    def random_signs(self, expressions: Sequence[sp.Expr]) -> int:
-        """How many signs in some expressions a point of a prime field takes at random: of |a|, and of dependent roots.
-
-        Raises NoPointError, UnsupportedError.
-        """
-        nodes = self.graph.needed(self.graph.node(e) for e in expressions)
-        branching = tuple(n for n in nodes if n in self.graph.branching)
-        if branching not in self._random_signs:
-            self._random_signs[branching] = Branches(self.graph, branching, self._new_point).random
-        return self._random_signs[branching]
-
-    @cached_property
-    def _random_signs(self) -> dict[tuple[int, ...], int]:
-        return {}
-
     def _rank(self, nodes: list[int], width: int) -> int | None:
         def at(point: Point) -> int:
             values = [point.at(n) for n in nodes]
@@ -137,7 +121,7 @@ class Surface(Sampler):
 
         if not self.exact:
             return _common(self.sampled(at, _REAL_POINTS))
-        ranks, branches = self._on_all_branches(nodes, at, lambda _: True)
+        ranks, branches = self.on_all_branches(nodes, at, lambda _: True)
         if not branches.signs and not self.graph.marked(nodes) & OPAQUE:
             return max(ranks)
         real = _common(self.sampled(at, _REAL_POINTS, real=True))
@@ -164,7 +148,7 @@ class Surface(Sampler):
         def at(point: Point) -> bool:
             return bool(point.arithmetic.vanishes(point.at(node)))
 
-        zeros, branches = self._on_all_branches([node], at, lambda zero: zero)
+        zeros, branches = self.on_all_branches([node], at, lambda zero: zero)
         opaque = bool(self.graph.marks[node] & OPAQUE)
         if all(zeros):
             return not branches.ambiguous or self._vanishes_really(node, branches.walls) is not False
@@ -177,27 +161,39 @@ class Surface(Sampler):
             if really:
                 raise _HangsOnDerivativesError
             return None
-        zeros, _ = self._on_all_branches([node], at, lambda _: True)
+        zeros, _ = self.on_all_branches([node], at, lambda _: True)
         if any(zeros):
             return really
         return False if really is None else None
 
-    def _on_all_branches(
-        self, nodes: list[int], at: Callable[[Point], T], go_on: Callable[[T], bool]
+    def on_all_branches(
+        self,
+        nodes: Sequence[int],
+        at: Callable[[Point], T],
+        go_on: Callable[[T], bool],
+        there: Callable[[Point], Point] = lambda point: point,
+        enough: Callable[[Branches], bool] = lambda _: False,
     ) -> tuple[list[T], Branches]:
-        """What `at` says at points that meet all signs of the nodes, or until `go_on` says no."""
+        """What `at` says at points that meet all signs of the nodes, or until `go_on` says no.
+
+        there   what is made of a point before (the velocities that constraints admit): signs are read at that
+        enough  whether the points met will do although they have not met all signs
+
+        Raises DivisionByZeroError, NoPointError, UnsupportedError.
+        """
         branches = Branches(self.graph, nodes, self._new_point)
         least = _POINTS_WHERE_ROOTS_WERE_TAKEN if self.order and self.order.roots else _POINTS
 
         def met(point: Point) -> T:
-            result = at(point)
-            branches.meet(point)
+            moved = there(point)
+            result = at(moved)
+            branches.meet(moved)
             return result
 
         results: list[T] = []
         for result in self.results(met):
             results.append(result)
-            if branches.complete(least) or not go_on(result):
+            if branches.complete(least) or enough(branches) or not go_on(result):
                 break
         return results, branches
 

@@ -318,9 +318,23 @@ class _Trim:
             n -= 1
         return n >= 0 and self.marks[n].kind == "wide" and not self.text[self.ends[n] : place].strip()
 
+    def _stands_apart(self, mark: Mark) -> bool:
+        """Whether there is a wide space on both sides, or on one and nothing on the other: no factor stands so."""
+        before, behind = self._wide_before(mark.start), self._wide_behind(mark.end)
+        return (before and (behind or not self.text[mark.end :].strip())) or (
+            behind and not self.text[: mark.start].strip()
+        )
+
+    def _wide_behind(self, place: int) -> bool:
+        """Whether a wide space begins where a place is, blanks apart."""
+        n = bisect_left(self.starts, place)
+        return n < len(self.marks) and self.marks[n].kind == "wide" and not self.text[place : self.starts[n]].strip()
+
     def _is_beside(self, mark: Mark) -> bool:
         if mark.kind != "words":
             return mark.kind in _BESIDE
+        if self._stands_apart(mark):
+            return True
         written = self.text[mark.start : mark.end]
         inside = written[written.index("{") + 1 : -1].strip()
         return not _WORD.fullmatch(written) or inside in _CONJUNCTIONS or not inside

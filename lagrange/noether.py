@@ -21,7 +21,7 @@ from itertools import combinations_with_replacement
 
 import sympy as sp
 
-from lagrange.comparison import ContradictionError, state
+from lagrange.comparison import ContradictionError, agreed_in_motion, state
 from lagrange.elimination import row_reduced
 from lagrange.energy_functions import EnergyFunctions
 from lagrange.exact import FieldPoint, InadmissibleError, Point
@@ -29,7 +29,6 @@ from lagrange.kinematics import Configuration
 from lagrange.notation import Sign, base, t
 from lagrange.potentials import primitive
 from lagrange.records import record
-from lagrange.sampling import agreed
 from lagrange.triangular import DRAWS
 from lagrange.trigonometry import Element
 from lagrange.vectors import Vector
@@ -207,13 +206,11 @@ def _alone(found: Sequence[Candidate]) -> Iterator[Symmetry]:
 def _is_symmetry(symmetry: Symmetry, configuration: Configuration) -> bool:
     width = len(symmetry.terms[0][0].conditions)
     conditions = [sp.Add(*(c * k.conditions[n] for k, c in symmetry.terms)) for n in range(width)]
-    symbols = sorted(set().union(*(e.free_symbols for e in conditions)), key=str)
 
-    def holds(point: Point) -> bool:
-        moving = state(point, configuration, symbols)
+    def holds(moving: Point) -> bool:
         return all(moving.is_zero(e) for e in conditions)
 
-    return agreed(configuration.states, holds, conditions) is True
+    return agreed_in_motion(configuration, holds, conditions) is True
 
 
 def _combined(group: Sequence[Candidate], configuration: Configuration) -> list[Symmetry]:

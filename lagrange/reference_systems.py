@@ -18,7 +18,7 @@ import sympy as sp
 
 from lagrange.answer_readings import read_answer
 from lagrange.classification import classify
-from lagrange.comparison import System, state, symbols_of
+from lagrange.comparison import System, agreed_in_motion
 from lagrange.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.exact import DivisionByZeroError, NoPointError, Point, UnsupportedError
@@ -26,7 +26,6 @@ from lagrange.kinematics import Configuration, file_configuration
 from lagrange.notation import base
 from lagrange.problem import Problem
 from lagrange.references import Candidate, Reference, occurring, units_of, values_of
-from lagrange.sampling import agreed
 
 
 def reference_of_equations(problem: Problem) -> Reference:
@@ -93,9 +92,9 @@ def _check(system: System, problem: Problem) -> None:
     unknowns = (*system.multipliers, *system.configuration.slots.accelerations)
     places = [f for f in problem.equations for _ in read_answer(f, problem.scope).components] or problem.equations
     try:
-        found = agreed(
-            system.configuration.states,
-            lambda p: _fault(p, system, unknowns),
+        found = agreed_in_motion(
+            system.configuration,
+            lambda moving: _fault(moving, system, unknowns),
             (*system.equations, *system.accelerated_constraints),
         )
     except DivisionByZeroError as error:
@@ -118,10 +117,9 @@ def _check(system: System, problem: Problem) -> None:
 _NONE, _CONTRADICTION = -1, -2
 
 
-def _fault(point: Point, system: System, unknowns: Sequence[sp.Symbol]) -> int:
+def _fault(moving: Point, system: System, unknowns: Sequence[sp.Symbol]) -> int:
     """The number of an equation that is none of motion, or what is said of all of them."""
     constraints = system.accelerated_constraints
-    moving = state(point, system.configuration, symbols_of((*system.equations, *constraints)))
     rows = []
     for n, e in enumerate(system.equations):
         row = moving.affine([e], unknowns)

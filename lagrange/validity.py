@@ -244,12 +244,14 @@ class _Validity:
         configuration = self.system.configuration
         if not configuration.rows and (factor.is_Symbol or _is_wave(factor)):
             return True
-        moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
-        finite = configuration.finite_constraints
-        if not factor.free_symbols & moving or (factor.is_Symbol and factor in configuration.slots.velocities):
+        slots = configuration.slots
+        rates = factor.free_symbols & {*slots.velocities}
+        if not rates | factor.free_symbols & {*slots.coordinates} or (factor.is_Symbol and rates):
             return True
+        rows = [r.velocity_form(slots) for r in configuration.rows] if rates else []
+        unknowns = (*slots.coordinates, *slots.velocities) if rates else slots.coordinates
         try:
-            return has_real_point(Surface((*finite, factor), (*configuration.slots.coordinates,)))
+            return has_real_point(Surface((*configuration.finite_constraints, *rows, factor), unknowns))
         except (UnsupportedError, DivisionByZeroError):
             return False
 

@@ -19,7 +19,7 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from lagrange.classification import Classification
-from lagrange.comparison import System, affine_rows, compare, follow, state, symbols_of
+from lagrange.comparison import System, affine_rows, agreed_in_motion, compare, follow
 from lagrange.displacements import Elimination, virtual_displacement
 from lagrange.dynamics import Method
 from lagrange.equations import EquationsOfMotion
@@ -32,7 +32,6 @@ from lagrange.potentials import differentiated
 from lagrange.principle import dalembert
 from lagrange.reactions import Reactions
 from lagrange.records import record
-from lagrange.sampling import agreed
 from lagrange.workless import WorkOfReaction
 
 
@@ -223,12 +222,8 @@ def check_reactions(
     rule = {s: e for s, e in configuration.substitution.items() if not str(s).endswith("''")}
     known = [e.xreplace(rule) for e in (*system.equations, *system.accelerated_constraints)]
     unknowns = (*original.slots.accelerations, *multipliers)
-    symbols = symbols_of((*known, *claims))
 
-    def hold(point: Point) -> bool:
-        return follow(state(point, configuration, symbols), claims, known, unknowns)
-
-    passed = agreed(configuration.states, hold, (*known, *claims))
+    passed = follow(configuration, claims, known, unknowns)
     equations = "Lagrange's equations" if method is Method.DALEMBERT else "the equations of d'Alembert's principle"
     what = (
         f"reactions satisfy {equations} with multipliers"
@@ -312,14 +307,11 @@ def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
     system = System(configuration, motion.expressions)
     expressions = (rate, power, *system.equations, *system.accelerated_constraints)
 
-    symbols = symbols_of(expressions)
-
-    def holds(point: Point) -> bool:
-        moving = state(point, configuration, symbols)
+    def holds(moving: Point) -> bool:
         accelerated = with_accelerations(moving, system)
         return accelerated is not None and accelerated.is_zero(rate - power)
 
-    return agreed(configuration.states, holds, expressions)
+    return agreed_in_motion(configuration, holds, expressions)
 
 
 def with_accelerations(point: Point, system: System) -> Point | None:

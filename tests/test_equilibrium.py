@@ -53,6 +53,15 @@ particles:
   B: {position: r_A + l*sin(phi)*i - l*cos(phi)*j}
 forces: {w: {on: A, vector: -W*j}, v: {on: B, vector: -W*j}, pull: {on: B, vector: P*i}}
 """
+TOGGLE = """
+title: Two rods as a toggle against a spring
+parameters: [a, k, W]
+coordinates: [theta]
+particles: {Q: {position: a*cos(theta)*i + a*sin(theta)*j}}
+forces:
+  load: {on: Q, vector: -W*j}
+  spring: {potential: "k*(2*a*cos(theta) - 2*a)^2/2"}
+"""
 LEVER = """
 title: Two forces on a lever
 parameters: [W, a, b, c]
@@ -452,6 +461,10 @@ ANSWERS = [
     (BEAD, ["theta = 0", "theta = pi"], WRONG),
     (BEAD, ["theta = 0 or cos(theta) = a/b"], WRONG),
     (BEAD, ["tan(theta/2) = 0 or theta = pi or cos(theta) = b/a"], EQUIVALENT),
+    # W cos θ = 4 k a (cos θ − 1) sin θ is of the fourth degree, and has no solution in closed form
+    (TOGGLE, ["W = 4*k*a*(sin(theta) - tan(theta))"], EQUIVALENT),
+    (TOGGLE, ["W = 4*k*a*(tan(theta) - sin(theta))"], WRONG),
+    (TOGGLE, ["theta = 0"], WRONG),
     (CHAIN, ["tan(theta) = P/(2*W)", "tan(phi) = P/W"], EQUIVALENT),
     (CHAIN, ["P*cos(phi) = W*sin(phi)", "2*tan(theta) = tan(phi)"], EQUIVALENT),
     (CHAIN, ["P = 2*W*tan(theta)", "P = W*tan(phi)"], EQUIVALENT),

@@ -10,8 +10,9 @@ import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from lagrange.exact import DivisionByZeroError, Fields, Surface, are_equal, is_zero, process_fields, rank
+from lagrange.exact import DivisionByZeroError, Fields, Point, Surface, are_equal, is_zero, process_fields, rank
 from lagrange.notation import Sign, Slots, Unspecified, prime
+from lagrange.sampling import agreed
 
 x, y, z, theta, phi, t = sp.symbols("x y z theta phi t", real=True)
 m, l, g, k, omega = sp.symbols("m l g k omega", positive=True)
@@ -359,3 +360,39 @@ def test_seeded_surfaces_repeat() -> None:
     first, second = (Surface(fields=Fields(7)).point().value(x * cos(theta)) for _ in range(2))
     assert first == second
     assert first != Surface(fields=process_fields()).point().value(x * cos(theta))
+
+
+def test_what_holds_on_one_branch_only_is_never_agreed_upon() -> None:
+    """Each sign must have been met: a few points, half of which are on the right branch, agree now and then."""
+    wrong = abs(x) - x
+    for seed in range(600):
+        assert agreed(Surface(fields=Fields(seed)), lambda p: p.is_zero(wrong), [wrong], lambda zero: not zero) is False
+
+
+def test_the_signs_that_count_are_those_of_the_points_evaluated() -> None:
+    wrong = abs(x) - x
+    for seed in range(150):
+        surface = Surface(fields=Fields(seed))
+
+        def redrawn(p: Point) -> Point:
+            return p.redrawn([x])
+
+        assert agreed(surface, lambda p: p.is_zero(wrong), [wrong], lambda zero: not zero, redrawn) is False
+
+
+def test_many_signs_are_each_met_both_ways_in_few_points() -> None:
+    """All 2^9 patterns would take hundreds of points; a term depends on its own sign."""
+    letters = sp.symbols("a1:10", real=True)
+    right, wrong = sp.Add(*map(abs, letters)), letters[4] - abs(letters[4])
+    for seed in range(40):
+        number = 0
+
+        def vanishes(p: Point) -> bool:
+            nonlocal number
+            number += 1
+            return p.is_zero(wrong)
+
+        surface = Surface(fields=Fields(seed))
+        assert agreed(surface, vanishes, [right, wrong], lambda zero: not zero) is False
+        assert agreed(surface, lambda p: p.is_zero(sp.S.Zero), [right]) is True
+        assert number <= 40

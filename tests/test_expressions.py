@@ -230,6 +230,12 @@ MEANINGS: dict[str, sp.Expr | int] = {
     "sin(theta) cos(theta)": sin(theta) * cos(theta),
     "sin (theta) x": sin(theta) * x,
     "sin theta'": sin(om),
+    "sin theta x'": sin(theta) * v,
+    "m l sin θ θ̈ + m l cos θ θ̇²": m * l * sin(theta) * al + m * l * cos(theta) * om**2,
+    "sin 2 theta theta'": sin(2 * theta) * om,
+    "sin m theta'": sin(m) * om,
+    "cos m t x'": cos(m * t) * v,
+    "exp -m t x": sp.exp(-m * t) * x,
     "x sin(theta)(y)": x * sin(theta) * y,
     "exp(-t) sin(2 t)": sp.exp(-t) * sin(2 * t),
     # -- partial and total derivatives
@@ -642,6 +648,8 @@ ECHOED: dict[str, tuple[sp.Expr, str]] = {
     "sqrt 2 x": (sqrt(2 * x), "sqrt(2 x)"),
     "√2 x": (sqrt(2) * x, "before the `x`"),
     "sin x(y + 1)": (sin(x) * (y + 1), "before the `(`"),
+    "sin theta x": (sin(theta) * x, "before the `x`"),
+    "sqrt x y": (sqrt(x * y), "sqrt(x y)"),
     "x^1/2": (x / 2, "before the `/`"),
     "m(t)": (m * t, "m*t"),
     "x(2)": (2 * x, "x*2"),
@@ -664,7 +672,7 @@ def test_a_surprising_reading_is_echoed(text: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "1/2 m", "2 m g l", "m(x + y)", "sin theta cos theta", "sin 2 theta", "g/l*sin(theta)", "-x^2", "theta''(t)", "sin^2 theta",
+        "1/2 m", "2 m g l", "m(x + y)", "sin theta cos theta", "sin 2 theta", "sin theta x'", "g/l*sin(theta)", "-x^2", "theta''(t)", "sin^2 theta",
         "2e3", "x(y + 1)", "m g sin theta", "exp(-t) x", "sin omega t", "1/2 m x'^2 + 1/2 k x^2", "|x|", "x^(1/2)",
     ],
 )  # fmt: skip
