@@ -35,7 +35,10 @@ from lagrange.vectors import Vector
 MOST_ROTATIONS = 24
 MOST_PARAMETERS = 12
 LARGEST_NUMBER = 64
-TRIALS = 6
+TRIALS = 24
+"""Sets of parameters that are tried: with some, the constraints have no solution in the field."""
+FIRST_DRAWS = 40
+"""Draws after which a set of parameters that has not yet had a state is given up."""
 FAILURES = 40
 
 
@@ -262,7 +265,7 @@ def _states(
     try:
         start = blank.with_values({s: blank.input(s) for s in symbols if s not in varied})
         for _ in range(FAILURES):
-            point = order.drawn(lambda: start.redrawn(varied), DRAWS)
+            point = order.drawn(lambda: start.redrawn(varied), DRAWS if rows else FIRST_DRAWS)
             if point is None:
                 return None
             try:

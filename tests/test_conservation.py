@@ -18,10 +18,13 @@ from trajectories import Motion, State, function_of
 from lagrange.conservation import Because, Conserved, Quantity, first_integral
 from lagrange.derivation import Prose, Rule
 from lagrange.diagnostics import Source
+from lagrange.energy_functions import energy_functions
 from lagrange.loader import read_problem
+from lagrange.noether import Kind, candidates, symmetries
 from lagrange.render.json import as_object
 from lagrange.report import report
 from lagrange.solution import Solution, solve
+from lagrange.textbook import Textbook
 
 STEP, STEPS = 0.004, 60
 CONSTANT, CHANGES = 3e-7, 1e-5
@@ -549,3 +552,15 @@ def test_jacobis_integral_of_what_is_carried_has_no_constant_terms() -> None:
     slots = choice.conserved.motion.configuration.slots
     moving = {*slots.coordinates, *slots.velocities}
     assert all(not term.free_symbols.isdisjoint(moving) for term in sp.Add.make_args(jacobi.expression))
+
+
+def test_a_momentum_is_found_whatever_parameters_are_drawn() -> None:
+    """Of some R and a no rod of the length a fits in the field that is drawn: then others are drawn."""
+    motion = solved("three_on_a_ring").motion
+    assert motion is not None
+    configuration = motion.configuration
+    energies = energy_functions(configuration, Textbook(motion.principle.ring))
+    found = candidates(energies, [])
+    for seed in range(12):
+        configuration.states.fields.random.seed(seed)
+        assert {s.kind for s in symmetries(found, configuration)} == {Kind.TRANSLATION}, seed
