@@ -19,24 +19,21 @@ from enum import StrEnum
 
 import sympy as sp
 
-from lagrange.common_factor import as_term, normalised
+from lagrange.admitted import admitted_displacements
+from lagrange.common_factor import normalised
 from lagrange.comparison import System, agreed_in_motion, follow
 from lagrange.dynamics import Motion
 from lagrange.energy_functions import EnergyFunctions, energy_functions, in_one_term
 from lagrange.equations import EquationsOfMotion
 from lagrange.exact import DivisionByZeroError, Point
-from lagrange.kinematics import Configuration, Row, is_pfaffian
-from lagrange.noether import Kind, Symmetry, candidates, symmetries
+from lagrange.gauges import gauged
+from lagrange.kinematics import Configuration, Row
+from lagrange.noether import Candidate, Kind, Symmetry, candidates, symmetries
 from lagrange.notation import partial
 from lagrange.records import record
-from lagrange.terms import Exponent
-from lagrange.textbook import Textbook, textbook_form
+from lagrange.textbook import Textbook
 from lagrange.trigonometry import Element
-from lagrange.verification import Check, certainty, displacement_basis, with_accelerations
-
-MOST_COLUMNS = 6
-LONGEST_COLUMN = 60
-"""Operations of a virtual displacement that is still tried."""
+from lagrange.verification import Check, certainty, with_accelerations
 
 
 class Quantity(StrEnum):
@@ -59,10 +56,12 @@ class Because(StrEnum):
     ROTATION = "rotation"  # a rotation of Cartesian coordinates changes nothing
     ADMITTED = "admitted"  # a virtual displacement, in which no reaction works
     GAUGE = "gauge"  # the force along the coordinate is the rate of something
+    RATE = "rate"  # what a displacement changes in L, with the work of the forces, is the rate of something
     NO_REACTION = "no-reaction"  # a cyclic coordinate whose reaction turns out to vanish
     CONSERVATIVE = "conservative"  # forces have a potential, and nothing depends on time
     TIME_FREE = "time-free"  # time does not occur in L, although it does in the positions
     DEPENDENT = "dependent"  # it follows from the other integrals
+    TIME_RATE = "time-rate"  # what time changes in L, with the power of the forces, is the rate of something
     CARRIED = "carried"  # a shift of time together with a displacement changes nothing
 
 
@@ -185,8 +184,8 @@ class _Search:
 
     def all(self) -> Conserved:
         """The integrals, momenta first; the rate of the energy; what is cyclic and not conserved."""
-        found = candidates(self.energies, self._columns())
-        integrals = self._independent([self._integral(s) for s in symmetries(found, self.configuration)])
+        found = candidates(self.energies, admitted_displacements(self.motion.elimination, self.configuration))
+        integrals = self._independent([self._integral(s) for s in self._symmetries(found)])
         verdicts = self._are_constant([i.expression for i in integrals])
         integrals = [replace(i, constant=v) for i, v in zip(integrals, verdicts, strict=True)]
         reached = {i.coordinate for i in integrals}
@@ -216,20 +215,12 @@ class _Search:
 
     # -- symmetries ----------------------------------------------------------------------------------------------------
 
-    def _columns(self) -> list[tuple[sp.Expr, ...]]:
-        """The virtual displacements where velocities are constrained, with and without their denominators."""
-        rows = self.configuration.rows
-        if all(r.finite is not None for r in rows) or not is_pfaffian(rows):
-            return []
-        found: dict[tuple[sp.Expr, ...], None] = {}
-        for column in displacement_basis(self.motion.elimination, len(self.slots.coordinates)):
-            if sum(e.count_ops() for e in column) > LONGEST_COLUMN:
-                continue
-            below = sp.Mul(*_denominators(column))
-            if below != 1:
-                found[tuple(textbook_form(e * below) for e in column)] = None
-            found[tuple(column)] = None
-        return [c for c in found if sum(e != 0 for e in c) > 1][:MOST_COLUMNS]
+    def _symmetries(self, found: Sequence[Candidate]) -> list[Symmetry]:
+        """Those with R = 0, then those where R is a rate; δt in one way only, last."""
+        plain = symmetries(found, self.configuration)
+        rates = gauged(found, self.energies)
+        timed = [s for s in plain if s.kind is Kind.TIME] or [s for s in rates if s.kind is Kind.TIME]
+        return [s for s in (*plain, *rates) if s.kind is not Kind.TIME] + timed
 
     def _integral(self, symmetry: Symmetry) -> Integral:
         coordinates = self.slots.coordinates
@@ -241,18 +232,23 @@ class _Search:
             ring.from_sympy(x) * p for x, p in zip(moved.values(), (self._momentum(q) for q in moved), strict=True)
         )
         multipliers = self._proof(symmetry.multipliers)
+        gauge = sp.Add(*(c * k.gauge for k, c in symmetry.terms))
         if symmetry.kind is Kind.TIME:
             own = self.energies.has_motion_of_its_own
-            quantity = Quantity.JACOBI if own or moved else Quantity.ENERGY
+            quantity = Quantity.JACOBI if own or moved or gauge != 0 else Quantity.ENERGY
             because = Because.CARRIED if moved else Because.TIME_FREE if own else Because.CONSERVATIVE
-            expression = self.energies.jacobi if own else self.energies.energy
-            expression = sp.Add(expression, self.energies.form(momentum)) if moved else expression
+            because = Because.TIME_RATE if gauge != 0 else because
+            expression = self.energies.jacobi_less(gauge) if own or gauge != 0 else self.energies.energy
+            expression = sp.Add(expression, self.energies.changing(momentum)) if moved else expression
             if own and expression == self.energies.energy:
                 quantity = Quantity.ENERGY
             carried = {q: -x for q, x in moved.items()}
             return self._proved(Integral(quantity, because, expression, None, carried or None, multipliers))
-        gauge = sp.Add(*(c * k.gauge for k, c in symmetry.terms))
         expression = self.energies.form(momentum - ring.from_sympy(gauge))
+        turned = any(not x.free_symbols.isdisjoint(coordinates) for x in moved.values())
+        if symmetry.kind is Kind.GAUGE and (len(moved) > 1 or not self._is_cyclic(next(iter(moved)))):
+            quantity = Quantity.ANGULAR_MOMENTUM if turned else Quantity.MOMENTUM
+            return self._proved(Integral(quantity, Because.RATE, expression, None, moved, multipliers))
         quantity = Quantity.ANGULAR_MOMENTUM if symmetry.kind is Kind.ROTATION else Quantity.MOMENTUM
         if symmetry.kind in (Kind.TRANSLATION, Kind.GAUGE) and len(moved) == 1:
             because = Because.GAUGE if symmetry.kind is Kind.GAUGE else Because.CYCLIC
@@ -265,6 +261,11 @@ class _Search:
             moved = {q: -x for q, x in moved.items()}
             multipliers = tuple(-m for m in multipliers)
         return self._proved(Integral(quantity, because, expression, None, moved, multipliers))
+
+    def _is_cyclic(self, coordinate: sp.Symbol) -> bool:
+        """Whether a coordinate does not occur in the energies."""
+        ring = self.energies.ring
+        return bool(ring.is_zero(ring.partial(coordinate)(self.energies.lagrangian)))
 
     def _momentum(self, coordinate: sp.Symbol) -> Element:
         return self.energies.momenta[self.slots.coordinates.index(coordinate)]
@@ -294,7 +295,7 @@ class _Search:
     def _independent(self, found: Sequence[Integral], before: Sequence[Integral] = ()) -> list[Integral]:
         """Those that are no functions of the constraints; of momenta, those that are not functions of others either."""
         rows = self.configuration.rows
-        if not rows:
+        if not rows and all(i.because is not Because.RATE for i in found):
             return list(found)
         variables = [*self.slots.coordinates, *self.slots.velocities]
         relations = [r.velocity_form(self.slots) for r in rows] + [r.finite for r in rows if r.finite is not None]
@@ -363,17 +364,6 @@ class _Search:
         equations += self.system.accelerated_constraints
         unknowns = (*self.slots.accelerations, *multipliers)
         return follow(self.configuration, [difference], equations, unknowns)
-
-
-def _denominators(column: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """What the entries of a column are divided by: sin θ in cos θ/sin θ."""
-    found: dict[sp.Expr, Exponent] = {}
-    for e in column:
-        for term in sp.Add.make_args(e):
-            for factor, exponent in as_term(term).factors.items():
-                if exponent < 0:
-                    found[factor] = max(found.get(factor, 0), -exponent)
-    return [f**e for f, e in found.items()]
 
 
 def check_conserved(found: Conserved) -> list[Check]:

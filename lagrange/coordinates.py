@@ -185,19 +185,32 @@ class SolvedConstraints:
     signs: tuple[Sign, ...]
 
 
-def solved_constraints(rows: Sequence[Row], unknown: list[sp.Symbol]) -> SolvedConstraints:
+def solved_constraints(rows: Sequence[Row], unknown: Sequence[sp.Symbol]) -> SolvedConstraints:
     """Solves the geometric constraints for the unknown coordinates, one after the other, linear ones first.
 
-    What roots of roots have made too long to be solved once more stays unsolved.
+    A linear difference of two constraints is tried before their roots. Where it leads to an equation that is not
+    solved (of a crank and a slider it gives x by s, and s by y is a root of degree four), the constraints are solved
+    as they stand. What roots of roots have made too long to be solved once more stays unsolved.
     """
-    waiting = [r.finite for r in rows if r.finite is not None]
-    expressed: dict[sp.Symbol, sp.Expr] = {}
+    finite = [r.finite for r in rows if r.finite is not None]
+    solution, left = _solved_in_turn(finite, unknown, differences=True)
+    unsolved = [q for q in unknown if q not in solution.expressed]
+    if any(not f.free_symbols.isdisjoint(unsolved) for f in left):
+        return _solved_in_turn(finite, unknown, differences=False)[0]
+    return solution
+
+
+def _solved_in_turn(
+    finite: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], differences: bool
+) -> tuple[SolvedConstraints, list[sp.Expr]]:
+    """What can be solved, with or without differences of two constraints, and the constraints that are left."""
+    waiting, expressed = list(finite), dict[sp.Symbol, sp.Expr]()
     roots: list[Sign] = []
     solving = True
     while solving and unknown:
         solving = False
         for degree in (1, 2):
-            for used, f in _candidates(waiting, unknown, degree):
+            for used, f in _candidates(waiting, unknown, differences and degree == 1):
                 solved = solved_for_one(f.xreplace(expressed), unknown, degree, len(roots) + 1)
                 if solved is None:
                     continue
@@ -208,16 +221,18 @@ def solved_constraints(rows: Sequence[Row], unknown: list[sp.Symbol]) -> SolvedC
                 waiting = [g for n, g in enumerate(waiting) if n != used]
                 solving = True
                 break
-    return SolvedConstraints(expressed, tuple(roots))
+    return SolvedConstraints(expressed, tuple(roots)), [f.xreplace(expressed) for f in waiting]
 
 
-def _candidates(waiting: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], degree: int) -> Iterator[tuple[int, sp.Expr]]:
+def _candidates(
+    waiting: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], differences: bool
+) -> Iterator[tuple[int, sp.Expr]]:
     """What may be solved next, with the place of the constraint that it uses up.
 
     Two circles or spheres have a linear difference: x² + y² = a² and (x − b)² + y² = c² give x.
     """
     yield from enumerate(waiting)
-    if degree > 1:
+    if not differences:
         return
     squares = [_squares(f, unknown) for f in waiting]
     for (m, f), (n, g) in combinations(enumerate(waiting), 2):

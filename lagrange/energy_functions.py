@@ -109,12 +109,17 @@ class EnergyFunctions:
     @cached_property
     def energy(self) -> sp.Expr:
         """E = T + V as it is written down, without constants."""
-        return self._written(self.kinetic + self.potential)
+        return sp.Add(self.changing(self.kinetic + self.potential), self.given)
 
     @cached_property
     def jacobi(self) -> sp.Expr:
         """h as it is written down, without constants."""
-        return self._written(self.powers[0] - self.kinetic + self.potential)
+        return self.jacobi_less(sp.S.Zero)
+
+    def jacobi_less(self, gauge: sp.Expr) -> sp.Expr:
+        """h − G as it is written down, without constants."""
+        h = self.powers[0] - self.kinetic + self.potential
+        return sp.Add(self.changing(h - self.ring.from_sympy(gauge)), self.given)
 
     def form(self, element: Element) -> sp.Expr:
         """The textbook form, terms with the same constants in brackets: m (x'² + y'²)/2, m (x y' − y x')."""
@@ -125,14 +130,15 @@ class EnergyFunctions:
         """What is not constant."""
         return {*self.slots.coordinates, *self.slots.prescribed, t}
 
-    def _written(self, element: Element) -> sp.Expr:
+    def changing(self, element: Element) -> sp.Expr:
+        """The textbook form without constants."""
         varying = _varying(element, self._moving)
         written = self.form(varying)
         doubled = _doubled(written)
         if len(varying) < len(element) and doubled:
             whole = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if _moves(e, self._moving)))
             written = written if whole.has(*doubled) else whole
-        return sp.Add(written, self.given)
+        return written
 
     @property
     def has_potential(self) -> bool:

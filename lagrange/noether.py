@@ -7,7 +7,7 @@ With Lagrange's expressions Λ_k = p_k' − ∂L/∂q_k − Q'_k = Σ_j λ_j a_j
 
 So Σ c I is conserved where Σ c R = 0 and Σ c Σ_k a_jk μ_k = 0 for every constraint j: the reactions then have no power
 in the displacement. Candidates are translations along one coordinate, rotations q_i δq_j, virtual displacements that
-satisfy constraints on velocities, and δt; for a translation R may also be a rate dG/dt, which joins I. Their constant
+satisfy constraints on velocities, and δt (R may also be a rate dG/dt, which joins I: `gauges`). Their constant
 coefficients c are the null space of these conditions at random states with the parameters kept; what they are as
 functions of the parameters is guessed from two trials and to be verified (`conservation`). A cyclic coordinate alone is
 not enough: in a nonholonomic system its reaction may work.
@@ -27,16 +27,17 @@ from lagrange.energy_functions import EnergyFunctions
 from lagrange.exact import FieldPoint, InadmissibleError, Point
 from lagrange.kinematics import Configuration
 from lagrange.notation import Sign, base, t
-from lagrange.potentials import primitive
 from lagrange.records import record
 from lagrange.triangular import DRAWS
-from lagrange.trigonometry import Element
 from lagrange.vectors import Vector
 
 MOST_ROTATIONS = 24
 MOST_PARAMETERS = 12
 LARGEST_NUMBER = 64
-TRIALS = 6
+TRIALS = 24
+"""Sets of parameters that are tried: with some, the constraints have no solution in the field."""
+FIRST_DRAWS = 40
+"""Draws after which a set of parameters that has not yet had a state is given up."""
 FAILURES = 40
 
 
@@ -111,34 +112,10 @@ def candidates(energies: EnergyFunctions, columns: Sequence[Sequence[sp.Expr]]) 
             found.append(displaced(Kind.ROTATION, _unit(n, {i: slots.coordinates[j]})))
             found.append(displaced(Kind.ROTATION, _unit(n, {j: slots.coordinates[i]})))
         found += [displaced(Kind.ADMITTED, xi) for xi in columns]
-        for k, f in enumerate(energies.lagrangian_forces):
-            g = _antiderivative(f, energies)
-            if g is not None:
-                plain = found[k]
-                found.append(Candidate(Kind.GAUGE, plain.multipliers, (*plain.conditions[:-1], sp.S.Zero), g))
     if not quasi or not energies.has_motion_of_its_own:
         powers = (-row.drift for row in rows)
         found.append(Candidate(Kind.TIME, slots.velocities, (*powers, energies.jacobi_rate.to_sympy())))
     return found
-
-
-def _antiderivative(force: Element, energies: EnergyFunctions) -> sp.Expr | None:
-    """G with dG/dt = R, where R is linear in the velocities: of a magnetic force, or of linear damping."""
-    slots, ring = energies.slots, energies.ring
-    symbols = ring.free_symbols(force)
-    if symbols.isdisjoint(slots.velocities) or t in symbols or any(base(s) in slots.prescribed for s in symbols):
-        return None
-    try:
-        coefficients, rest = ring.linear(force, slots.velocities)
-    except ValueError:
-        return None
-    if rest:
-        return None
-    for k, a in enumerate(slots.coordinates):
-        for n, b in enumerate(slots.coordinates[:k]):
-            if not ring.is_zero(ring.partial(b)(coefficients[k]) - ring.partial(a)(coefficients[n])):
-                return None
-    return primitive([c.to_sympy() for c in coefficients], slots.coordinates, slots)
 
 
 def _unit(n: int, entries: Mapping[int, sp.Expr]) -> tuple[sp.Expr, ...]:
@@ -182,13 +159,11 @@ def symmetries(found: Sequence[Candidate], configuration: Configuration) -> list
 
 
 def _groups(found: Sequence[Candidate]) -> Iterator[list[Candidate]]:
-    """Rotations with translations; admitted displacements each alone; δt with all displacements."""
+    """Rotations with translations; admitted displacements; those that change L by a rate; δt with all displacements."""
     plain = [c for c in found if c.kind in (Kind.TRANSLATION, Kind.ROTATION)]
-    if plain:
-        yield plain
-    for c in found:
-        if c.kind in (Kind.ADMITTED, Kind.GAUGE):
-            yield [c]
+    admitted = [c for c in found if c.kind is Kind.ADMITTED]
+    gauged = [c for c in found if c.kind is Kind.GAUGE]
+    yield from (group for group in (plain, admitted, gauged) if group)
     for c in found:
         if c.kind is Kind.TIME:
             yield [*plain, c]
@@ -287,7 +262,7 @@ def _states(
     try:
         start = blank.with_values({s: blank.input(s) for s in symbols if s not in varied})
         for _ in range(FAILURES):
-            point = order.drawn(lambda: start.redrawn(varied), DRAWS)
+            point = order.drawn(lambda: start.redrawn(varied), DRAWS if rows else FIRST_DRAWS)
             if point is None:
                 return None
             try:

@@ -107,8 +107,11 @@ def _conditions(row: Row, slots: Slots) -> tuple[sp.Expr, ...]:
         product = sp.Mul(*varying)
         if -product not in found:
             found[product] = None
+    nought = {c: sp.S.Zero for c in found if c in slots.coordinates}
+    # x² + y² = 0 says nothing beside x = y = 0.
+    told = [c for c in found if c in nought or sp.expand(c.xreplace(nought)) != 0]
     # Coordinates in their own order: x = y = 0.
-    return tuple(sorted(found, key=lambda c: slots.coordinates.index(c) if c in slots.coordinates else -1))
+    return tuple(sorted(told, key=lambda c: slots.coordinates.index(c) if c in slots.coordinates else -1))
 
 
 def _varying(e: sp.Expr, slots: Slots) -> list[sp.Expr]:

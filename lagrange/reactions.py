@@ -21,7 +21,8 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.balance import Balance
-from lagrange.kinematics import Configuration
+from lagrange.exact import DivisionByZeroError
+from lagrange.kinematics import Configuration, admitted_states
 from lagrange.linear import MOST_CANCELLED, Decides, Tidy, solved_in_blocks, solved_linear, tidy_quotient
 from lagrange.lowest_terms import as_one_quotient
 from lagrange.newton import Newton, Reaction
@@ -107,14 +108,26 @@ class Place:
 
     write    an expression of the file's coordinates as it is there
     surface  says what is zero there
+    states   says what is zero with the velocities that the system may have there
     tidy     for what arises on the way
     show     for results
     """
 
     write: Callable[[sp.Expr], sp.Expr]
     surface: Decides
+    states: Decides
     tidy: Tidy
     show: Tidy
+
+    def shown(self, value: sp.Expr | None) -> sp.Expr | None:
+        """A result as it is written: 0 where the velocities make it zero, 2 m (x x' + y y') z' on a cylinder."""
+        if value is None:
+            return None
+        try:
+            vanishes = self.states.is_zero(value) is True
+        except DivisionByZeroError:
+            vanishes = False
+        return sp.S.Zero if vanishes else self.show(value)
 
 
 def motion_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
@@ -185,7 +198,8 @@ def solved_reactions(
     still = dict.fromkeys([v for v in resting if v not in inside], sp.S.Zero)
     right = [b.xreplace(still) for b in right]
     rule = _positions_and_velocities(configuration)
-    place = Place(lambda e: e.xreplace(rule), configuration.states, tidy, over_one_denominator)
+    states = admitted_states(configuration.rows, configuration.slots)
+    place = Place(lambda e: e.xreplace(rule), configuration.states, states, tidy, over_one_denominator)
     there = LinearSystem(tuple(tuple(row) for row in rows), tuple(right), system.unknowns)
     return reactions_at(place, there, newton, used, configuration)
 
@@ -206,7 +220,7 @@ def reactions_at(
         leading=not configuration.expressed,
     )
     found = found or [None] * len(system.unknowns)
-    values = dict(zip(system.unknowns, [v if v is None else place.show(v) for v in found], strict=True))
+    values = dict(zip(system.unknowns, map(place.shown, found), strict=True))
     unused = [r for r in newton.reactions if r not in used]
     combinations = _combinations(used, unused, values, place) if unused else ()
     loose = {symbol for c in combinations if len(c.terms) > 1 for _, symbol in c.terms}

@@ -149,7 +149,7 @@ def _at(
         there = letters.write(resolved(there, common))
         return there.xreplace(dict(points.given))
 
-    place = Place(write, points, tidy_quotient, lambda e: over_one_denominator(shown(e)))
+    place = Place(write, points, points, tidy_quotient, lambda e: over_one_denominator(shown(e)))
     slots = original.configuration.slots
     try:
         rows = tuple(tuple(write(r.row.coefficients[k]) for r in used) for k, _ in enumerate(slots.coordinates))

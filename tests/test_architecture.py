@@ -37,7 +37,7 @@ LAYERS = {
     "stages": """links rigid_bodies kinematics bending consistency rank_loss quasi_coordinates constraints classification displacements
         coordinates linear placing rods newton workless balance principle lagrangian energies reactions friction equations
         eliminated_rates multipliers comparison constant_inertia matrix_form dynamics quasi_velocities quasi_equations spot verification
-        quasi_verification conservative energy_functions noether conservation equilibrium stability static_reactions
+        quasi_verification conservative energy_functions noether gauges admitted conservation equilibrium stability static_reactions
         statics rest linear_stability linearization linearization_checks""",
     "results": """solution letters benches edits conventions diagnosis dimensions advice answer_readings radii references reference_systems
         validity recognition answers reaction_answers

@@ -18,10 +18,13 @@ from trajectories import Motion, State, function_of
 from lagrange.conservation import Because, Conserved, Quantity, first_integral
 from lagrange.derivation import Prose, Rule
 from lagrange.diagnostics import Source
+from lagrange.energy_functions import energy_functions
 from lagrange.loader import read_problem
+from lagrange.noether import Kind, candidates, symmetries
 from lagrange.render.json import as_object
 from lagrange.report import report
 from lagrange.solution import Solution, solve
+from lagrange.textbook import Textbook
 
 STEP, STEPS = 0.004, 60
 CONSTANT, CHANGES = 3e-7, 1e-5
@@ -410,3 +413,154 @@ def test_the_step_says_why_and_json_has_the_multipliers() -> None:
     assert entries[1]["displacement"] == {"x": "cos(theta)", "y": "sin(theta)"}
     assert all(e["multipliers"] for e in entries)
     assert not any("rate" in e for e in entries)
+
+
+MAGNET = """
+title: Charges in a magnetic field
+parameters: [m, q, B, k]
+coordinates: [x, y, X, Y]
+particles:
+  P: {mass: m, position: x*i + y*j}
+  Q: {mass: m, position: X*i + Y*j}
+forces:
+  on_P: {on: P, vector: "q*B*(y'*i - x'*j)"}
+  on_Q: {on: Q, vector: "q*B*(Y'*i - X'*j)"}
+  repulsion: {potential: "k/sqrt((x - X)^2 + (y - Y)^2)"}
+"""
+
+
+def differences(found: Conserved, *expected: str) -> list[sp.Expr]:
+    """The integrals less the expected ones, in the symbols of the table."""
+    plain = [i.expression.xreplace({s: sp.Symbol(s.name, real=True) for s in i.expression.free_symbols})
+             for i in found.integrals]  # fmt: skip
+    return [sp.expand(p - read(e)) for p, e in zip(plain, expected, strict=True)]
+
+
+def words_of(text: str) -> str:
+    """The prose of the step."""
+    shown = report(read_problem(Source("p.yaml", text)))
+    [step] = [s for s in shown.derivation.steps if s.rule is Rule.CONSERVED]
+    return "".join(p for b in step.body if isinstance(b, Prose) for p in b.parts if isinstance(p, str))
+
+
+def test_two_charges_have_momenta_and_an_angular_momentum_in_a_magnetic_field() -> None:
+    """Landau and Lifshitz II, § 21: the generalized momenta of both in the gauges where what is displaced is symmetric."""
+    found = of(MAGNET)
+    assert [k for k, _ in kinds(found)] == ["momentum", "momentum", "angular-momentum", "energy"]
+    assert {b for k, b in kinds(found) if k != "energy"} == {"rate"}
+    assert all(i.constant and i.multipliers for i in found.integrals)
+    assert differences(
+        found,
+        "m*(v_x + v_X) - q*B*(y + Y)",
+        "m*(v_y + v_Y) + q*B*(x + X)",
+        "m*(x*v_y - y*v_x + X*v_Y - Y*v_X) + q*B*(x^2 + y^2 + X^2 + Y^2)/2",
+        "m*(v_x^2 + v_y^2 + v_X^2 + v_Y^2)/2 + k/sqrt((x - X)^2 + (y - Y)^2)",
+    ) == [0, 0, 0, 0]
+
+
+def test_an_electric_field_takes_angular_momentum_away_and_leaves_the_difference_along_it() -> None:
+    found = of(MAGNET.replace("k/sqrt((x - X)^2 + (y - Y)^2)", "k*(y + Y)"))
+    assert {k for k, _ in kinds(found)} == {"momentum", "energy"}
+    left = differences(found, "m*v_x - q*B*y", "m*v_X - q*B*Y", "m*(v_y - v_Y) + q*B*(x - X)",
+                       "m*(v_x^2 + v_y^2 + v_X^2 + v_Y^2)/2 + k*(y + Y)")  # fmt: skip
+    assert left[:2] == [0, 0]
+    assert left[3] == 0
+    assert left[2] in (0, sp.expand(read("-2*m*(v_y - v_Y) - 2*q*B*(x - X)")))  # or its negative
+
+
+LIFT = """
+title: Pendulum in a lift that rises with constant acceleration
+parameters: [m, l, g, a]
+coordinates: [theta]
+particles: {P: {mass: m, position: "l*sin(theta)*i + (a*t^2/2 - l*cos(theta))*j"}}
+gravity: -g*j
+"""
+
+
+def test_in_a_lift_with_constant_acceleration_the_pendulum_has_an_energy_with_more_weight() -> None:
+    """l θ'' + (g + a) sin θ = 0; of any other lift it has none."""
+    found = of(LIFT)
+    assert kinds(found) == [("jacobi", "time-rate")]
+    assert differences(found, "m*l^2*v_theta^2/2 - m*l*(g + a)*cos(theta)") == [0]
+    assert found.energy is not None  # as seen from the ground it is not constant
+    assert not of(LIFT.replace("a*t^2/2", "a*sin(t)")).integrals
+
+
+BALANCED = """
+title: A particle on a turntable, held by a spring that balances the centrifugal force
+parameters: [m, omega]
+coordinates: [x, y]
+let: {e: cos(omega*t)*i + sin(omega*t)*j, n: -sin(omega*t)*i + cos(omega*t)*j}
+particles: {P: {mass: m, position: x*e + y*n}}
+forces: {spring: {spring: m*omega^2, between: [P, 0*i]}}
+"""
+
+
+def test_a_momentum_of_a_coordinate_that_occurs_in_the_energies_is_not_called_cyclic() -> None:
+    """m x' − 2 m ω y, because x'' − 2 ω y' = 0; but L has m ω (x y' − y x')."""
+    found = of(BALANCED)
+    assert ("momentum", "gauge") not in kinds(found)
+    assert differences(of(BALANCED), *(
+        "m*(x*v_y - y*v_x) + m*omega*(x^2 + y^2)", "m*v_x - 2*m*omega*y", "m*v_y + 2*m*omega*x",
+        "m*(v_x^2 + v_y^2)/2", "m*((v_x - omega*y)^2 + (v_y + omega*x)^2)/2 + m*omega^2*(x^2 + y^2)/2",
+    )) == [0, 0, 0, 0, 0]  # fmt: skip
+    assert "in the energies, and the force" not in words_of(BALANCED)
+
+
+PARALLEL = """
+title: Two blades that are turned together, with a spring between them
+parameters: [m, k]
+coordinates: [x, y, X, Y]
+functions: {u: [t]}
+particles:
+  P: {mass: m, position: x*i + y*j}
+  Q: {mass: m, position: X*i + Y*j}
+constraints:
+  one: "x'*sin(u) = y'*cos(u)"
+  other: "X'*sin(u) = Y'*cos(u)"
+forces: {spring: {spring: k, between: [P, Q]}}
+"""
+
+
+def test_virtual_displacements_of_two_blades_together_give_a_momentum() -> None:
+    """m (v + V), the speeds along the blades: the spring pulls them together, and the heading turns both velocities."""
+    found = of(PARALLEL)
+    assert ("momentum", "admitted") in kinds(found)
+    [momentum] = [i for i in found.integrals if i.because is Because.ADMITTED]
+    assert momentum.constant
+    assert momentum.multipliers
+    assert {str(q) for q in momentum.displacement or ()} == {"x", "y", "X", "Y"}
+
+
+SCREW = """
+title: A particle on a ramp that turns uniformly
+parameters: [m, a, omega, g]
+coordinates: [rho, phi, z]
+frame: {type: cylindrical, coordinates: [rho, phi, z]}
+particles: {P: {mass: m, position: rho*e_rho + z*k}}
+constraints: {ramp: z = a*(phi - omega*t)}
+gravity: -g*k
+generalized_coordinates: {lab: {coordinates: [rho, phi]}}
+"""
+
+
+def test_jacobis_integral_of_what_is_carried_has_no_constant_terms() -> None:
+    [choice] = solve(read_problem(Source("p.yaml", SCREW))).choices
+    assert choice.conserved is not None
+    [jacobi] = choice.conserved.integrals
+    assert jacobi.because is Because.CARRIED
+    slots = choice.conserved.motion.configuration.slots
+    moving = {*slots.coordinates, *slots.velocities}
+    assert all(not term.free_symbols.isdisjoint(moving) for term in sp.Add.make_args(jacobi.expression))
+
+
+def test_a_momentum_is_found_whatever_parameters_are_drawn() -> None:
+    """Of some R and a no rod of the length a fits in the field that is drawn: then others are drawn."""
+    motion = solved("three_on_a_ring").motion
+    assert motion is not None
+    configuration = motion.configuration
+    energies = energy_functions(configuration, Textbook(motion.principle.ring))
+    found = candidates(energies, [])
+    for seed in range(12):
+        configuration.states.fields.random.seed(seed)
+        assert {s.kind for s in symmetries(found, configuration)} == {Kind.TRANSLATION}, seed

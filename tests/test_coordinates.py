@@ -13,6 +13,7 @@ from lagrange.measures import Measures
 from lagrange.problem import Problem
 from lagrange.render import pretty
 from lagrange.report import report
+from lagrange.solution import solve
 
 Read = Callable[[str], Problem]
 
@@ -102,3 +103,28 @@ generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: l*sin(th
     told = report(problem(text))
     page = " ".join(pretty.text(told.derivation, told.notation, 120).split())
     assert "S + T = m l θ̇² + m g cos θ" in page or "T + S = m l θ̇² + m g cos θ" in page
+
+
+CRANK = """
+title: Crank and slider
+parameters: [m, M, a, b]
+coordinates: [x, y, s]
+particles: {A: {mass: m, position: x*i + y*j}, B: {mass: M, position: s*i}}
+constraints: {crank: x^2 + y^2 = a^2, rod: (s - x)^2 + y^2 = b^2}
+generalized_coordinates: {height: {coordinates: [y]}, slider: {coordinates: [s]}}
+"""
+
+
+def test_a_crank_is_solved_by_its_height_and_by_its_slider(problem: Read) -> None:
+    """The difference of the two constraints gives x by s. By y it leads to a root of degree four, each alone does not."""
+    read = problem(CRANK)
+    assert {n: str(e) for n, e in solved(read, "x s").items()} == {
+        "x": "sigma_1*sqrt(a**2 - y**2)",
+        "s": "sigma_1*sqrt(a**2 - y**2) + sigma_2*sqrt(b**2 - y**2)",
+    }
+    assert set(solved(read, "x y")) == {"x", "y"}
+    choices = {c.coordinates.choice.name: c.coordinates for c in solve(read).choices}
+    assert {n: (c.branches, c.satisfied) for n, c in choices.items()} == {
+        "height": (4, ("crank", "rod")),
+        "slider": (2, ("crank", "rod")),
+    }

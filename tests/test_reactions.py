@@ -46,6 +46,22 @@ def value(text: str, found: Solution) -> sp.Expr:
     return expression
 
 
+SCREW = """parameters: [m]
+coordinates: [x, y, z]
+particles: {P: {mass: m, position: '[x, y, z]'}}
+constraints: {cylinder: "x*x' + y*y' = 0", pitch: "x*y' - y*x' = (x^2 + y^2)*z'"}
+"""
+
+
+def test_a_reaction_that_the_velocities_make_zero_is_zero(problem: Read) -> None:
+    """2 m (x x' + y y') z'/(...) is 0 where x x' + y y' = 0: along a helix without weight only the cylinder presses."""
+    found = solution(problem, SCREW).dynamics
+    assert found is not None
+    assert found.reactions is not None
+    assert found.reactions.multipliers["pitch"] == 0
+    assert found.reactions.multipliers["cylinder"] != 0
+
+
 # -- formulas of textbooks ---------------------------------------------------------------------------------------------
 
 

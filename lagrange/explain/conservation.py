@@ -71,6 +71,14 @@ def _reason(found: Conserved, integrals: Sequence[Integral], small: sp.Symbol) -
             forces = plural(len(coordinates), "the force along it is the", "the forces along them are the")
             rates = plural(len(coordinates), "rate of change of a function", "rates of change of functions")
             return (*names, f"{occur} in the energies, and {forces} {rates} of the position")
+        case Because.RATE:
+            moved = [(" ", *_displaced(i, small)) for i in integrals]
+            return (plural(len(integrals), "In the displacement", "In each of the displacements"), *_joined(moved),
+                    " the change of the kinetic less the potential energy and the work of the other forces add up to ",
+                    math(small), " times the rate of change of a function of the position")  # fmt: skip
+        case Because.TIME_RATE:
+            return ("Time occurs only in such a way that the power that it brings in is the rate of change of a "
+                    "function of the position and time",)  # fmt: skip
         case Because.DEPENDENT:
             return ("What moves by itself turns out to have no power in sum",)
         case Because.ROTATION if len(integrals) > 1:
@@ -129,17 +137,19 @@ _CALLED = {
 
 def _conclusion(found: Conserved, integrals: Sequence[Integral]) -> tuple[Part, ...]:
     """`Therefore (11) and (13) times C are the rates of change of the momenta, which are constant`."""
-    several = len(integrals) > 1
-    one, more = _CALLED[integrals[0].quantity]
+    several, first = len(integrals) > 1, integrals[0]
+    one, more = _CALLED[first.quantity]
     proofs = [_proof(found, i) for i in integrals]
     if not all(proofs):
         return (f"Along the motion {more if several else one} {'stay' if several else 'stays'} constant",)
+    if several and first.because is Because.RATE:
+        return ("Therefore combinations of the equations of motion can be integrated",)
     if several and any(len([m for m in i.multipliers if m != 0]) > 1 for i in integrals):
         return (
             f"Therefore combinations of the equations of motion are the rates of change of {more}, which are constant",
         )
     words = [part for n, proof in enumerate(proofs) for part in (*((_between(n, len(proofs)),) if n else ()), *proof)]
-    if integrals[0].because is Because.GAUGE:
+    if first.because in (Because.GAUGE, Because.RATE):
         return ("Therefore ", *words, " can be integrated")
     rate = f" are the rates of change of {more}, which are" if several else f" is the rate of change of {one}, which is"
     return ("Therefore ", *words, f"{rate} constant")
