@@ -64,13 +64,14 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     used = set().union(*(e.free_symbols for e in _all_expressions(system)))
     values: dict[sp.Basic, sp.Expr] = {}
     moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
-    fixed = sorted(used - moving, key=lambda s: counting(s.name), reverse=True)
-    others = [s for s in fixed if not isinstance(s, Sign)]
+    fixed = sorted(used - moving, key=lambda s: counting(s.name))
+    signs, others = ([s for s in fixed if isinstance(s, Sign) is sign] for sign in (True, False))
     numbers = count(1 + trial)
-    values |= {s: sp.S.One for s in reversed(fixed) if isinstance(s, Sign)}
     angles = _angles(system.equations)
-    parameters = {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in others}
-    values |= reversed(parameters.items())
+    turn = reversed if trial % 2 == 0 else iter  # √(l² − c²) may want the later letter to be the larger one
+    parameters = {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in turn(others)}
+    values |= dict.fromkeys(signs, sp.S.One)
+    values |= {s: parameters[s] for s in others}
     positions = _positions(configuration, values, trial)
     if positions is None:
         return None

@@ -218,6 +218,22 @@ gravity: -g*j
     assert values["omega"].is_Integer
 
 
+@pytest.mark.parametrize(("long", "short"), [("l", "c"), ("c", "l")])
+def test_either_of_two_letters_may_have_to_be_the_larger(problem: Read, long: str, short: str) -> None:
+    text = f"""
+title: Offset crank
+parameters: [m, l, c, g]
+coordinates: [s, y]
+particles: {{P: {{mass: m, position: s*i + y*j}}}}
+gravity: -g*j
+constraints: {{rod: (s - sqrt({long}^2 - {short}^2))^2 + y^2 = {long}^2}}
+"""
+    spot = solve(problem(text)).spot
+    assert spot is not None
+    values = {s.name: v for s, v in spot.values.items()}
+    assert values[long] > values[short] > 0
+
+
 def test_springs_in_motion(problem: Read) -> None:
     """m x'' = −c (√(x² + h²) − b) x/√(x² + h²), the component of the pull."""
     text = """
