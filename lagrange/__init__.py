@@ -16,14 +16,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from lagrange.answers import Verdict
-    from lagrange.diagnostics import NotCoveredError, ProblemError, UndecidedError
-    from lagrange.formulation import Formulation
-    from lagrange.interface import check, load, loads, solve
-    from lagrange.judgement import Judgement
-    from lagrange.numerical import RightHandSide
-    from lagrange.problem import Problem
-    from lagrange.result import Result
+    from lagrange.answers.equations import Verdict
+    from lagrange.api.formulation import Formulation
+    from lagrange.api.interface import check, load, loads, solve
+    from lagrange.api.judgement import Judgement
+    from lagrange.api.numerical import RightHandSide
+    from lagrange.api.result import Result
+    from lagrange.core.diagnostics import NotCoveredError, ProblemError, UndecidedError
+    from lagrange.problem.model import Problem
 
 __all__ = [
     "Formulation",
@@ -42,14 +42,14 @@ __all__ = [
 ]
 
 _HOMES = {
-    "answers": ("Verdict",),
-    "diagnostics": ("NotCoveredError", "ProblemError", "UndecidedError"),
-    "formulation": ("Formulation",),
-    "interface": ("check", "load", "loads", "solve"),
-    "judgement": ("Judgement",),
-    "numerical": ("RightHandSide",),
-    "problem": ("Problem",),
-    "result": ("Result",),
+    "answers.equations": ("Verdict",),
+    "core.diagnostics": ("NotCoveredError", "ProblemError", "UndecidedError"),
+    "api.formulation": ("Formulation",),
+    "api.interface": ("check", "load", "loads", "solve"),
+    "api.judgement": ("Judgement",),
+    "api.numerical": ("RightHandSide",),
+    "problem.model": ("Problem",),
+    "api.result": ("Result",),
 }
 
 

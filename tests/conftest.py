@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from lagrange.diagnostics import Source
-from lagrange.loader import read_problem
-from lagrange.problem import Problem
+from lagrange.core.diagnostics import Source
+from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Problem
 
 ROOT = Path(__file__).parents[1]
 PROBLEMS = ROOT / "problems"

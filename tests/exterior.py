@@ -13,7 +13,7 @@ from itertools import combinations
 import sympy as sp
 from mpmath import mp
 
-from lagrange.notation import Unspecified, base, t
+from lagrange.core.symbols import Unspecified, base, t
 
 Form = dict[tuple[sp.Symbol, ...], sp.Expr]
 DIGITS = 40

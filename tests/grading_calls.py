@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:  # a process that loads no more is ready at once
-    from lagrange.diagnostics import Source
-    from lagrange.grading import Graded, Submission
+    from lagrange.answers.grading import Graded, Submission
+    from lagrange.core.diagnostics import Source
 
 
 def double(x: int) -> int:
@@ -75,7 +75,7 @@ def raise_what_cannot_be_sent() -> None:
 
 def examine(submission: Submission, problem: Source) -> Graded:
     """As the command does it, apart from submissions that say what is to happen."""
-    from lagrange.grading import Submission
+    from lagrange.answers.grading import Submission
     from lagsolve.grading.examining import examine as real
 
     said = submission.files[0][1]

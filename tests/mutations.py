@@ -11,11 +11,11 @@ from pathlib import Path
 
 import sympy as sp
 
-from lagrange.edits import Slip, terms_of
-from lagrange.equations import EquationsOfMotion
-from lagrange.loader import load
-from lagrange.references import Candidate, reference_of_solution
-from lagrange.solution import solve
+from lagrange.answers.edits import Slip, terms_of
+from lagrange.answers.references import Candidate, reference_of_solution
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load
 
 MOST_TERMS = 14
 

@@ -18,9 +18,9 @@ from rich.console import Console
 from rich.terminal_theme import TerminalTheme
 from rich.text import Text
 
-from lagrange.loader import load
-from lagrange.render import pretty
-from lagrange.report import report
+from lagrange.explain.report import report
+from lagrange.problem.loader import load
+from lagrange.render import terminal as pretty
 
 ROOT = Path(__file__).parent.parent
 PICTURE = ROOT / "docs" / "pictures" / "ideal-pendulum.svg"

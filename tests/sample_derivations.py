@@ -2,7 +2,9 @@
 
 import sympy as sp
 
-from lagrange.derivation import (
+from lagrange.core.symbols import Dot, Partial, UnitVector, VectorSymbol, differential, prime, t, variation
+from lagrange.core.vectors import Triad, Vector
+from lagrange.document.derivation import (
     CheckMark,
     Derivation,
     Detail,
@@ -16,9 +18,7 @@ from lagrange.derivation import (
     math,
     prose,
 )
-from lagrange.notation import Dot, Partial, UnitVector, VectorSymbol, differential, prime, t, variation
-from lagrange.render.mathematics import Notation
-from lagrange.vectors import Triad, Vector
+from lagrange.document.math_writer import Notation
 
 d, delta = differential, variation
 sin, cos = sp.sin, sp.cos

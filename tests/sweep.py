@@ -28,18 +28,19 @@ from browser import CHROMIUM, measured
 from click.testing import CliRunner
 from rich.cells import cell_len
 
-from lagrange.answers import Verdict, check_equations
-from lagrange.derivation import Derivation, Detail
-from lagrange.diagnostics import Fragment, ProblemError
-from lagrange.dynamics import Method
-from lagrange.expressions import read_equation
-from lagrange.loader import load
-from lagrange.problem import Find
-from lagrange.references import Reference, reference_of_solution
-from lagrange.render import html, latex, markdown, pretty
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.document.derivation import Derivation, Detail
+from lagrange.document.notation import Notation
+from lagrange.explain.report import Report, report
+from lagrange.expressions.reader import read_equation
+from lagrange.mechanics.dynamics.motion import Method
+from lagrange.problem.loader import load
+from lagrange.problem.model import Find
+from lagrange.render import html, latex, markdown
 from lagrange.render import json as json_format
-from lagrange.render.kinds import Notation
-from lagrange.report import Report, report
+from lagrange.render import terminal as pretty
 from lagsolve import library
 from lagsolve.main import main as command
 

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.answer_files import equations_in_file
-from lagrange.diagnostics import Fragment, ProblemError, Source
-from lagrange.latex_layout import equations, is_latex
+from lagrange.answers.answer_files import equations_in_file
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.expressions.latex_layout import equations, is_latex
 
 # -- LaTeX -----------------------------------------------------------------------------------------------------------
 

@@ -23,8 +23,8 @@ from second_route import Route, slots
 from test_answers_problems import derived
 from test_answers_table import GIVEN, TABLE, given_reference
 
-from lagrange.answers import AnswerVerdict, Reference, Verdict, check_equations
-from lagrange.diagnostics import Fragment, ProblemError
+from lagrange.answers.equations import AnswerVerdict, Reference, Verdict, check_equations
+from lagrange.core.diagnostics import Fragment, ProblemError
 from lagsolve.main import main
 
 FUZZ = settings(deadline=None, derandomize=True, suppress_health_check=list(HealthCheck), database=None)

@@ -17,10 +17,10 @@ from click.testing import CliRunner
 from sympy.parsing import sympy_parser
 from test_answers_table import given_reference
 
-from lagrange.answers import Reference, check_equations
-from lagrange.checking import reference
-from lagrange.diagnostics import Fragment, ProblemError, Source
-from lagrange.loader import read_problem
+from lagrange.answers.equations import Reference, check_equations
+from lagrange.answers.examiner import reference
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.problem.loader import read_problem
 from lagsolve.main import main
 
 REJECTED = "unreadable"

@@ -9,10 +9,10 @@ import pytest
 from answer_truth import RANGES, read, route, truth
 from conftest import ROOT
 
-from lagrange.answers import Reference, check_equations
-from lagrange.checking import reference
-from lagrange.diagnostics import Fragment
-from lagrange.loader import load
+from lagrange.answers.equations import Reference, check_equations
+from lagrange.answers.examiner import reference
+from lagrange.core.diagnostics import Fragment
+from lagrange.problem.loader import load
 
 EQUIVALENT, WRONG, INCOMPLETE = "equivalent", "wrong", "incomplete"
 

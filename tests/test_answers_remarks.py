@@ -18,8 +18,8 @@ from test_answers_fuzz import system
 from test_answers_problems import derived
 from test_answers_table import DEPENDENT, TABLE, fragments, solved_reference, verdict_on
 
-from lagrange.answers import EquationVerdict, Verdict
-from lagrange.checking import CheckedAnswer
+from lagrange.answers.equations import EquationVerdict, Verdict
+from lagrange.answers.examiner import CheckedAnswer
 
 VALID = [
     ("pendulum", "theta'*(l*theta'' + g*sin(theta)) = 0", "theta'", "multiplied"),

@@ -10,11 +10,11 @@ from functools import cache
 import pytest
 from click.testing import CliRunner
 
-from lagrange.answers import Reference, check_equations
-from lagrange.checking import CheckedAnswer, check_answer, reference
-from lagrange.diagnostics import Fragment, ProblemError, Source
-from lagrange.loader import read_problem
-from lagrange.report import report
+from lagrange.answers.equations import Reference, check_equations
+from lagrange.answers.examiner import CheckedAnswer, check_answer, reference
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.explain.report import report
+from lagrange.problem.loader import read_problem
 from lagsolve.main import main
 
 EQUIVALENT, WRONG, INCOMPLETE, TRIVIAL, UNREADABLE = "equivalent", "wrong", "incomplete", "trivial", "unreadable"

@@ -65,8 +65,14 @@ LAYERS = {
 """A module imports only what stands before it."""
 
 FOR_TYPES_ONLY = {
-    ("lagrange.fourier", "lagrange.generators"),  # a sum knows its basis, which numbers what sums are made of
-    ("lagrange.differentiation", "lagrange.trigonometry"),  # derivations of a ring are members of it
+    (
+        "lagrange.algebra.fourier.fourier",
+        "lagrange.algebra.fourier.generators",
+    ),  # a sum knows its basis, which numbers what sums are made of
+    (
+        "lagrange.algebra.fourier.differentiation",
+        "lagrange.algebra.fourier.trigonometry",
+    ),  # derivations of a ring are members of it
 }
 """Imports the other way, under TYPE_CHECKING."""
 
@@ -76,15 +82,20 @@ ROOMS = {
         *("lagsolve.completing", "lagsolve.beginning"),
     },
     "rich": {
-        "lagrange.render.pretty",
+        "lagrange.render.terminal",
         "lagrange.render.paragraphs",
         "lagrange.render.tables",
         "lagrange.render.matrices",
         "lagsolve.grading.rows",
     },
     "distributed": {"lagsolve.grading.cluster"},
-    "numpy": {"lagrange.numerical"},
-    "yaml": {"lagrange.yaml_composer", "lagrange.yaml_mistakes", "lagrange.yaml_nodes", "lagsolve.library"},
+    "numpy": {"lagrange.api.numerical"},
+    "yaml": {
+        "lagrange.problem.yaml_composer",
+        "lagrange.problem.yaml_mistakes",
+        "lagrange.problem.yaml_nodes",
+        "lagsolve.library",
+    },
     "sympy": None,
     "mpmath": None,
 }
@@ -96,7 +107,7 @@ FORBIDDEN = {
     *("nsimplify", "simplify", "trigsimp"),  # slow, and not to be relied on
 }
 
-COMPILED = {"lagrange.numerical"}
+COMPILED = {"lagrange.api.numerical"}
 """The only module that makes Python code, of expressions whose symbols it has given names of its own."""
 
 LONGEST = 400

@@ -16,8 +16,8 @@ from click.testing import CliRunner
 from conftest import ROOT
 from test_readme import BEAD
 
-from lagrange.problem import Problem
-from lagrange.report import report
+from lagrange.explain.report import report
+from lagrange.problem.model import Problem
 from lagsolve.main import main
 
 PAGE = (ROOT / "docs" / "authors.md").read_text(encoding="utf-8")

@@ -30,21 +30,21 @@ from second_route import (
     t,
 )
 
-from lagrange.comparison import System, compare
-from lagrange.diagnostics import Fragment, ProblemError
-from lagrange.exact import is_zero
-from lagrange.expressions import read_equation
-from lagrange.kinematics import Configuration
-from lagrange.loader import load
-from lagrange.orientation import orientation
-from lagrange.problem import Problem
-from lagrange.references import reference_of_solution
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.rotation import turned_axes
+from lagrange.core.vectors import Vector
+from lagrange.explain.report import report
+from lagrange.expressions.reader import read_equation
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.comparison import System, compare
+from lagrange.mechanics.dynamics.verification import check_motion
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import load
+from lagrange.problem.model import Problem
+from lagrange.problem.orientation import orientation
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.rotation import turned_axes
-from lagrange.solution import Solution, solve
-from lagrange.vectors import Vector
-from lagrange.verification import check_motion
 
 Read = Callable[[str], Problem]
 SEQUENCES = ("121", "123", "131", "132", "212", "213", "231", "232", "312", "313", "321", "323")

@@ -10,8 +10,8 @@ import pytest
 import sympy as sp
 from solution_counts import function, newton_solutions, roots
 
-from lagrange.branching import solutions
-from lagrange.solution_sets import Branch, SolutionSet
+from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
 
 POSITIVE = {
     n: sp.Symbol(n, positive=True)

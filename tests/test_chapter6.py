@@ -13,13 +13,13 @@ import sympy as sp
 from conftest import PROBLEMS
 from sympy.physics.mechanics import LagrangesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
 
-from lagrange.answers import Verdict, check_equations
-from lagrange.diagnostics import Fragment
-from lagrange.loader import load
-from lagrange.notation import Unspecified
-from lagrange.reaction_answers import check_reaction
-from lagrange.references import reference_of_solution
-from lagrange.report import Report, report
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.reactions import check_reaction
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import Unspecified
+from lagrange.explain.report import Report, report
+from lagrange.problem.loader import load
 
 
 @cache

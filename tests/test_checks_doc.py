@@ -9,10 +9,11 @@ from collections.abc import Callable, Iterator
 import pytest
 from conftest import PROBLEMS, ROOT
 
-from lagrange import exact, field, sampling
-from lagrange.loader import load
-from lagrange.problem import Problem
-from lagrange.solution import solve
+from lagrange.algebra.exact import exact, sampling
+from lagrange.algebra.exact import prime_field as field
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load
+from lagrange.problem.model import Problem
 
 SOURCE = (ROOT / "docs" / "checks.md").read_text(encoding="utf-8")
 PAGE = " ".join(SOURCE.replace("**", "").split())

@@ -16,9 +16,9 @@ from click.testing import CliRunner, Result
 from conftest import PROBLEMS
 from rich.cells import cell_len
 
-from lagrange.diagnostics import UndecidedError
-from lagrange.solution import Solution, solve
-from lagrange.verification import Check
+from lagrange.core.diagnostics import UndecidedError
+from lagrange.mechanics.dynamics.verification import Check
+from lagrange.mechanics.solution import Solution, solve
 from lagsolve import library
 from lagsolve.group import COMMANDS
 from lagsolve.main import main

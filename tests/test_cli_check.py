@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from test_cli import OSCILLATOR, PENDULUM, REFERENCE, RIGHT, SKATE, run
 
-from lagrange.answers import AnswerVerdict, EquationVerdict, Verdict
-from lagrange.checking import CheckedAnswer, ComparedAnswer
+from lagrange.answers.equations import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.examiner import CheckedAnswer, ComparedAnswer
 
 
 @pytest.fixture

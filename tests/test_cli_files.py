@@ -16,9 +16,9 @@ from click.testing import CliRunner, Result
 from conftest import PROBLEMS, ROOT
 from rich.cells import cell_len
 
-from lagrange.diagnostics import ProblemError, Source
-from lagrange.loader import SECTIONS, load, read_problem
-from lagrange.report import report
+from lagrange.core.diagnostics import ProblemError, Source
+from lagrange.explain.report import report
+from lagrange.problem.loader import SECTIONS, load, read_problem
 from lagsolve import catalogue, library
 from lagsolve.library import Entry, Index
 from lagsolve.main import main

@@ -21,8 +21,8 @@ import pytest
 from conftest import PROBLEMS
 from test_cli import run
 
-from lagrange.diagnostics import Source
-from lagrange.grading import Submission
+from lagrange.answers.grading import Submission
+from lagrange.core.diagnostics import Source
 from lagsolve.grading.batch import outcomes
 from lagsolve.grading.examining import examine
 

@@ -61,9 +61,9 @@ LIGHT = (
 def test_sympy_is_not_loaded_before_it_is_needed(arguments: str) -> None:
     loaded = modules(arguments.split("+"))
     assert "lagsolve.main" in loaded
-    assert not loaded & {"sympy", "mpmath", "rich", "lagrange.loader"}
+    assert not loaded & {"sympy", "mpmath", "rich", "lagrange.problem.loader"}
     own = {m for m in loaded if m.partition(".")[0] == "lagrange"}
-    assert arguments.startswith("new") or own <= {"lagrange", "lagrange.library", "lagrange.records"}
+    assert arguments.startswith("new") or own <= {"lagrange", "lagrange.problem.library", "lagrange.core.records"}
 
 
 def test_help_loads_click_and_little_more() -> None:

@@ -198,10 +198,16 @@ def test_every_stage_is_a_module() -> None:
 
 
 def test_the_innermost_known_stage_is_said() -> None:
-    inner = ["lagrange.graph", "lagrange.rest", "lagrange.solution", "lagrange.report", "lagsolve.solving"]
+    inner = [
+        "lagrange.algebra.exact.graph",
+        "lagrange.mechanics.equilibrium.relative_equilibrium",
+        "lagrange.mechanics.solution",
+        "lagrange.explain.report",
+        "lagsolve.solving",
+    ]
     assert stages.line(inner, 12.6) == "equilibria of the equations of motion ... 13 s"
     assert stages.line(["sympy.core", "importlib"], 2.0) == "starting ... 2 s"
-    assert stages.line(["lagrange.solution"], 9.0) == "working ... 9 s"
+    assert stages.line(["lagrange.mechanics.solution"], 9.0) == "working ... 9 s"
     assert stages.modules(sys._getframe())[0] == __name__
 
 
@@ -241,7 +247,9 @@ def test_there_is_a_thread_on_a_terminal_only(
 # Ctrl-C
 
 
-@pytest.mark.parametrize("module", ["click", "lagsolve.group", "sympy", "lagrange.loader", "lagrange.report"])
+@pytest.mark.parametrize(
+    "module", ["click", "lagsolve.group", "sympy", "lagrange.problem.loader", "lagrange.explain.report"]
+)
 def test_ctrl_c_during_an_import_is_no_traceback(module: str) -> None:
     program = f"""
 import sys

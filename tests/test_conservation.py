@@ -15,16 +15,16 @@ from second_route import states
 from test_textbook_systems import SYSTEMS, concrete, names_in, routes_of, solution_of
 from trajectories import Motion, State, function_of
 
-from lagrange.conservation import Because, Conserved, Quantity, first_integral
-from lagrange.derivation import Prose, Rule
-from lagrange.diagnostics import Source
-from lagrange.energy_functions import energy_functions
-from lagrange.loader import read_problem
-from lagrange.noether import Kind, candidates, symmetries
+from lagrange.algebra.fourier.textbook import Textbook
+from lagrange.core.diagnostics import Source
+from lagrange.document.derivation import Prose, Rule
+from lagrange.explain.report import report
+from lagrange.mechanics.dynamics.conservation import Because, Conserved, Quantity, first_integral
+from lagrange.mechanics.dynamics.energy_functions import energy_functions
+from lagrange.mechanics.dynamics.noether import Kind, candidates, symmetries
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import read_problem
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.solution import Solution, solve
-from lagrange.textbook import Textbook
 
 STEP, STEPS = 0.004, 60
 CONSTANT, CHANGES = 3e-7, 1e-5

@@ -19,10 +19,10 @@ from conftest import PROBLEMS
 from exterior import concrete, flag_by_brackets, is_frobenius, rank, real_point
 from sympy import Matrix, atan2, cos, exp, log, sin, tan
 
-from lagrange.answers import Verdict
-from lagrange.loader import load
-from lagrange.notation import t
-from lagrange.report import Report, report
+from lagrange.answers.equations import Verdict
+from lagrange.core.symbols import t
+from lagrange.explain.report import Report, report
+from lagrange.problem.loader import load
 
 FOLDER = PROBLEMS / "constraints"
 Form = Mapping[sp.Symbol, sp.Expr]

@@ -7,13 +7,13 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
-from lagrange.constraints import constraint_row
-from lagrange.coordinates import LONGEST_SOLVED, solved_constraints
-from lagrange.measures import Measures
-from lagrange.problem import Problem
-from lagrange.render import pretty
-from lagrange.report import report
-from lagrange.solution import solve
+from lagrange.core.expression_size import Measures
+from lagrange.explain.report import report
+from lagrange.mechanics.constraints.constraints import constraint_row
+from lagrange.mechanics.constraints.coordinates import LONGEST_SOLVED, solved_constraints
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
+from lagrange.render import terminal as pretty
 
 Read = Callable[[str], Problem]
 

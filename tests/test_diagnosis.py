@@ -14,16 +14,16 @@ import sympy as sp
 from click.testing import CliRunner
 from test_answers_table import GIVEN
 
-from lagrange.answer_readings import read_answer
-from lagrange.answers import Verdict, check_equations
-from lagrange.checking import check_answer, reference
-from lagrange.conventions import Turn, other_convention
-from lagrange.diagnosis import Group, diagnosed
-from lagrange.diagnostics import Fragment, Source
-from lagrange.dimensions import dimension_of_unit, mismatch, written
-from lagrange.edits import Slip
-from lagrange.loader import read_problem
-from lagrange.references import Reference
+from lagrange.answers.answer_readings import read_answer
+from lagrange.answers.conventions import Turn, other_convention
+from lagrange.answers.diagnosis import Group, diagnosed
+from lagrange.answers.dimensions import dimension_of_unit, mismatch, written
+from lagrange.answers.edits import Slip
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.examiner import check_answer, reference
+from lagrange.answers.references import Reference
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.problem.loader import read_problem
 from lagsolve.main import main
 
 SYSTEMS = {

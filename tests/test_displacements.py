@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.exact import is_zero
-from lagrange.report import report
-from lagrange.solution import solve
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import solve
 
 x, y, z, s, r, theta, t = sp.symbols("x y z s r theta t", real=True)
 omega, v, a, b, m = sp.symbols("omega v a b m", positive=True)

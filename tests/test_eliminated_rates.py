@@ -9,13 +9,13 @@ import pytest
 import sympy as sp
 
 import lagrange
-from lagrange.answer_readings import read_answer
-from lagrange.diagnostics import Fragment
-from lagrange.problem import Problem
+from lagrange.answers.answer_readings import read_answer
+from lagrange.core.diagnostics import Fragment
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import ChoiceSolution, Method, solve
+from lagrange.problem.model import Problem
 from lagrange.render import latex
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.solution import ChoiceSolution, Method, solve
 
 Read = Callable[[str], Problem]
 

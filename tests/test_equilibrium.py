@@ -10,18 +10,18 @@ import pytest
 import sympy as sp
 from conftest import PROBLEMS
 
-from lagrange.answers import Verdict
-from lagrange.checking import CheckedAnswer, check_answer, check_own_answers
-from lagrange.derivation import Display, Prose, Rule
-from lagrange.diagnostics import Fragment, ProblemError, Source
-from lagrange.equilibrium import Equilibrium
+from lagrange.answers.equations import Verdict
+from lagrange.answers.examiner import CheckedAnswer, check_answer, check_own_answers
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.document.derivation import Display, Prose, Rule
+from lagrange.explain.report import report
 from lagrange.explain.statics import explain_virtual_work
-from lagrange.loader import load, read_problem
-from lagrange.problem import Problem
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.stability import Verdict as Stable
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import load, read_problem
+from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.solution import Solution, solve
-from lagrange.stability import Verdict as Stable
 
 Read = Callable[[str], Problem]
 

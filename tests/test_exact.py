@@ -10,9 +10,18 @@ import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from lagrange.exact import DivisionByZeroError, Fields, Point, Surface, are_equal, is_zero, process_fields, rank
-from lagrange.notation import Sign, Slots, Unspecified, prime
-from lagrange.sampling import agreed
+from lagrange.algebra.exact.exact import (
+    DivisionByZeroError,
+    Fields,
+    Point,
+    Surface,
+    are_equal,
+    is_zero,
+    process_fields,
+    rank,
+)
+from lagrange.algebra.exact.sampling import agreed
+from lagrange.core.symbols import Sign, Slots, Unspecified, prime
 
 x, y, z, theta, phi, t = sp.symbols("x y z theta phi t", real=True)
 m, l, g, k, omega = sp.symbols("m l g k omega", positive=True)

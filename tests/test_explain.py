@@ -5,14 +5,26 @@ from __future__ import annotations
 import pytest
 from conftest import PROBLEMS
 
-from lagrange.derivation import CheckMark, Derivation, Detail, Display, Math, Part, Prose, Ref, Rule, Step, Table
-from lagrange.diagnostics import Source
+from lagrange.core.diagnostics import Source
+from lagrange.core.symbols import Wedge
+from lagrange.document.derivation import (
+    CheckMark,
+    Derivation,
+    Detail,
+    Display,
+    Math,
+    Part,
+    Prose,
+    Ref,
+    Rule,
+    Step,
+    Table,
+)
+from lagrange.document.math_writer import unicode
+from lagrange.explain.report import names_of, report
 from lagrange.explain.words import in_words, spoken
-from lagrange.loader import load, read_problem
-from lagrange.notation import Wedge
-from lagrange.render import pretty
-from lagrange.render.mathematics import unicode
-from lagrange.report import names_of, report
+from lagrange.problem.loader import load, read_problem
+from lagrange.render import terminal as pretty
 
 SHIPPED = sorted(PROBLEMS.glob("*/*.yaml"))
 

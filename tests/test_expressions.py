@@ -12,9 +12,12 @@ import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from lagrange.bounded import MAX_SIZE
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
-from lagrange.expressions import (
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.expression_size import Measures
+from lagrange.core.symbols import Slots, Unspecified, t
+from lagrange.core.vectors import Vector
+from lagrange.expressions.bounded import MAX_SIZE
+from lagrange.expressions.reader import (
     EquationRead,
     FunctionDeclaration,
     Scope,
@@ -23,9 +26,6 @@ from lagrange.expressions import (
     read_scalar,
     read_vector,
 )
-from lagrange.measures import Measures
-from lagrange.notation import Slots, Unspecified, t
-from lagrange.vectors import Vector
 
 x, y, theta, phi, theta_1, x1 = (sp.Symbol(n, real=True) for n in ("x", "y", "theta", "phi", "theta_1", "x1"))
 v, w, om, om_1 = (sp.Symbol(n, real=True) for n in ("x'", "y'", "theta'", "theta_1'"))

@@ -6,7 +6,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.exterior import one_form, wedge
+from lagrange.algebra.forms.exterior import one_form, wedge
 
 
 def test_a_product_of_one_forms_has_the_minors_as_coefficients() -> None:

@@ -13,7 +13,7 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lagrange.field import Fields, InadmissibleError, M, PrimeField, ZeroDivisorError, reconstructed
+from lagrange.algebra.exact.prime_field import Fields, InadmissibleError, M, PrimeField, ZeroDivisorError, reconstructed
 
 FIELDS = [PrimeField.draw(random.Random(seed)) for seed in range(8)]
 any_field = st.sampled_from(FIELDS)

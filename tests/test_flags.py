@@ -11,8 +11,8 @@ import pytest
 import sympy as sp
 from exterior import flag_by_brackets
 
-from lagrange.integrability import derived_flag
-from lagrange.notation import Slots, Unspecified, prime, t
+from lagrange.algebra.forms.integrability import derived_flag
+from lagrange.core.symbols import Slots, Unspecified, prime, t
 
 x, y, z, w, theta, phi, psi = sp.symbols("x y z w theta phi psi", real=True)
 p, q, phi1, phi2 = sp.symbols("p q phi1 phi2", real=True)

@@ -7,15 +7,15 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
-from lagrange.answers import Verdict, check_equations
-from lagrange.checking import compared_answers
-from lagrange.diagnostics import Fragment, NotCoveredError, ProblemError
-from lagrange.notation import Sign
-from lagrange.problem import Problem
-from lagrange.references import reference_of_solution
-from lagrange.render import pretty
-from lagrange.report import report
-from lagrange.solution import Solution, solve
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.examiner import compared_answers
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
+from lagrange.core.symbols import Sign
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.model import Problem
+from lagrange.render import terminal as pretty
 
 Read = Callable[[str], Problem]
 

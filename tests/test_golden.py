@@ -11,11 +11,12 @@ from pathlib import Path
 import pytest
 from conftest import PROBLEMS, ROOT
 
-from lagrange.dynamics import Method
-from lagrange.loader import load
-from lagrange.render import html, json, latex, markdown, pretty
+from lagrange.explain.report import Report, report
+from lagrange.mechanics.dynamics.motion import Method
+from lagrange.problem.loader import load
+from lagrange.render import html, json, latex, markdown
+from lagrange.render import terminal as pretty
 from lagrange.render.stylesheet import CSS
-from lagrange.report import Report, report
 
 GOLDEN = ROOT / "tests" / "golden"
 ACTUAL = ROOT / "tests" / "actual"

@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 from rich.cells import cell_len
 
-from lagrange.answers import EquationVerdict, Verdict
-from lagrange.diagnostics import ProblemError
-from lagrange.grading import Graded, Submission
+from lagrange.answers.equations import EquationVerdict, Verdict
+from lagrange.answers.grading import Graded, Submission
+from lagrange.core.diagnostics import ProblemError
 from lagsolve.grading.feedback import code, page, page_names, prose
 from lagsolve.grading.journal import Journal, key
 from lagsolve.grading.rows import HEADER, Row, csv_text, harmless, table_text

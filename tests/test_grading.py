@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 from conftest import PROBLEMS
 
-from lagrange.answers import Verdict
-from lagrange.checking import Examiner
-from lagrange.diagnostics import ProblemError, Source
-from lagrange.grading import Graded, Grader, Submission
-from lagrange.loader import load, read_problem
+from lagrange.answers.equations import Verdict
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.grading import Graded, Grader, Submission
+from lagrange.core.diagnostics import ProblemError, Source
+from lagrange.problem.loader import load, read_problem
 
 SECOND = "l2*phi2'' + l1*phi1''*cos(phi1 - phi2) - l1*phi1'^2*sin(phi1 - phi2) + g*sin(phi2) = 0"
 

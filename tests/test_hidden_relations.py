@@ -17,13 +17,13 @@ from exterior import flag_by_brackets, rank, real_point
 from mpmath import fp, mp
 from test_flags import in_other_coordinates, many, mixed, six_constraints
 
-from lagrange.exact import Surface
-from lagrange.hidden_relations import hidden_relations
-from lagrange.notation import Slots, t
-from lagrange.problem import Problem
+from lagrange.algebra.exact.exact import Surface
+from lagrange.algebra.forms.hidden_relations import hidden_relations
+from lagrange.core.symbols import Slots, t
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.solution import solve
 
 Read = Callable[[str], Problem]
 Values = dict[sp.Symbol, float]

@@ -9,9 +9,9 @@ import pytest
 import sympy as sp
 from exterior import Form, concrete, d, is_frobenius, wedge
 
-from lagrange.exact import Surface, is_zero
-from lagrange.integrability import exactness, frobenius_form, is_integrable
-from lagrange.notation import Sign, Slots, Unspecified, prime, t
+from lagrange.algebra.exact.exact import Surface, is_zero
+from lagrange.algebra.forms.integrability import exactness, frobenius_form, is_integrable
+from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 
 x, y, z, w, r, theta, phi = sp.symbols("x y z w r theta phi", real=True)
 x1, y1, x2, y2 = sp.symbols("x1 y1 x2 y2", real=True)

@@ -11,15 +11,15 @@ from exterior import concrete, real_point
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.exact import Surface
-from lagrange.integrability import is_integrable
-from lagrange.integrating_factors import IntegratingFactor, integrating_factor
-from lagrange.notation import Slots, Unspecified, prime, t
-from lagrange.problem import Problem
+from lagrange.algebra.exact.exact import Surface
+from lagrange.algebra.forms.integrability import is_integrable
+from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
+from lagrange.algebra.forms.restrictions import finite_form, restriction
+from lagrange.core.symbols import Slots, Unspecified, prime, t
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.restrictions import finite_form, restriction
-from lagrange.solution import solve
 
 x, y, z, w, r, theta, phi = sp.symbols("x y z w r theta phi", real=True)
 a, b, length, omega, k = sp.symbols("a b l omega k", positive=True)

@@ -9,11 +9,20 @@ import random
 import pytest
 import sympy as sp
 
-from lagrange.exact import Fields, Surface, UnsupportedError
-from lagrange.field import InadmissibleError, PrimeField, ZeroDivisorError
-from lagrange.jets import BITS, Jet, Ring, WorkLimitError, constant_term, is_zero_jet, nilpotent, truncated
-from lagrange.notation import Slots, Unspecified, prime, t
-from lagrange.taylor import Expansion, NoExpansionError
+from lagrange.algebra.exact.exact import Fields, Surface, UnsupportedError
+from lagrange.algebra.exact.prime_field import InadmissibleError, PrimeField, ZeroDivisorError
+from lagrange.algebra.forms.jets import (
+    BITS,
+    Jet,
+    Ring,
+    WorkLimitError,
+    constant_term,
+    is_zero_jet,
+    nilpotent,
+    truncated,
+)
+from lagrange.algebra.forms.taylor import Expansion, NoExpansionError
+from lagrange.core.symbols import Slots, Unspecified, prime, t
 
 ORDER = 3
 x, y, z = sp.symbols("x y z", real=True)

@@ -20,25 +20,25 @@ from second_route import t as time
 from sweep import equations_in, unreadable
 from test_explain import reading, words
 
-from lagrange.comparison import System, compare
-from lagrange.derivation import Display, Rule
-from lagrange.diagnostics import Fragment
-from lagrange.dynamics import Method
-from lagrange.equations import equations_of_motion
-from lagrange.exact import is_zero
-from lagrange.expressions import read_equation, read_scalar
-from lagrange.kinematics import Configuration
-from lagrange.letters import letters
-from lagrange.loader import load
-from lagrange.multipliers import LagrangeMotion
-from lagrange.notation import prime
-from lagrange.principle import dalembert
-from lagrange.problem import Find, Problem
-from lagrange.references import reference_of_solution
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import prime
+from lagrange.document.derivation import Display, Rule
+from lagrange.document.math_writer import text
+from lagrange.explain.report import Report, report
+from lagrange.expressions.reader import read_equation, read_scalar
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.comparison import System, compare
+from lagrange.mechanics.dynamics.equations import equations_of_motion
+from lagrange.mechanics.dynamics.motion import Method
+from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
+from lagrange.mechanics.dynamics.principle import dalembert
+from lagrange.mechanics.energy_symbols import letters
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load
+from lagrange.problem.model import Find, Problem
 from lagrange.render.json import as_object
-from lagrange.render.mathematics import text
-from lagrange.report import Report, report
-from lagrange.solution import solve
 
 Read = Callable[[str], Problem]
 
@@ -95,7 +95,7 @@ def test_each_method_is_checked_by_the_other() -> None:
 
 def test_a_mistake_in_one_method_is_found_by_the_other(monkeypatch: pytest.MonkeyPatch) -> None:
     """Without the weight in V nothing but d'Alembert's principle knows of it."""
-    import lagrange.energies
+    import lagrange.mechanics.dynamics.energies
 
     monkeypatch.setattr(lagrange.energies, "potential_energy", lambda configuration: configuration.potential)
     checks = solve(load(PATHS["ex11-ideal-pendulum"]), method=Method.LAGRANGE).checks

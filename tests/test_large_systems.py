@@ -12,10 +12,15 @@ import sympy as sp
 from conftest import PROBLEMS
 from families import FAMILIES
 
-from lagrange import answers, notation, sampler
-from lagrange.answers import check_equations
-from lagrange.checking import reference
-from lagrange.derivation import (
+from lagrange.algebra.exact import sampler
+from lagrange.algebra.exact.points import Point
+from lagrange.algebra.exact.prime_field import Fields, PrimeField
+from lagrange.answers import equations as answers
+from lagrange.answers.equations import check_equations
+from lagrange.answers.examiner import reference
+from lagrange.core import symbols as notation
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.document.derivation import (
     Derivation,
     Detail,
     Display,
@@ -29,16 +34,14 @@ from lagrange.derivation import (
     display,
     prose,
 )
-from lagrange.diagnostics import Fragment, Source
-from lagrange.field import Fields, PrimeField
-from lagrange.loader import load, read_problem
-from lagrange.points import Point
-from lagrange.render import html, latex, markdown, pretty
+from lagrange.document.notation import Notation
+from lagrange.explain.report import Report, report
+from lagrange.problem.loader import load, read_problem
+from lagrange.render import html, latex, markdown
 from lagrange.render import json as as_json
+from lagrange.render import terminal as pretty
 from lagrange.render.abridged import BEGINNING, LARGEST_STEP
-from lagrange.render.kinds import Notation
 from lagrange.render.shown import shown
-from lagrange.report import Report, report
 
 ZERO = sp.S.Zero
 

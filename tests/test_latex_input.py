@@ -14,13 +14,13 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from test_expressions import same, scope
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError
-from lagrange.expressions import EquationRead, Scope, read_equation, read_value
-from lagrange.latex_commands import FUNCTIONS, NOTHING, SPACES
-from lagrange.latex_input import LatexLexer
-from lagrange.latex_layout import piece
-from lagrange.notation import Slots
-from lagrange.render.names import GREEK
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.symbols import Slots
+from lagrange.document.names import GREEK
+from lagrange.expressions.latex_commands import FUNCTIONS, NOTHING, SPACES
+from lagrange.expressions.latex_input import LatexLexer
+from lagrange.expressions.latex_layout import piece
+from lagrange.expressions.reader import EquationRead, Scope, read_equation, read_value
 
 SCOPE = scope(
     "k", "omega", "omega_0", "I", "alpha", "L", "M", "m_12", "b2", "theta_1_B", "F_C", "ab", "a", "b", "ba", "rho"

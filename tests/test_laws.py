@@ -23,11 +23,11 @@ from second_route import AGREED, DIGITS, Route, affine, number, solved, states
 from test_textbook_systems import FOLDER, derived_rows, differentiated, names_in
 from textbook_systems import SYSTEMS
 
-from lagrange.classification import Classification
-from lagrange.diagnostics import Source
-from lagrange.lagrangian import kinetic_energy
-from lagrange.loader import read_problem
-from lagrange.solution import Solution, solve
+from lagrange.core.diagnostics import Source
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import read_problem
 
 Data = dict[str, Any]
 

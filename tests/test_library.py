@@ -11,8 +11,8 @@ import pytest
 import yaml
 from conftest import PROBLEMS
 
-from lagrange.loader import load
-from lagrange.problem import Find, Problem
+from lagrange.problem.loader import load
+from lagrange.problem.model import Find, Problem
 from lagsolve import library
 
 FILES = {p.relative_to(PROBLEMS).with_suffix("").as_posix(): p for p in sorted(PROBLEMS.glob("*/*.yaml"))}

@@ -16,15 +16,15 @@ import sympy as sp
 from conftest import PROBLEMS
 from mpmath import cos, diff, matrix, mp, mpc, mpf, polyroots, sin, sqrt
 
-from lagrange.checking import compared_answers
-from lagrange.derivation import Detail, Display
-from lagrange.diagnostics import NotCoveredError, ProblemError, Source
-from lagrange.linearization import Linearization, SmallOscillations
-from lagrange.loader import load, read_problem
-from lagrange.render import pretty
-from lagrange.report import report
-from lagrange.solution import Solution, solve
-from lagrange.stability import Verdict
+from lagrange.answers.examiner import compared_answers
+from lagrange.core.diagnostics import NotCoveredError, ProblemError, Source
+from lagrange.document.derivation import Detail, Display
+from lagrange.explain.report import report
+from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.equilibrium.stability import Verdict
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import load, read_problem
+from lagrange.render import terminal as pretty
 
 mp.dps = 40
 Numbers = dict[str, mpf]

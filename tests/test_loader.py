@@ -9,10 +9,11 @@ import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from lagrange.diagnostics import Diagnostic, ProblemError, Source
-from lagrange.loader import load, read_problem
-from lagrange.notation import Sign, Unspecified, t
-from lagrange.problem import (
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
+from lagrange.core.symbols import Sign, Unspecified, t
+from lagrange.core.vectors import Vector
+from lagrange.problem.loader import load, read_problem
+from lagrange.problem.model import (
     AppliedForce,
     AppliedMoment,
     Assumption,
@@ -23,8 +24,7 @@ from lagrange.problem import (
     Problem,
     Spring,
 )
-from lagrange.vectors import Vector
-from lagrange.yaml_nodes import MAX_BYTES, decode
+from lagrange.problem.yaml_nodes import MAX_BYTES, decode
 
 HEAD = """title: Example
 parameters: [m, l, g, k, c, F, R, mu, A, C, I_G]

@@ -6,10 +6,10 @@ import pytest
 import sympy as sp
 from conftest import PROBLEMS
 
-from lagrange.loader import load
-from lagrange.lowest_terms import as_one_quotient, in_lowest_terms, lowest_terms
-from lagrange.solution import solve
-from lagrange.trigonometry import Ring
+from lagrange.algebra.fourier.fractions import as_one_quotient, in_lowest_terms, lowest_terms
+from lagrange.algebra.fourier.trigonometry import Ring
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load
 
 a, b, m, theta, phi = (sp.Symbol(n, positive=n in "abm", real=True) for n in ("a", "b", "m", "theta", "phi"))
 sin, cos = sp.sin, sp.cos

@@ -10,16 +10,17 @@ import sympy as sp
 from conftest import PROBLEMS
 from rich.cells import cell_len
 
-from lagrange.derivation import Derivation, Detail, Matrices, Rule, Step
-from lagrange.diagnostics import Source
-from lagrange.lagrangian import lagrange_equations
-from lagrange.loader import load, read_problem
-from lagrange.notation import VectorSymbol
-from lagrange.render import html, latex, markdown, pretty
+from lagrange.core.diagnostics import Source
+from lagrange.core.symbols import VectorSymbol
+from lagrange.document.derivation import Derivation, Detail, Matrices, Rule, Step
+from lagrange.document.notation import Notation
+from lagrange.explain.report import report
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load, read_problem
+from lagrange.render import html, latex, markdown
 from lagrange.render import json as as_json
-from lagrange.render.kinds import Notation
-from lagrange.report import report
-from lagrange.solution import solve
+from lagrange.render import terminal as pretty
 
 SHIPPED = [
     "chapter6/ex11-ideal-pendulum", "chapter6/ex10-double-pendulum", "motion/sleigh", "motion/spring-pendulum",

@@ -8,17 +8,17 @@ import sympy as sp
 from conftest import PROBLEMS
 from second_route import Rigid, constants, moving, newton_euler, rotation, slots, t
 
-from lagrange.answers import Verdict, check_equations
-from lagrange.diagnostics import Fragment
-from lagrange.equations import WithMultipliers
-from lagrange.exact import is_zero
-from lagrange.loader import load
-from lagrange.notation import prime
-from lagrange.problem import Problem
-from lagrange.references import reference_of_solution
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import prime
+from lagrange.explain.report import Report, report
+from lagrange.mechanics.dynamics.equations import WithMultipliers
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import load
+from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
-from lagrange.report import Report, report
-from lagrange.solution import Solution, solve
 
 Read = Callable[[str], Problem]
 

@@ -16,11 +16,11 @@ import sympy as sp
 from conftest import PROBLEMS
 from mutations import best_system, mutations
 
-from lagrange.comparison import Standing, System, compare
-from lagrange.diagnosis import diagnosed
-from lagrange.edits import Slip
-from lagrange.loader import load
-from lagrange.problem import Find
+from lagrange.answers.diagnosis import diagnosed
+from lagrange.answers.edits import Slip
+from lagrange.mechanics.dynamics.comparison import Standing, System, compare
+from lagrange.problem.loader import load
+from lagrange.problem.model import Find
 
 MOST = 40
 """Slips of one problem that are tried, taken from all of its equations; `make bench` tries every one."""

@@ -10,16 +10,16 @@ import pytest
 import sympy as sp
 from conftest import PROBLEMS
 
-from lagrange.comparison import compare
-from lagrange.displacements import eliminate
-from lagrange.exact import is_zero
-from lagrange.lagrangian import lagrange_equations
-from lagrange.loader import load
-from lagrange.problem import Find, Problem
-from lagrange.solution import Solution, solve
-from lagrange.vectors import Vector
-from lagrange.verification import multiplier_system
-from lagrange.workless import works_of_reactions
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.displacements import eliminate
+from lagrange.mechanics.dynamics.comparison import compare
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.dynamics.verification import multiplier_system
+from lagrange.mechanics.dynamics.workless import works_of_reactions
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import load
+from lagrange.problem.model import Find, Problem
 
 Read = Callable[[str], Problem]
 

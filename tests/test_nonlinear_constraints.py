@@ -17,16 +17,16 @@ from click.testing import CliRunner
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.alternatives import is_affine
-from lagrange.answers import Verdict
-from lagrange.checking import check_answer
-from lagrange.classification import classify
-from lagrange.diagnostics import Fragment, ProblemError, Source
-from lagrange.loader import read_problem
-from lagrange.notation import prime
-from lagrange.problem import Problem
-from lagrange.reduction import alternatives
-from lagrange.solution import Solution, solve
+from lagrange.answers.equations import Verdict
+from lagrange.answers.examiner import check_answer
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.core.symbols import prime
+from lagrange.mechanics.constraints.classification import classify
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.alternatives import is_affine
+from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Problem
+from lagrange.problem.reduction import alternatives
 from lagsolve.main import main
 
 HEAD = """title: T

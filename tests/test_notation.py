@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.notation import (
+from lagrange.core.symbols import (
     Sign,
     Slots,
     Unspecified,

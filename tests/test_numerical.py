@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 import lagrange
-from lagrange.numerical import _solved
+from lagrange.api.numerical import _solved
 
 t = sp.Symbol("t")
 

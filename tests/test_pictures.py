@@ -13,19 +13,20 @@ import pytest
 import sympy as sp
 from conftest import PROBLEMS
 
-from lagrange.derivation import Picture
-from lagrange.loader import load
+from lagrange.document.derivation import Picture
+from lagrange.document.math_writer import UNICODE, Writer
+from lagrange.document.scene import Box, Kind, Line, Scene
+from lagrange.explain.report import Report, report
 from lagrange.pictures.configurations import configuration_scene
 from lagrange.pictures.free_bodies import free_body_scene
 from lagrange.pictures.loads import acting_on
 from lagrange.pictures.marks import angle_mark, is_distance
 from lagrange.pictures.systems import System, system_in_file
 from lagrange.pictures.views import view
-from lagrange.render import html, json, latex, pretty
-from lagrange.render.mathematics import UNICODE, Writer
+from lagrange.problem.loader import load
+from lagrange.render import html, json, latex
+from lagrange.render import terminal as pretty
 from lagrange.render.svg import figure, spans
-from lagrange.report import Report, report
-from lagrange.scene import Box, Kind, Line, Scene
 
 SHIPPED = sorted(p.relative_to(PROBLEMS).with_suffix("").as_posix() for p in PROBLEMS.glob("*/*.yaml"))
 DRAWN = (

@@ -9,8 +9,16 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.exact import FieldPoint, Fields, InadmissibleError, Point, Surface, UnsupportedError, ZeroDivisorError
-from lagrange.notation import Sign, Unspecified
+from lagrange.algebra.exact.exact import (
+    FieldPoint,
+    Fields,
+    InadmissibleError,
+    Point,
+    Surface,
+    UnsupportedError,
+    ZeroDivisorError,
+)
+from lagrange.core.symbols import Sign, Unspecified
 
 x, y, theta, u, v, w = sp.symbols("x y theta u v w", real=True)
 m, l, R = sp.symbols("m l R", positive=True)

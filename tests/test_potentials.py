@@ -6,9 +6,9 @@ import pytest
 import sympy as sp
 from exterior import concrete, real_point
 
-from lagrange.antiderivatives import LARGEST, antiderivative, multiplied_out
-from lagrange.notation import Slots, Unspecified, prime, t
-from lagrange.potentials import differentiated, potential, primitive
+from lagrange.algebra.forms.antiderivatives import LARGEST, antiderivative, multiplied_out
+from lagrange.algebra.forms.potentials import differentiated, potential, primitive
+from lagrange.core.symbols import Slots, Unspecified, prime, t
 
 x, y, z, r, theta, phi = sp.symbols("x y z r theta phi", real=True)
 x1, y1, x2, y2 = sp.symbols("x1 y1 x2 y2", real=True)

@@ -8,8 +8,8 @@ from collections.abc import Callable
 import pytest
 from conftest import ROOT
 
-from lagrange.problem import Problem
-from lagrange.report import report
+from lagrange.explain.report import report
+from lagrange.problem.model import Problem
 
 EXAMPLES = re.findall(r"```yaml\n(.*?)```", (ROOT / "docs" / "problem-files.md").read_text(encoding="utf-8"), re.DOTALL)
 

@@ -16,8 +16,8 @@ from conftest import PROBLEMS, ROOT
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 import lagrange
-from lagrange.derivation import Derivation
-from lagrange.time_functions import Reader, in_functions_of_time
+from lagrange.api.time_functions import Reader, in_functions_of_time
+from lagrange.document.derivation import Derivation
 
 PENDULUM = (PROBLEMS / "chapter6" / "ex11-ideal-pendulum.yaml").read_text(encoding="utf-8")
 t = sp.Symbol("t")

@@ -13,9 +13,9 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-from lagrange.formulation import Formulation
-from lagrange.judgement import Judgement
-from lagrange.result import Result
+from lagrange.api.formulation import Formulation
+from lagrange.api.judgement import Judgement
+from lagrange.api.result import Result
 
 PAGE = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
 NOTEBOOK = json.loads((ROOT / "docs" / "example.ipynb").read_text(encoding="utf-8"))

@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 import pytest
 
-from lagrange.classification import Classification, classify
-from lagrange.problem import Problem
-from lagrange.quasi_coordinates import quasi_coordinates
+from lagrange.explain.report import report
+from lagrange.mechanics.constraints.classification import Classification, classify
+from lagrange.mechanics.constraints.quasi_coordinates import quasi_coordinates
+from lagrange.problem.model import Problem
 from lagrange.render import latex
-from lagrange.report import report
 
 Read = Callable[[str], Problem]
 

@@ -13,19 +13,19 @@ import sympy as sp
 from conftest import PROBLEMS
 from sympy.physics.mechanics import KanesMethod, Point, ReferenceFrame, RigidBody, Vector, dynamicsymbols, inertia
 
-from lagrange.answers import Verdict, check_equations
-from lagrange.diagnostics import Fragment, NotCoveredError, ProblemError
-from lagrange.exact import rank
-from lagrange.loader import load
-from lagrange.notation import prime
-from lagrange.problem import Problem
-from lagrange.quasi_equations import QuasiEquations
-from lagrange.quasi_verification import InSpeeds, check_speeds
-from lagrange.references import reference_of_solution
+from lagrange.algebra.exact.exact import rank
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
+from lagrange.core.symbols import prime
+from lagrange.document.math_writer import text
+from lagrange.explain.report import notation_of, report
+from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
+from lagrange.mechanics.dynamics.quasi_verification import InSpeeds, check_speeds
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import load
+from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
-from lagrange.render.mathematics import text
-from lagrange.report import notation_of, report
-from lagrange.solution import Solution, solve
 
 Read = Callable[[str], Problem]
 

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 import lagrange
-from lagrange.problem import Problem
+from lagrange.problem.model import Problem
 
 Read = Callable[[str], Problem]
 

@@ -9,21 +9,21 @@ import pytest
 import sympy as sp
 from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, dynamicsymbols
 
-from lagrange.answers import Verdict, check_equations
-from lagrange.checking import check_answer, compared_answers
-from lagrange.diagnostics import Fragment
-from lagrange.dynamics import MOST_FREE
-from lagrange.exact import Surface, is_zero
-from lagrange.expressions import read_value
-from lagrange.linear import solved_linear
-from lagrange.problem import Problem
-from lagrange.reactions import equilibrium_system, solved_reactions
-from lagrange.references import reference_of_solution
-from lagrange.render import pretty
+from lagrange.algebra.exact.exact import Surface, is_zero
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.examiner import check_answer, compared_answers
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment
+from lagrange.explain.report import report
+from lagrange.expressions.reader import read_value
+from lagrange.mechanics.dynamics.motion import MOST_FREE
+from lagrange.mechanics.dynamics.reactions import equilibrium_system, solved_reactions
+from lagrange.mechanics.dynamics.verification import check_reactions
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.model import Problem
+from lagrange.render import terminal as pretty
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.solution import Solution, solve
-from lagrange.verification import check_reactions
 
 Read = Callable[[str], Problem]
 

@@ -10,22 +10,22 @@ import sympy as sp
 from conftest import PROBLEMS
 from sweep import equations_in, unreadable
 
-from lagrange.answer_files import equations_in_file
-from lagrange.answers import Verdict
-from lagrange.derivation import Display, Mathematics
-from lagrange.diagnostics import Fragment, ProblemError, Source
-from lagrange.exact import is_zero
-from lagrange.expressions import EquationRead, read_equation
-from lagrange.latex_layout import piece
-from lagrange.loader import load
-from lagrange.notation import differential, t, variation
-from lagrange.references import reference_of_solution
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.answers.answer_files import equations_in_file
+from lagrange.answers.equations import Verdict
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.core.symbols import differential, t, variation
+from lagrange.core.vectors import Vector
+from lagrange.document.derivation import Display, Mathematics
+from lagrange.document.math_writer import latex
+from lagrange.document.math_writer import text as plain_text
+from lagrange.explain.report import Report, report
+from lagrange.expressions.latex_layout import piece
+from lagrange.expressions.reader import EquationRead, read_equation
+from lagrange.problem.loader import load
 from lagrange.render.json import as_object
 from lagrange.render.latex import body
-from lagrange.render.mathematics import latex
-from lagrange.render.mathematics import text as plain_text
-from lagrange.report import Report, report
-from lagrange.vectors import Vector
 
 
 @pytest.fixture(scope="module", params=sorted(PROBLEMS.glob("*/*.yaml")), ids=lambda p: p.stem)

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from lagrange.records import record
+from lagrange.core.records import record
 
 
 def described(made: Callable[[type], type]) -> tuple[type, type]:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from lagrange.answers import AnswerVerdict, check_equations
-from lagrange.checking import check_answers, reference
-from lagrange.diagnostics import Fragment, ProblemError, Source
-from lagrange.loader import read_problem
-from lagrange.problem import Answers, Problem
+from lagrange.answers.equations import AnswerVerdict, check_equations
+from lagrange.answers.examiner import check_answers, reference
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Answers, Problem
 
 EQUIVALENT, WRONG, INCOMPLETE, UNREADABLE = "equivalent", "wrong", "incomplete", "unreadable"
 

@@ -10,13 +10,25 @@ from browser import CHROMIUM, measured
 from conftest import PROBLEMS
 from sample_derivations import SAMPLES, pendulum
 
-from lagrange.derivation import CheckMark, Derivation, Detail, Equation, Ref, Rule, Step, Table, display, math, prose
-from lagrange.loader import load
-from lagrange.notation import differential, prime
+from lagrange.core.symbols import differential, prime
+from lagrange.document.derivation import (
+    CheckMark,
+    Derivation,
+    Detail,
+    Equation,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    math,
+    prose,
+)
+from lagrange.document.math_writer import Notation, Writer
+from lagrange.explain.report import report
+from lagrange.problem.loader import load
 from lagrange.render import html
-from lagrange.render.formulas import LINE, MATHML, WIDE_MATHML, Formulas, width
-from lagrange.render.mathematics import Notation, Writer
-from lagrange.report import report
+from lagrange.render.mathml import LINE, MATHML, WIDE_MATHML, Formulas, width
 
 x, y, m, theta = sp.symbols("x y m theta", real=True)
 ALL = [sample() for sample in SAMPLES]

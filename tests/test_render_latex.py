@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from sample_derivations import SAMPLES, driven_pendulum, pendulum
 
-from lagrange.derivation import (
+from lagrange.document.derivation import (
     CheckMark,
     Derivation,
     Detail,
@@ -21,11 +21,11 @@ from lagrange.derivation import (
     math,
     prose,
 )
+from lagrange.document.math_writer import Notation
+from lagrange.document.names import GREEK
 from lagrange.render import latex
 from lagrange.render.ems import ems
 from lagrange.render.escape import _KNOWN, escape
-from lagrange.render.mathematics import Notation
-from lagrange.render.names import GREEK
 
 PENDULUM = r"""\section*{Ideal pendulum \hfill \textnormal{\normalsize Chapter 6, Ex. 11}}
 

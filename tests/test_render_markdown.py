@@ -9,13 +9,25 @@ import sympy as sp
 from conftest import PROBLEMS
 from sample_derivations import SAMPLES, pendulum
 
-from lagrange.derivation import CheckMark, Derivation, Detail, Equation, Ref, Rule, Step, Table, display, math, prose
-from lagrange.loader import load
-from lagrange.notation import variation
+from lagrange.core.symbols import variation
+from lagrange.core.vectors import Vector
+from lagrange.document.derivation import (
+    CheckMark,
+    Derivation,
+    Detail,
+    Equation,
+    Ref,
+    Rule,
+    Step,
+    Table,
+    display,
+    math,
+    prose,
+)
+from lagrange.document.math_writer import Notation
+from lagrange.explain.report import report
+from lagrange.problem.loader import load
 from lagrange.render import markdown
-from lagrange.render.mathematics import Notation
-from lagrange.report import report
-from lagrange.vectors import Vector
 
 PENDULUM = r"""# Ideal pendulum
 

@@ -7,9 +7,8 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from lagrange.diagnostics import Fragment
-from lagrange.expressions import FunctionDeclaration, Scope, read_scalar, read_vector
-from lagrange.notation import (
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import (
     Dot,
     Partial,
     Rate,
@@ -25,11 +24,12 @@ from lagrange.notation import (
     t,
     variation,
 )
-from lagrange.render.kinds import Kind
-from lagrange.render.mathematics import LATEX, TEXT, UNICODE, Notation, Writer, latex, text, unicode
-from lagrange.render.names import GREEK, Name, latex_name, unicode_name
-from lagrange.render.styles import FUNCTIONS, RELATIONS
-from lagrange.vectors import Triad, Vector
+from lagrange.core.vectors import Triad, Vector
+from lagrange.document.math_writer import LATEX, TEXT, UNICODE, Notation, Writer, latex, text, unicode
+from lagrange.document.names import GREEK, Name, latex_name, unicode_name
+from lagrange.document.notation import Kind
+from lagrange.document.styles import FUNCTIONS, RELATIONS
+from lagrange.expressions.reader import FunctionDeclaration, Scope, read_scalar, read_vector
 
 
 def symbols(names):

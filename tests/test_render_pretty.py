@@ -9,7 +9,7 @@ from rich.cells import cell_len
 from rich.console import Console
 from sample_derivations import SAMPLES, driven_pendulum, pendulum
 
-from lagrange.derivation import (
+from lagrange.document.derivation import (
     CheckMark,
     Derivation,
     Detail,
@@ -22,9 +22,9 @@ from lagrange.derivation import (
     math,
     prose,
 )
-from lagrange.render import pretty
-from lagrange.render.breaking import Breaker, outermost
-from lagrange.render.mathematics import UNICODE, Notation, Writer
+from lagrange.document.math_writer import UNICODE, Notation, Writer
+from lagrange.render import terminal as pretty
+from lagrange.render.line_breaking import Breaker, outermost
 from lagrange.render.paragraphs import Words, fill
 
 PENDULUM_AT_64 = """\

@@ -6,8 +6,8 @@ from collections.abc import Callable
 
 import pytest
 
-from lagrange.problem import Problem
-from lagrange.solution import solve
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
 
 Read = Callable[[str], Problem]
 

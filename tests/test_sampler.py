@@ -7,9 +7,9 @@ from itertools import combinations, pairwise
 import pytest
 import sympy as sp
 
-from lagrange.exact import Fields, NoPointError, Surface
-from lagrange.notation import Sign, Unspecified, prime, t
-from lagrange.sampling import agreed
+from lagrange.algebra.exact.exact import Fields, NoPointError, Surface
+from lagrange.algebra.exact.sampling import agreed
+from lagrange.core.symbols import Sign, Unspecified, prime, t
 
 sin, cos, tan, sqrt, pi = sp.sin, sp.cos, sp.tan, sp.sqrt, sp.pi
 x, y, z, theta, phi, psi, alpha, u = sp.symbols("x y z theta phi psi alpha u", real=True)

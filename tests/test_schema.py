@@ -19,13 +19,13 @@ from click.testing import CliRunner
 from conftest import PROBLEMS, ROOT
 from jsonschema import Draft7Validator, Draft202012Validator
 
-from lagrange.answer_key import CLASSES
-from lagrange.bodies import SEQUENCES
-from lagrange.diagnostics import ProblemError, Source
-from lagrange.forces import _KINDS
-from lagrange.frames import FRAMES
-from lagrange.loader import SECTIONS, read_problem
-from lagrange.problem import Assumption, Find
+from lagrange.core.diagnostics import ProblemError, Source
+from lagrange.problem.answer_key import CLASSES
+from lagrange.problem.bodies import SEQUENCES
+from lagrange.problem.forces import _KINDS
+from lagrange.problem.frames import FRAMES
+from lagrange.problem.loader import SECTIONS, read_problem
+from lagrange.problem.model import Assumption, Find
 from lagsolve import schema
 from lagsolve.library import QUESTIONS
 from lagsolve.main import main

@@ -11,13 +11,13 @@ import pytest
 import sympy as sp
 from exterior import rank, real_point
 
-from lagrange.diagnostics import ProblemError
-from lagrange.notation import t
-from lagrange.problem import Problem
-from lagrange.rank_loss import RankLoss
+from lagrange.core.diagnostics import ProblemError
+from lagrange.core.symbols import t
+from lagrange.explain.report import report
+from lagrange.mechanics.constraints.rank_loss import RankLoss
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
-from lagrange.report import report
-from lagrange.solution import solve
 
 Read = Callable[[str], Problem]
 

@@ -7,9 +7,9 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
-from lagrange.diagnostics import NotCoveredError, ProblemError
-from lagrange.problem import Problem
-from lagrange.solution import solve
+from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
 
 Read = Callable[[str], Problem]
 
@@ -184,7 +184,7 @@ answers:
   integrable: {string: true}
   equations: ["(m + M)*y'' = m*g"]
 """
-    from lagrange.report import report
+    from lagrange.explain.report import report
 
     result = report(problem(text))
     assert result.holds

@@ -8,16 +8,16 @@ import pytest
 import sympy as sp
 from conftest import PROBLEMS
 
-from lagrange.answers import Verdict
-from lagrange.checking import CheckedAnswer, check_answer, check_own_answers
-from lagrange.diagnostics import Fragment, Source
-from lagrange.loader import load, read_problem
-from lagrange.problem import Problem
+from lagrange.answers.equations import Verdict
+from lagrange.answers.examiner import CheckedAnswer, check_answer, check_own_answers
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.explain.report import Report, report
+from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.loader import load, read_problem
+from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
-from lagrange.render.pretty import text as as_text
-from lagrange.report import Report, report
-from lagrange.solution import Solution, solve
-from lagrange.static_reactions import StaticReactions
+from lagrange.render.terminal import text as as_text
 
 # The ladder's foot A stands on the floor, B leans against the wall, a rope at the floor holds A. By hand: N_A = W,
 # N_B = rope, and moments about A, N_B h = W b/2.

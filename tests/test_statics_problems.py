@@ -19,12 +19,12 @@ import sympy as sp
 from conftest import PROBLEMS
 from solution_counts import roots
 
-from lagrange.equilibrium import Equilibrium
-from lagrange.loader import load
-from lagrange.notation import Unspecified
-from lagrange.positivity import Condition
-from lagrange.report import Report, report
-from lagrange.stability import Stability, Verdict
+from lagrange.algebra.closed_forms.signs import Condition
+from lagrange.core.symbols import Unspecified
+from lagrange.explain.report import Report, report
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.stability import Stability, Verdict
+from lagrange.problem.loader import load
 
 SHIPPED = sorted(p.stem for p in (PROBLEMS / "statics").glob("*.yaml"))
 

@@ -12,11 +12,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
-from lagrange.notation import Sign, Slots, prime, t, variation
-from lagrange.products import Atom, Product, gathered
-from lagrange.terms import Term, factored_sum
-from lagrange.textbook import Factor, Textbook, common_factor, normalised, textbook_form
-from lagrange.trigonometry import Element, Ring
+from lagrange.algebra.fourier.product_to_sum import Atom, Product, gathered
+from lagrange.algebra.fourier.terms import Term, factored_sum
+from lagrange.algebra.fourier.textbook import Factor, Textbook, common_factor, normalised, textbook_form
+from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.core.symbols import Sign, Slots, prime, t, variation
 
 x, y, r, s, x1, x2, z = sp.symbols("x y r s x1 x2 z", real=True)
 theta, phi, psi, theta1, theta2, phi1, phi2 = sp.symbols("theta phi psi theta1 theta2 phi1 phi2", real=True)

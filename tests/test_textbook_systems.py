@@ -35,14 +35,14 @@ from shipped_systems import SHIPPED as FIRST
 from textbook_systems import SYSTEMS as PARTICLES
 from textbook_systems import Textbook
 
-from lagrange.diagnostics import ProblemError, Source
-from lagrange.kinematics import Configuration
-from lagrange.loader import read_problem
-from lagrange.notation import Sign, Unspecified, base
-from lagrange.references import reference_of_solution
-from lagrange.report import Report, report
-from lagrange.solution import ChoiceSolution
-from lagrange.spot import Spot
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import ProblemError, Source
+from lagrange.core.symbols import Sign, Unspecified, base
+from lagrange.explain.report import Report, report
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.spot_values import Spot
+from lagrange.mechanics.solution import ChoiceSolution
+from lagrange.problem.loader import read_problem
 
 SHIPPED = {**FIRST, **FURTHER}
 SYSTEMS = {**PARTICLES, **BODIES, **SHIPPED}

@@ -8,7 +8,7 @@ import pytest
 import sympy as sp
 from sympy import cos, sin
 
-from lagrange.tidying import in_differences, tidied, with_cotangents
+from lagrange.algebra.fourier.vector_cleanup import in_differences, tidied, with_cotangents
 
 a, b, x, y = sp.symbols("a b x y", real=True)
 v, w = sp.symbols("x' y'", real=True)

@@ -9,12 +9,18 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from lagrange.division import as_fraction, by_denominator, exact_quotient, over_one_denominator, over_wave
-from lagrange.fourier import Element
-from lagrange.notation import Sign, Slots, Unspecified, prime, t
-from lagrange.packing import common, lowest, pack, place, shared, unpack
-from lagrange.products import Factoring
-from lagrange.trigonometry import Ring
+from lagrange.algebra.fourier.division import (
+    as_fraction,
+    by_denominator,
+    exact_quotient,
+    over_one_denominator,
+    over_wave,
+)
+from lagrange.algebra.fourier.fourier import Element
+from lagrange.algebra.fourier.packing import common, lowest, pack, place, shared, unpack
+from lagrange.algebra.fourier.product_to_sum import Factoring
+from lagrange.algebra.fourier.trigonometry import Ring
+from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 
 x, y, theta, phi, psi = sp.symbols("x y theta phi psi", real=True)
 l, m, M, a, omega = sp.symbols("l m M a omega", positive=True)

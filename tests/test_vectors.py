@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
-from lagrange.frames import cylindrical, polar, spherical
-from lagrange.notation import Slots, prime, t
-from lagrange.vectors import FIXED, Triad, Vector
+from lagrange.core.symbols import Slots, prime, t
+from lagrange.core.vectors import FIXED, Triad, Vector
+from lagrange.problem.frames import cylindrical, polar, spherical
 
 r, theta, phi, z = sp.symbols("r theta phi z", real=True)
 SLOTS = Slots((r, theta, phi, z))

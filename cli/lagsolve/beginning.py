@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from lagrange.diagnostics import Diagnostic, ProblemError
+from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagsolve import library
 from lagsolve.output import put
 from lagsolve.status import say

@@ -10,8 +10,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from lagrange.library import entries, named, path_of, root, short_names, topic_hint
-from lagrange.records import record
+from lagrange.core.records import record
+from lagrange.problem.library import entries, named, path_of, root, short_names, topic_hint
 
 __all__ = ["Entry", "Index", "containing", "entries", "index", "named", "path_of", "short_names", "topic_hint"]
 QUESTIONS = ("constraints", "equilibrium", "motion", "linearization")

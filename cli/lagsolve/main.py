@@ -20,8 +20,8 @@ from lagsolve.group import CommandLine
 from lagsolve.status import INTERRUPTED, OK, UNDECIDED, say
 
 if TYPE_CHECKING:
-    from lagrange.checked import CheckedAnswer
-    from lagrange.checking import Examiner
+    from lagrange.answers.examiner import Examiner
+    from lagrange.answers.verdicts import CheckedAnswer
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
@@ -127,8 +127,8 @@ def check(
 
     gc.disable()
     with stage_shown():
-        from lagrange.checking import Examiner
-        from lagrange.loader import read_problem
+        from lagrange.answers.examiner import Examiner
+        from lagrange.problem.loader import read_problem
         from lagsolve.output import write_verdict
         from lagsolve.reading import problem_source
         from lagsolve.solving import look_for_garbage_seldom
@@ -152,8 +152,8 @@ def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, 
     if answer_file is not None and answer_file.lower().endswith((".yaml", ".yml")):
         from pathlib import Path
 
-        from lagrange.answer_yaml import read_answers
-        from lagrange.loader import read_source
+        from lagrange.problem.answer_yaml import read_answers
+        from lagrange.problem.loader import read_source
 
         answers = read_answers(read_source(Path(answer_file)), examiner.problem)
         return examiner.check_answers(answers, answer_fragments(None, equations))

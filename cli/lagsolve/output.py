@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from lagrange.records import record
+from lagrange.core.records import record
 from lagsolve.stages import stage_shown
 
 if TYPE_CHECKING:
-    from lagrange.checked import CheckedAnswer
-    from lagrange.diagnostics import ProblemError
-    from lagrange.problem import Problem
-    from lagrange.report import Report
+    from lagrange.answers.verdicts import CheckedAnswer
+    from lagrange.core.diagnostics import ProblemError
+    from lagrange.explain.report import Report
+    from lagrange.problem.model import Problem
     from lagsolve.grading.rows import Row
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
@@ -81,7 +81,7 @@ class Destination:
             raise _unwritable(str(self.path), error.strerror) from None
 
     def _text(self, reports: Sequence[Report | None]) -> str:
-        from lagrange.derivation import Detail
+        from lagrange.document.derivation import Detail
         from lagrange.render.letters_of_vectors import Vectors
 
         detail = Detail[self.detail.upper()]
@@ -102,7 +102,7 @@ class Destination:
             from lagrange.render import html
 
             return html.render(solved, detail)
-        from lagrange.render import pretty
+        from lagrange.render import terminal as pretty
 
         if self.path is None:
             return "\n".join(pretty.coloured(d, n, terminal_width(), detail) for d, n in solved)
@@ -168,7 +168,7 @@ def put(text: str) -> None:
 
 
 def _unwritable(what: str, reason: str | None) -> ProblemError:
-    from lagrange.diagnostics import Diagnostic, ProblemError
+    from lagrange.core.diagnostics import Diagnostic, ProblemError
 
     return ProblemError(Diagnostic("cannot-write", f"{what} cannot be written: {reason}"))
 

@@ -8,9 +8,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from lagrange.diagnostics import Diagnostic, Fragment, ProblemError, Source, nearest
-from lagrange.loader import read_source
-from lagrange.yaml_nodes import MAX_BYTES, decode
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, nearest
+from lagrange.problem.loader import read_source
+from lagrange.problem.yaml_nodes import MAX_BYTES, decode
 from lagsolve import library
 from lagsolve.group import COMMANDS
 from lagsolve.status import say
@@ -101,7 +101,7 @@ def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragme
     """
     fragments = [Fragment.of(text, f"equation {n}") for n, text in enumerate(equations, start=1)]
     if file is not None:
-        from lagrange.answer_files import equations_in_file
+        from lagrange.answers.answer_files import equations_in_file
 
         source = _standard_input() if file == "-" else read_source(Path(file))
         fragments += equations_in_file(source, Path(file).suffix)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import gc
 from typing import TYPE_CHECKING
 
-from lagrange.records import record
+from lagrange.core.records import record
 from lagsolve.output import Destination
 from lagsolve.stages import stage_shown
 from lagsolve.status import OK, UNDECIDED, complain, say
 
 if TYPE_CHECKING:
-    from lagrange.report import Report
+    from lagrange.explain.report import Report
 
 
 @record
@@ -49,9 +49,9 @@ class Task:
     def _report(self, name: str) -> Report:
         gc.disable()
         with stage_shown():
-            from lagrange.dynamics import Method
-            from lagrange.loader import read_problem
-            from lagrange.report import report
+            from lagrange.explain.report import report
+            from lagrange.mechanics.dynamics.motion import Method
+            from lagrange.problem.loader import read_problem
             from lagsolve.reading import problem_source
 
             look_for_garbage_seldom()

@@ -25,7 +25,7 @@ def complain(error: Exception, heading: str = "") -> int:
     An error that is not the user's is a mistake of this program: it is shown as one message, with its traceback only
     where LAGSOLVE_DEBUG is set in the environment.
     """
-    from lagrange.diagnostics import Diagnostic, ProblemError
+    from lagrange.core.diagnostics import Diagnostic, ProblemError
 
     if isinstance(error, ProblemError):
         say(heading + error.show())

@@ -6,15 +6,15 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from lagrange.derivation import Block, Equation, Part, display, listed, math, prose
+from lagrange.core.symbols import Dot, VectorSymbol, prime, variation
+from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
+from lagrange.document.derivation import Block, Equation, Part, display, listed, math, prose
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration
-from lagrange.links import Damped, Stretched
-from lagrange.notation import Dot, VectorSymbol, prime, variation
-from lagrange.orientation import names_before_last
-from lagrange.problem import Body, Problem
-from lagrange.rigid_bodies import Rotation
-from lagrange.vectors import FIXED, UNITS, Triad, Vector
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.problem.model import Body, Problem
+from lagrange.problem.orientation import names_before_last
 
 ZERO = sp.S.Zero
 ORDINALS = ("first", "second", "third")

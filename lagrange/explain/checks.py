@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Block, CheckMark, Detail, Part, Rule, Step, listed, math, prose
+from lagrange.document.derivation import Block, CheckMark, Detail, Part, Rule, Step, listed, math, prose
 from lagrange.explain.words import spoken
-from lagrange.solution import Solution
-from lagrange.verification import Check
+from lagrange.mechanics.dynamics.verification import Check
+from lagrange.mechanics.solution import Solution
 
 LONGEST_SPOT = 60
 """Numbers of a spot value that somebody may still type."""

@@ -6,11 +6,11 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
-from lagrange.conservation import Because, Conserved, EnergyRate, Integral, Quantity
-from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
+from lagrange.core.symbols import CONSTANT, Rate, variation
+from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
 from lagrange.explain.motion import label_of
 from lagrange.explain.words import plural, spoken
-from lagrange.notation import CONSTANT, Rate, variation
+from lagrange.mechanics.dynamics.conservation import Because, Conserved, EnergyRate, Integral, Quantity
 
 SMALL = ("epsilon", "eta", "delta", "zeta")
 """What a small number may be called; the first that the problem does not use."""

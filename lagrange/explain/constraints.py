@@ -7,9 +7,9 @@ from itertools import groupby
 
 import sympy as sp
 
-from lagrange.classification import Classification
-from lagrange.constraints import ConstraintAnalysis, FrobeniusComponent
-from lagrange.derivation import (
+from lagrange.algebra.forms.integrability import Comparison
+from lagrange.core.symbols import CONSTANT, Partial, Slots, Wedge, differential, t
+from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
@@ -26,20 +26,20 @@ from lagrange.derivation import (
     paragraph,
     prose,
 )
-from lagrange.displacements import possible_displacement
-from lagrange.explain.factors import SHOWN_PAIRS, equal, explain_factor
-from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
-from lagrange.explain.quasi_coordinates import explain_quasi
-from lagrange.explain.systems import (
+from lagrange.explain.constraint_systems import (
     explain_hidden,
     explain_losses,
     explain_redundant,
     explain_together,
     form_letter,
 )
+from lagrange.explain.factors import SHOWN_PAIRS, equal, explain_factor
+from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
+from lagrange.explain.quasi_coordinates import explain_quasi
 from lagrange.explain.words import brief, counted, in_words, plural, spoken
-from lagrange.integrability import Comparison
-from lagrange.notation import CONSTANT, Partial, Slots, Wedge, differential, t
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, FrobeniusComponent
+from lagrange.mechanics.constraints.displacements import possible_displacement
 
 
 def explain_constraints(classification: Classification) -> Step:

@@ -6,15 +6,21 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
-from lagrange.displacements import Elimination, carried_along, displaced, displaced_force, virtual_displacement
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.symbols import Dot, VectorSymbol, differential, t, variation
+from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
 from lagrange.explain.bodies import virtual_rotations
 from lagrange.explain.nonlinear import by_chetaev
 from lagrange.explain.words import plural
-from lagrange.kinematics import Configuration, MassPoint, Row, is_pfaffian
-from lagrange.newton import Normal
-from lagrange.notation import Dot, VectorSymbol, differential, t, variation
-from lagrange.textbook import textbook_form
+from lagrange.mechanics.constraints.displacements import (
+    Elimination,
+    carried_along,
+    displaced,
+    displaced_force,
+    virtual_displacement,
+)
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint, Row, is_pfaffian
+from lagrange.mechanics.dynamics.newton import Normal
 
 LONGEST = 40
 """Operations of a solved displacement that are still shown without being asked for."""

@@ -6,22 +6,22 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Block, Equation, Part, Rule, Step, display, listed, math, paragraph, prose
-from lagrange.dynamics import Law
-from lagrange.energies import Energies, is_weight
+from lagrange.core.records import record
+from lagrange.core.symbols import Dot, VectorSymbol, variation
+from lagrange.core.vectors import Vector
+from lagrange.document.derivation import Block, Equation, Part, Rule, Step, display, listed, math, paragraph, prose
 from lagrange.explain.displacements import points_called
 from lagrange.explain.motion import suffix_of
 from lagrange.explain.newton import explain_friction, nature
 from lagrange.explain.words import plural, spoken
-from lagrange.friction import Rubbing
-from lagrange.kinematics import Row
-from lagrange.letters import Letters
-from lagrange.multipliers import LagrangeMotion
-from lagrange.newton import Reaction
-from lagrange.notation import Dot, VectorSymbol, variation
-from lagrange.problem import Friction, Problem
-from lagrange.records import record
-from lagrange.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Row
+from lagrange.mechanics.dynamics.energies import Energies, is_weight
+from lagrange.mechanics.dynamics.friction import Rubbing
+from lagrange.mechanics.dynamics.motion import Law
+from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.energy_symbols import Letters
+from lagrange.problem.model import Friction, Problem
 
 ZERO = sp.S.Zero
 

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.constraints import ConstraintAnalysis
-from lagrange.derivation import Block, Detail, Equation, Part, Prose, display, listed, math, prose
-from lagrange.integrability import Comparison
-from lagrange.notation import CONSTANT, Partial, differential
+from lagrange.algebra.forms.integrability import Comparison
+from lagrange.core.symbols import CONSTANT, Partial, differential
+from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, display, listed, math, prose
+from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 
 if TYPE_CHECKING:
-    from lagrange.restrictions import FiniteForm, Restriction
+    from lagrange.algebra.forms.restrictions import FiniteForm, Restriction
 
 SHOWN_PAIRS = 3
 

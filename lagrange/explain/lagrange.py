@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from lagrange.derivation import (
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.symbols import Partial, Rate, VectorSymbol, prime, variation
+from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
@@ -24,8 +26,6 @@ from lagrange.explain.energies import Told
 from lagrange.explain.motion import final_equations, scaling
 from lagrange.explain.newton import nature
 from lagrange.explain.words import plural, spoken
-from lagrange.notation import Partial, Rate, VectorSymbol, prime, variation
-from lagrange.textbook import textbook_form
 
 ZERO = sp.S.Zero
 LONGEST = 60

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from lagrange.derivation import Block, Detail, Equation, Matrices, Rule, Step, display, listed, math, prose
-from lagrange.dynamics import Motion
+from lagrange.core.symbols import VectorSymbol
+from lagrange.document.derivation import Block, Detail, Equation, Matrices, Rule, Step, display, listed, math, prose
 from lagrange.explain.words import plural, spoken
-from lagrange.notation import VectorSymbol
+from lagrange.mechanics.dynamics.motion import Motion
 
 LONGEST = 250
 """Operations of accelerations that are still shown."""

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.coordinates import GeneralizedCoordinates
-from lagrange.derivation import (
+from lagrange.core.symbols import Dot, VectorSymbol, variation
+from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
@@ -21,14 +21,14 @@ from lagrange.derivation import (
     paragraph,
     prose,
 )
-from lagrange.displacements import virtual_displacement
-from lagrange.equations import DalembertMotion, EquationOfMotion, EquationsOfMotion, WithMultipliers
 from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration
-from lagrange.notation import Dot, VectorSymbol, variation
-from lagrange.problem import Problem
+from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
+from lagrange.mechanics.constraints.displacements import virtual_displacement
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationOfMotion, EquationsOfMotion, WithMultipliers
+from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
 

@@ -6,14 +6,27 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Block, Equation, Part, Prose, Ref, Rule, Step, display, listed, math, paragraph, prose
+from lagrange.core.symbols import Dot, Sign, VectorSymbol, differential, t
+from lagrange.core.vectors import Vector
+from lagrange.document.derivation import (
+    Block,
+    Equation,
+    Part,
+    Prose,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.words import counted, plural, spoken
-from lagrange.friction import Rubbing
-from lagrange.kinematics import Configuration
-from lagrange.newton import Count, FreeBody, Newton, Reaction
-from lagrange.notation import Dot, Sign, VectorSymbol, differential, t
-from lagrange.vectors import Vector
-from lagrange.workless import WorkOfReaction
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.friction import Rubbing
+from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction
+from lagrange.mechanics.dynamics.workless import WorkOfReaction
 
 ZERO = sp.S.Zero
 LONGEST = 8

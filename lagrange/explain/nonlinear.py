@@ -6,14 +6,26 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.alternatives import Reduction, Why
-from lagrange.classification import Classification
-from lagrange.constraints import ConstraintAnalysis
-from lagrange.derivation import Block, Equation, Part, Prose, Ref, Term, display, listed, math, paragraph, prose
-from lagrange.displacements import virtual_displacement
+from lagrange.document.derivation import (
+    Block,
+    Equation,
+    Part,
+    Prose,
+    Ref,
+    Term,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.words import counted
-from lagrange.kinematics import Configuration
-from lagrange.problem import Given
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+from lagrange.mechanics.constraints.displacements import virtual_displacement
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.problem.alternatives import Reduction, Why
+from lagrange.problem.model import Given
 
 ZERO = sp.S.Zero
 

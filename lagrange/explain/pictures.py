@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Part, listed, math
+from lagrange.document.derivation import Part, listed, math
 from lagrange.explain.words import spoken
-from lagrange.newton import Newton
-from lagrange.solution import Solution
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.solution import Solution
 
 CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
 """Below the picture of the system."""

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sympy as sp
 
-from lagrange.constraints import ConstraintAnalysis
-from lagrange.derivation import Block, Part, Ref, Term, listed, math, prose
-from lagrange.notation import Wedge, differential
+from lagrange.core.symbols import Wedge, differential
+from lagrange.document.derivation import Block, Part, Ref, Term, listed, math, prose
+from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 
 
 def explain_quasi(c: ConstraintAnalysis, letter: str, *, likewise: bool) -> list[Block]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from lagrange.derivation import (
+from lagrange.core.symbols import VectorSymbol, prime, variation
+from lagrange.document.derivation import (
     Block,
     Detail,
     Equation,
@@ -21,12 +22,11 @@ from lagrange.explain.bodies import directions_of, stated_triads
 from lagrange.explain.displacements import points_called
 from lagrange.explain.motion import scaling
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration
-from lagrange.notation import VectorSymbol, prime, variation
-from lagrange.problem import Problem
-from lagrange.quasi_equations import QuasiEquations
-from lagrange.quasi_velocities import QuasiVelocities, quasi_variation
-from lagrange.quasi_verification import InSpeeds
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
+from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_variation
+from lagrange.mechanics.dynamics.quasi_verification import InSpeeds
+from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import sympy as sp
 
-from lagrange.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose
-from lagrange.dynamics import Motion
+from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose
 from lagrange.explain.words import plural, spoken
-from lagrange.multipliers import LagrangeMotion
-from lagrange.newton import Newton
-from lagrange.reactions import Reactions
+from lagrange.mechanics.dynamics.motion import Motion
+from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.dynamics.reactions import Reactions
 
 LONGEST = 60
 """Operations of a reaction that is still shown without being asked for, where other coordinates are to be had."""

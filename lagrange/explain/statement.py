@@ -7,13 +7,13 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
+from lagrange.core.symbols import VectorSymbol
+from lagrange.core.vectors import UNITS, Vector
+from lagrange.document.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
 from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration, MassPoint
-from lagrange.notation import VectorSymbol
-from lagrange.problem import Assumption, Coordinate, Friction, Parameter, Problem
-from lagrange.vectors import UNITS, Vector
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
 
 
 def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
+from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, prose
 from lagrange.explain.reactions import explain_bounds, reaction_lines
 from lagrange.explain.words import plural, spoken
-from lagrange.newton import Newton
-from lagrange.static_reactions import ReactionsAtRest, StaticReactions
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 
 
 def explain_reactions_at_rest(found: StaticReactions, newton: Newton) -> Step | None:

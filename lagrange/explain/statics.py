@@ -6,17 +6,30 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.coordinates import GeneralizedCoordinates
-from lagrange.derivation import Block, Detail, Equation, Part, Ref, Rule, Step, display, listed, math, paragraph, prose
-from lagrange.displacements import virtual_displacement
-from lagrange.equilibrium import Equilibrium
+from lagrange.algebra.closed_forms.signs import Condition
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.symbols import Dot, VectorSymbol, variation
+from lagrange.document.derivation import (
+    Block,
+    Detail,
+    Equation,
+    Part,
+    Ref,
+    Rule,
+    Step,
+    display,
+    listed,
+    math,
+    paragraph,
+    prose,
+)
 from lagrange.explain.displacements import of_points, solved_displacements
 from lagrange.explain.words import plural, spoken
-from lagrange.kinematics import Configuration
-from lagrange.notation import Dot, VectorSymbol, variation
-from lagrange.positivity import Condition
-from lagrange.solution_sets import Branch
-from lagrange.stability import SecondVariation, Stability, Verdict
+from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
+from lagrange.mechanics.constraints.displacements import virtual_displacement
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, Verdict
 
 ZERO = sp.S.Zero
 

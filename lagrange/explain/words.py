@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from lagrange.derivation import Detail, Prose
+from lagrange.document.derivation import Detail, Prose
 
 
 def spoken(name: str) -> str:

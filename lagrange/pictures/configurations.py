@@ -6,15 +6,19 @@ import math
 
 import sympy as sp
 
-from lagrange.kinematics import MassPoint
-from lagrange.links import Damped, Stretched
-from lagrange.newton import Reaction
-from lagrange.notation import UnitVector
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.symbols import UnitVector
+from lagrange.document.math_writer import Notation
+from lagrange.document.scene import Box, Kind, Point, Scene
+from lagrange.mechanics.constraints.kinematics import MassPoint
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.pictures.coordinate_drawings import Measures
 from lagrange.pictures.curves import constraint_curve
 from lagrange.pictures.floats import NoValueError, Space, plus
 from lagrange.pictures.loads import Acting, given_loads
 from lagrange.pictures.marks import angle_mark
-from lagrange.pictures.measures import Measures
 from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, is_planar, reaction_point
 from lagrange.pictures.sketch import (
     HINGE,
@@ -31,10 +35,6 @@ from lagrange.pictures.sketch import (
     toward,
 )
 from lagrange.pictures.systems import System, ends_of, rod_ends
-from lagrange.render.mathematics import Notation
-from lagrange.rigid_bodies import Rotation
-from lagrange.scene import Box, Kind, Point, Scene
-from lagrange.textbook import textbook_form
 
 ARROW = 1.15
 LONGEST_LABEL = 12

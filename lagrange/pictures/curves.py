@@ -11,11 +11,11 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from lagrange.kinematics import Row
+from lagrange.core.vectors import Vector
+from lagrange.document.scene import Box, Point
+from lagrange.mechanics.constraints.kinematics import Row
 from lagrange.pictures.floats import NoValueError, Space, projected, value
 from lagrange.pictures.poses import Pose
-from lagrange.scene import Box, Point
-from lagrange.vectors import Vector
 
 STEP = 0.07
 _MOST_STEPS = 900

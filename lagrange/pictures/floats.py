@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.vectors import Vector
+from lagrange.core.vectors import Vector
 
 Values = Mapping[sp.Symbol, float]
 Space = tuple[float, float, float]

@@ -9,15 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
-from lagrange.newton import FreeBody
+from lagrange.document.math_writer import Notation
+from lagrange.document.scene import Kind, Point, Scene, side_by_side
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import NoValueError, minus
 from lagrange.pictures.loads import Acting, acting_on
 from lagrange.pictures.shapes import in_space, is_planar
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
 from lagrange.pictures.systems import System
-from lagrange.render.mathematics import Notation
-from lagrange.rigid_bodies import Rotation
-from lagrange.scene import Kind, Point, Scene, side_by_side
 
 LENGTH = 1.35
 TEXT_WIDTH = 14.5

@@ -12,9 +12,9 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.records import record
-from lagrange.render.mathematics import UNICODE, Notation, Writer
-from lagrange.scene import Box, Dot, Label, Line, Point
+from lagrange.core.records import record
+from lagrange.document.math_writer import UNICODE, Notation, Writer
+from lagrange.document.scene import Box, Dot, Label, Line, Point
 
 HEIGHT = 0.34
 LETTER = 0.2

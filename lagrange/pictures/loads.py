@@ -11,18 +11,18 @@ from collections.abc import Iterator
 
 import sympy as sp
 
-from lagrange.kinematics import Load
-from lagrange.links import Damped, Stretched
-from lagrange.newton import FreeBody
-from lagrange.notation import Unspecified
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.records import record
+from lagrange.core.symbols import Unspecified
+from lagrange.core.vectors import Vector
+from lagrange.document.scene import Kind
+from lagrange.mechanics.constraints.kinematics import Load
+from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import NoValueError, Space, minus, unit
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.shapes import force_and_moment, is_planar, reaction_point
 from lagrange.pictures.systems import System, ends_of, with_other_values
-from lagrange.records import record
-from lagrange.scene import Kind
-from lagrange.textbook import textbook_form
-from lagrange.vectors import Vector
 
 MOST_OPERATIONS = 4
 NOWHERE: Space = (0.0, 0.0, 0.0)

@@ -16,10 +16,10 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
 from lagrange.pictures.floats import NoValueError, Space, inner, minus, plus
 from lagrange.pictures.poses import Pose
-from lagrange.records import record
-from lagrange.vectors import Vector
 
 _SAME = 1e-7
 _STEPS = (0.7, -1.1, 2.3)

@@ -17,12 +17,12 @@ from random import Random
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from lagrange.kinematics import Configuration
-from lagrange.notation import Sign, t
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign, t
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.pictures.floats import NoValueError, Space, Values, minus, place, projected, value
-from lagrange.problem import Problem
-from lagrange.records import record
-from lagrange.vectors import Vector
+from lagrange.problem.model import Problem
 
 TRIALS = 48
 APART = 0.13

@@ -11,13 +11,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from lagrange.kinematics import Configuration
-from lagrange.newton import Reaction
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.floats import NoValueError, Space, inner, minus, outer, plus, solved
 from lagrange.pictures.poses import Pose
-from lagrange.records import record
-from lagrange.rigid_bodies import Rotation
-from lagrange.vectors import Vector
 
 _SAME = 1e-6
 

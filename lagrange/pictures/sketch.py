@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from lagrange.document.math_writer import Notation
+from lagrange.document.scene import Dot, Kind, Line, Point, Scene
 from lagrange.pictures.labels import Wanted, placed
-from lagrange.render.mathematics import Notation
-from lagrange.scene import Dot, Kind, Line, Point, Scene
 
 PARTICLE = 0.085
 HINGE = 0.06

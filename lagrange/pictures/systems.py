@@ -10,22 +10,22 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.kinematics import Configuration, MassPoint
-from lagrange.links import Damped, Stretched
-from lagrange.newton import Newton, Reaction, newton_equations
-from lagrange.notation import Unspecified
+from lagrange.core.records import record
+from lagrange.core.symbols import Unspecified
+from lagrange.core.vectors import Vector
+from lagrange.document.scene import Point
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
+from lagrange.mechanics.dynamics.rods import Rod
+from lagrange.mechanics.solution import Solution
 from lagrange.pictures.floats import NoValueError, Space, minus
 from lagrange.pictures.marks import angle_mark
 from lagrange.pictures.poses import Pose, general_pose, notable
 from lagrange.pictures.shapes import Shape, is_planar, own_coordinates, shape
 from lagrange.pictures.views import View, view
-from lagrange.problem import Problem
-from lagrange.records import record
-from lagrange.rigid_bodies import Rotation
-from lagrange.rods import Rod
-from lagrange.scene import Point
-from lagrange.solution import Solution
-from lagrange.vectors import Vector
+from lagrange.problem.model import Problem
 
 WIDTH, HEIGHT = 6.2, 4.6
 MOST_POINTS = 12

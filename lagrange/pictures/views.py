@@ -11,9 +11,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from lagrange.core.records import record
+from lagrange.document.scene import Point
 from lagrange.pictures.floats import Space
-from lagrange.records import record
-from lagrange.scene import Point
 
 _RIGHT, _UP = (1.0, 0.0), (0.0, 1.0)
 _LEFT, _DOWN = (-1.0, 0.0), (0.0, -1.0)

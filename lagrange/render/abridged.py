@@ -8,8 +8,8 @@ from functools import lru_cache
 
 import sympy as sp
 
-from lagrange.derivation import Block, CheckMark, Display, Equation, Math, Matrices, Part, Prose, Ref, listed
-from lagrange.vectors import Vector
+from lagrange.core.vectors import Vector
+from lagrange.document.derivation import Block, CheckMark, Display, Equation, Math, Matrices, Part, Prose, Ref, listed
 
 LARGEST_STEP = 2000
 """Operations of the equations of one step that are still shown; eight links of a chain have half as many."""

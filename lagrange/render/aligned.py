@@ -10,11 +10,11 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.derivation import Block, Equation, Mathematics
-from lagrange.records import record
-from lagrange.render.breaking import Breaker, Line
+from lagrange.core.records import record
+from lagrange.document.derivation import Block, Equation, Mathematics
+from lagrange.document.math_writer import Writer
 from lagrange.render.ems import ems
-from lagrange.render.mathematics import Writer
+from lagrange.render.line_breaking import Breaker, Line
 from lagrange.render.shown import written_out
 
 SHORT = 8.0  # ems of a left side behind which relations are aligned

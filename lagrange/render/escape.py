@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-from lagrange.render.names import GREEK
+from lagrange.document.names import GREEK
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",

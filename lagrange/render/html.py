@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from html import escape
 from itertools import groupby
 
-from lagrange.derivation import (
+from lagrange.document.derivation import (
     Block,
     CheckMark,
     Derivation,
@@ -29,9 +29,9 @@ from lagrange.derivation import (
     Table,
     Term,
 )
+from lagrange.document.math_writer import UNICODE, Notation, Writer
 from lagrange.render.escape import slug
-from lagrange.render.formulas import Formulas
-from lagrange.render.mathematics import UNICODE, Notation, Writer
+from lagrange.render.mathml import Formulas
 from lagrange.render.shown import shown, written_out
 from lagrange.render.stylesheet import CSS
 from lagrange.render.svg import figure

@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from lagrange.derivation import (
+from lagrange.core.symbols import FormSymbol, Wedge
+from lagrange.core.vectors import Vector
+from lagrange.document.derivation import (
     Block,
     CheckMark,
     Display,
@@ -26,25 +28,23 @@ from lagrange.derivation import (
     Table,
     Term,
 )
-from lagrange.displacements import possible_displacement, virtual_displacement
-from lagrange.multipliers import LagrangeMotion
-from lagrange.notation import FormSymbol, Wedge
+from lagrange.document.math_writer import TEXT, Writer
+from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
+from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
 from lagrange.render.json_linear import linearized, matrices, matrix
 from lagrange.render.json_motion import by_lagrange, integrals, motion, speeds
-from lagrange.render.mathematics import TEXT, Writer
-from lagrange.vectors import Vector
 
 if TYPE_CHECKING:
-    from lagrange.constraints import ConstraintAnalysis
-    from lagrange.equilibrium import Equilibrium
-    from lagrange.newton import Newton
-    from lagrange.reactions import Reactions
-    from lagrange.report import Report
-    from lagrange.solution import ChoiceSolution, Solution
-    from lagrange.spot import Spot
-    from lagrange.stability import SecondVariation
-    from lagrange.static_reactions import ReactionsAtRest, StaticReactions
-    from lagrange.workless import WorkOfReaction
+    from lagrange.explain.report import Report
+    from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+    from lagrange.mechanics.dynamics.newton import Newton
+    from lagrange.mechanics.dynamics.reactions import Reactions
+    from lagrange.mechanics.dynamics.spot_values import Spot
+    from lagrange.mechanics.dynamics.workless import WorkOfReaction
+    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+    from lagrange.mechanics.equilibrium.stability import SecondVariation
+    from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
+    from lagrange.mechanics.solution import ChoiceSolution, Solution
 
 VERSION = 1
 

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 if TYPE_CHECKING:
-    from lagrange.dynamics import Motion
-    from lagrange.linearization import Linearization, SmallOscillations
+    from lagrange.mechanics.dynamics.motion import Motion
+    from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 
 Write = Callable[[Any], str]
 

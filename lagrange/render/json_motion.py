@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
-from lagrange.multipliers import LagrangeMotion
+from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
 
 if TYPE_CHECKING:
-    from lagrange.conservation import Conserved
-    from lagrange.dynamics import Motion
-    from lagrange.equations import EquationsOfMotion
-    from lagrange.quasi_verification import InSpeeds
+    from lagrange.mechanics.dynamics.conservation import Conserved
+    from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+    from lagrange.mechanics.dynamics.motion import Motion
+    from lagrange.mechanics.dynamics.quasi_verification import InSpeeds
 
 Write = Callable[[Any], str]
 

@@ -12,7 +12,8 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 
-from lagrange.derivation import (
+from lagrange.core.records import record
+from lagrange.document.derivation import (
     Block,
     CheckMark,
     Derivation,
@@ -29,12 +30,11 @@ from lagrange.derivation import (
     Table,
     Term,
 )
-from lagrange.records import record
+from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.ems import ems
 from lagrange.render.escape import escape, slug
 from lagrange.render.letters_of_vectors import Vectors
-from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import Shown, shown
 from lagrange.render.tikz import picture
 

@@ -13,7 +13,7 @@ import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 
-from lagrange.derivation import (
+from lagrange.document.derivation import (
     Block,
     CheckMark,
     Derivation,
@@ -28,10 +28,10 @@ from lagrange.derivation import (
     Table,
     Term,
 )
+from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.escape import escape as tex
 from lagrange.render.letters_of_vectors import Vectors
-from lagrange.render.mathematics import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.shown import shown
 
 LINE = 38.0  # ems of an equation beside its number: a column of text on GitHub, at a desk

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Sequence
 from rich.cells import cell_len, set_cell_size
 from rich.text import Text
 
-from lagrange.render.breaking import outermost
-from lagrange.render.pieces import plain
+from lagrange.document.pieces import plain
+from lagrange.render.line_breaking import outermost
 
 SHORT = 28  # cells of a formula that is never broken if it fits on a line
 

@@ -11,7 +11,8 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.derivation import (
+from lagrange.core.records import record
+from lagrange.document.derivation import (
     Block,
     CheckMark,
     Derivation,
@@ -25,7 +26,6 @@ from lagrange.derivation import (
     Ref,
     Step,
 )
-from lagrange.records import record
 from lagrange.render.abridged import abridged, not_referring
 
 SHORTEST_RUN = 4

@@ -9,9 +9,9 @@ from html import escape
 
 import sympy as sp
 
-from lagrange.notation import UnitVector
-from lagrange.render.names import SMALL
-from lagrange.scene import Dot, Line, Point, Scene
+from lagrange.core.symbols import UnitVector
+from lagrange.document.names import SMALL
+from lagrange.document.scene import Dot, Line, Point, Scene
 
 CENTIMETRE = 42.0
 TIP = 0.2

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterator
 
 import sympy as sp
 
+from lagrange.document.scene import Dot, Kind, Line, Point, Scene
 from lagrange.render.escape import escape
-from lagrange.scene import Dot, Kind, Line, Point, Scene
 
 STYLES = {
     Kind.ROD: "line width=1.1pt",

@@ -12,12 +12,12 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.answers import EquationVerdict, Verdict
-from lagrange.checked import CheckedAnswer
-from lagrange.problem import Problem
-from lagrange.render.kinds import Notation
-from lagrange.render.mathematics import text as plain
-from lagrange.render.mathematics import unicode
+from lagrange.answers.equations import EquationVerdict, Verdict
+from lagrange.answers.verdicts import CheckedAnswer
+from lagrange.document.math_writer import text as plain
+from lagrange.document.math_writer import unicode
+from lagrange.document.notation import Notation
+from lagrange.problem.model import Problem
 
 MARKS = {
     Verdict.EQUIVALENT: "✓",

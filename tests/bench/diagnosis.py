@@ -18,10 +18,10 @@ from mutations import best_system, mutations
 from test_diagnosis import TABLE, system
 from test_mutations import MOTION
 
-from lagrange.answer_readings import read_answer
-from lagrange.comparison import Standing, compare
-from lagrange.diagnosis import diagnosed
-from lagrange.diagnostics import Fragment
+from lagrange.answers.answer_readings import read_answer
+from lagrange.answers.diagnosis import diagnosed
+from lagrange.core.diagnostics import Fragment
+from lagrange.mechanics.dynamics.comparison import Standing, compare
 
 
 def main() -> None:

@@ -84,10 +84,10 @@ def processes(runs: int) -> None:
 OURS = """
 import json, sys, time
 from families import links
-from lagrange.diagnostics import Source
-from lagrange.loader import read_problem
-from lagrange.kinematics import file_configuration
-from lagrange.solution import Method, classify, eliminate, law_of_motion
+from lagrange.core.diagnostics import Source
+from lagrange.problem.loader import read_problem
+from lagrange.mechanics.constraints.kinematics import file_configuration
+from lagrange.mechanics.solution import Method, classify, eliminate, law_of_motion
 def equations(problem):
     classification = classify(problem)
     configuration = file_configuration(problem, classification.rows)
@@ -175,11 +175,12 @@ def equations(runs: int) -> None:
 WHOLE = """
 import json, sys, time
 from families import FAMILIES
-from lagrange.derivation import Detail
-from lagrange.diagnostics import Source
-from lagrange.loader import read_problem
-from lagrange.render import json as as_json, pretty
-from lagrange.report import report
+from lagrange.document.derivation import Detail
+from lagrange.core.diagnostics import Source
+from lagrange.problem.loader import read_problem
+from lagrange.render import json as as_json
+from lagrange.render import terminal as pretty
+from lagrange.explain.report import report
 def whole(family, n):
     started = time.process_time()
     found = report(read_problem(Source(family, FAMILIES[family](n))))
@@ -227,7 +228,7 @@ def fitted(sizes: Sequence[int], times: Sequence[float]) -> float:
 def problems(runs: int) -> None:
     """Every shipped problem as a process that prints its page."""
     sys.path.insert(0, str(ROOT))
-    from lagrange import library
+    from lagrange.problem import library
 
     print(f"\n{'shipped problem, seconds beyond importing SymPy':52}{'seconds':>8}{'MiB':>7}")
     rows = []

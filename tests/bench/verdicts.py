@@ -22,10 +22,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 from answer_truth import read
 from test_answers_table import GIVEN, SOLVED, TABLE, fragments
 
-from lagrange.answers import check_equations
-from lagrange.checking import reference
-from lagrange.diagnostics import ProblemError, Source
-from lagrange.loader import read_problem
+from lagrange.answers.equations import check_equations
+from lagrange.answers.examiner import reference
+from lagrange.core.diagnostics import ProblemError, Source
+from lagrange.problem.loader import read_problem
 
 COMPARED = ("3", "8", "15", "20", "38", "40", "42", "44")
 """Answers for which SymPy is asked, those that it reads as they are."""

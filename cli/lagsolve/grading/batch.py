@@ -11,9 +11,9 @@ from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
 from typing import Any
 
-from lagrange.answers import Verdict
-from lagrange.grading import Graded, Submission
-from lagrange.records import record
+from lagrange.answers.equations import Verdict
+from lagrange.answers.grading import Graded, Submission
+from lagrange.core.records import record
 from lagsolve.grading.worker import FailedError, LostError, SetupError, StoppedError
 
 TRIES = 2

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from importlib.metadata import version
 from typing import Any
 
-from lagrange.diagnostics import Diagnostic, ProblemError
+from lagrange.core.diagnostics import Diagnostic, ProblemError
 
 PATIENCE = 20
 """Seconds in which scheduler and workers must answer."""

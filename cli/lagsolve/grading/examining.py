@@ -5,10 +5,10 @@ from __future__ import annotations
 import threading
 from functools import lru_cache, partial
 
-from lagrange.checking import Examiner
-from lagrange.diagnostics import Source
-from lagrange.grading import Graded, Grader, Submission
-from lagrange.loader import read_problem
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.grading import Graded, Grader, Submission
+from lagrange.core.diagnostics import Source
+from lagrange.problem.loader import read_problem
 from lagsolve.grading.worker import Limits, Worker
 
 IDLE = 60.0

@@ -11,8 +11,8 @@ import re
 import unicodedata
 from collections.abc import Iterable, Iterator
 
-from lagrange.answers import EquationVerdict, Verdict
-from lagrange.grading import Graded
+from lagrange.answers.equations import EquationVerdict, Verdict
+from lagrange.answers.grading import Graded
 from lagrange.render.markdown import escape
 
 LONGEST_NAME = 80  # of a page, without its ending

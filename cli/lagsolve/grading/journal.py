@@ -14,8 +14,8 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from lagrange.answers import Verdict
-from lagrange.grading import Submission
+from lagrange.answers.equations import Verdict
+from lagrange.answers.grading import Submission
 from lagsolve.grading.rows import Row
 
 

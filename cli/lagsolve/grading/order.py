@@ -16,10 +16,10 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from lagrange.answers import Verdict
-from lagrange.diagnostics import Diagnostic, ProblemError, Source
-from lagrange.grading import Graded, Submission
-from lagrange.records import record
+from lagrange.answers.equations import Verdict
+from lagrange.answers.grading import Graded, Submission
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
+from lagrange.core.records import record
 from lagsolve.grading.batch import outcomes
 from lagsolve.grading.examining import examine, examine_within_limits, grader, prepare
 from lagsolve.grading.feedback import page, page_names

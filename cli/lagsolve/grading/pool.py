@@ -13,7 +13,7 @@ from collections.abc import Callable
 from concurrent.futures import Executor, Future
 from typing import Any, TypeVar
 
-from lagrange.records import record
+from lagrange.core.records import record
 from lagsolve.grading.child import nothing
 from lagsolve.grading.worker import FailedError, Limits, LostError, Worker
 

@@ -19,9 +19,9 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from lagrange.answers import Verdict
-from lagrange.grading import Graded
-from lagrange.records import record
+from lagrange.answers.equations import Verdict
+from lagrange.answers.grading import Graded
+from lagrange.core.records import record
 
 LONGEST_REMARK = 300
 FORMULA = re.compile(r"(^\s*|[;\t]\s*[\"']*)(?=[=+\-@＝＋－＠\t\r])")

@@ -16,10 +16,10 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from pathlib import Path
 
-from lagrange.diagnostics import Diagnostic, ProblemError
-from lagrange.grading import Submission
-from lagrange.records import record
-from lagrange.yaml_nodes import MAX_BYTES
+from lagrange.answers.grading import Submission
+from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.records import record
+from lagrange.problem.yaml_nodes import MAX_BYTES
 
 ENDINGS = ("", ".txt", ".md", ".tex", ".yaml", ".yml")
 """Of the files in somebody's folder, those that are an answer. A file that stands alone may end as it likes."""

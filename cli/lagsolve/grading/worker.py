@@ -16,7 +16,7 @@ import time
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from lagrange.records import record
+from lagrange.core.records import record
 from lagsolve.grading.child import read_frame, write_frame
 
 T = TypeVar("T")

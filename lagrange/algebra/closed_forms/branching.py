@@ -1,0 +1,394 @@
+"""A system of equations solved in closed form, branch by branch.
+
+A product that vanishes splits into branches, one for each factor; a coordinate or force that occurs linearly is
+eliminated; an equation with one unknown left is solved (`closed_form`). Where the coefficient of what is eliminated may
+vanish, that is a branch of its own. What cannot be solved so stays in its branch as an equation.
+
+    sin θ (a cos θ − b) = 0      [θ = 0], [θ = π], [cos θ = b/a where a ≥ b]
+
+A factor without unknowns is not zero for the parameters in general. It makes a branch (`special`) where it can vanish
+and nothing else is asked of the unknowns: W_1 a = W_2 b. The number of steps is bounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field, replace
+from itertools import islice, product
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.closed_form import Relation, Root, Values, one_unknown, plain_roots
+from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator, square_root, tidied
+from lagrange.algebra.closed_forms.seen import seen_at_once
+from lagrange.algebra.closed_forms.signs import Condition, different_from_zero, sign_of
+from lagrange.algebra.closed_forms.solution_sets import (
+    MOST_POINTS,
+    Branch,
+    SolutionSet,
+    merged,
+    resolved,
+    sides,
+    verified,
+    without_repetitions,
+    written,
+)
+from lagrange.algebra.closed_forms.unit_circle import Letters, NotAlgebraicError
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.core.records import record
+
+MOST_STEPS = 300
+"""Branchings of one search."""
+
+
+@record
+class _State:
+    equations: tuple[sp.Expr, ...]
+    values: Values = field(default_factory=dict)
+    common: Values = field(default_factory=dict)
+    relations: tuple[Relation, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    special: bool = False
+    stuck: tuple[sp.Expr, ...] = ()
+    solved: tuple[sp.Symbol, ...] = ()
+    signs: tuple[tuple[Values, ...], ...] = ()
+
+
+class _TooLongError(Exception):
+    """The search branches too often."""
+
+
+def solutions(
+    equations: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+    first: Sequence[sp.Symbol] = (),
+    *,
+    known: Mapping[sp.Symbol, sp.Expr] | None = None,
+    beside: Sequence[sp.Expr] = (),
+) -> SolutionSet:
+    """The solutions of a system, each of `equations` being zero.
+
+    unknowns  what to solve for; other symbols are parameters
+    first     unknowns to be eliminated before others: multipliers, forces
+    known     angles that are given, θ = α, modulo 2π
+    beside    other expressions that are to be taken at the solutions (`SolutionSet.at`)
+
+    Raises NotAlgebraicError where a given angle has no letters.
+    """
+    letters = Letters((*equations, *beside, *(sp.cos(u) for u in known or ())), unknowns)
+    readable, strange = [], []
+    for e in equations:
+        try:
+            readable.append(letters.read(e))
+        except NotAlgebraicError:
+            strange.append(e)
+    search = _Search(letters, first)
+    try:
+        found = list(search.branches(_given(known or {}, tuple(readable), letters)))
+    except _TooLongError:
+        found = [Branch((), left=tuple(equations))]
+        return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(found), None)
+    found = [replace(b, left=(*b.left, *strange)) for b in found]
+    kept, verdict = verified(found, readable, letters)
+    chosen = without_repetitions(merged([written(b, letters, unknowns) for b in merged(kept)]))
+    return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(chosen), verdict)
+
+
+def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], letters: Letters) -> _State:
+    """The state in which some angles are known."""
+    values: dict[sp.Symbol, sp.Expr] = {}
+    relations = []
+    for u, angle in known.items():
+        found = letters.angles[u]
+        values[found.cosine], values[found.sine] = letters.pair(found.measure.xreplace({u: angle}))
+        relations.append(Relation(u, angle))
+    return _State(equations, values, values, tuple(relations), solved=tuple(known))
+
+
+class _Search:
+    def __init__(self, letters: Letters, first: Sequence[sp.Symbol]) -> None:
+        self.letters = letters
+        self.first = tuple(first)
+        self.steps = 0
+
+    def branches(self, state: _State) -> Iterator[Branch]:
+        """The branches of a state."""
+        self.steps += 1
+        if self.steps > MOST_STEPS:
+            raise _TooLongError
+        prepared = self._prepared(state)
+        if prepared is None:
+            return
+        state = prepared
+        if not state.equations:
+            yield self._finished(state)
+            return
+        for n, e in enumerate(state.equations):
+            pieces = self._pieces(e, state)
+            if pieces is not None:
+                for piece, special in pieces:
+                    rest = (*state.equations[:n], *state.equations[n + 1 :])
+                    relation = () if not special else (Relation(*sides(self.letters.write(piece))),)
+                    yield from self.branches(
+                        replace(
+                            state,
+                            equations=rest if special else (*state.equations[:n], piece, *state.equations[n + 1 :]),
+                            relations=(*state.relations, *relation),
+                            special=state.special or special,
+                        )
+                    )
+                return
+        yield from self._solved(state)
+
+    def _prepared(self, state: _State) -> _State | None:
+        """The equations with the known values put in, as polynomials; None where they contradict themselves."""
+        kept = []
+        state = self._with_roots(state)
+        for e in state.equations:
+            changed = resolved(e, state.values) if state.values else e
+            parts = numerator(changed)
+            if parts is None:
+                state = replace(state, stuck=(*state.stuck, changed))
+                continue
+            e = self._without_squares(parts[0])
+            if e == 0:
+                continue
+            if not self.letters.unknowns_in(e):
+                zero = is_zero(self.letters.write(e))
+                if zero:
+                    continue
+                if zero is None:
+                    state = replace(state, stuck=(*state.stuck, e))
+                    continue
+                relation = self._for_parameters(e, state)
+                if relation is None:
+                    return None
+                state = replace(state, special=True, relations=(*state.relations, relation))
+                continue
+            if e not in kept:
+                kept.append(e)
+        return replace(state, equations=tuple(sorted(kept, key=lambda e: (e.count_ops(), str(e)))))
+
+    def _with_roots(self, state: _State) -> _State:
+        """The state with the values put in under square roots too: √(x² + y²) is √x², another letter, where y is 0."""
+        used = {s for e in state.equations for s in e.free_symbols}
+        found: dict[sp.Symbol, sp.Expr] = {}
+        for root in [r for r in self.letters.roots if r in used and r not in state.values]:
+            radicand = self.letters.roots[root]
+            if radicand.free_symbols.isdisjoint(state.values):
+                continue
+            changed = tidied(resolved(radicand, state.values))
+            if self.letters.unknowns_in(changed):
+                found[root] = self.letters.root(changed)
+        return replace(state, values={**state.values, **found}, common={**state.common, **found}) if found else state
+
+    def _without_squares(self, e: sp.Expr) -> sp.Expr:
+        """The shorter of the polynomial and its reduction by C² + S² = 1; 0 where it is zero."""
+        if not e.is_polynomial(*(s for a in self.letters.angles.values() for s in a.letters), *self.letters.roots):
+            return e
+        reduced = self.letters.reduced(e)
+        return reduced if reduced == 0 or not self.letters.unknowns_in(reduced) else e
+
+    def _for_parameters(self, e: sp.Expr, state: _State) -> Relation | None:
+        """An equation between parameters alone, where these may satisfy it."""
+        if state.special or e.is_number:
+            return None
+        pieces = factors(e) or []
+        able = [p for p in pieces if p.is_Add and sign_of(p) is None]
+        return Relation(*sides(self.letters.write(able[0]))) if len(able) == 1 else None
+
+    def _pieces(self, e: sp.Expr, state: _State) -> list[tuple[sp.Expr, bool]] | None:
+        """The factors of an equation that may vanish, if there are several, or if something can be divided out."""
+        found = factors(e)
+        if found is None:
+            return None
+        pieces = [(p, False) for p in found if self.letters.unknowns_in(p)]
+        if not state.values and not state.special:
+            for p in found:
+                if not self.letters.unknowns_in(p) and p.is_Add and sign_of(p) is None and not self._circular(p):
+                    pieces.append((p, True))
+        if len(pieces) == 1 and pieces[0][0] in (e, -e):
+            return None
+        return pieces
+
+    def _circular(self, e: sp.Expr) -> bool:
+        return any(s in e.free_symbols for a in self.letters.angles.values() for s in a.letters)
+
+    def _solved(self, state: _State) -> Iterator[Branch]:
+        """One more unknown found."""
+        linear = self._linear(state, with_unknowns=False)
+        if linear is not None:
+            yield from self.branches(linear[0])
+            return
+        for n, e in enumerate(state.equations):
+            unknowns = self.letters.unknowns_in(e)
+            if len(unknowns) != 1:
+                continue
+            [u] = unknowns
+            rest = (*state.equations[:n], *state.equations[n + 1 :])
+            roots = self._roots(e, u)
+            if roots is None:
+                yield from self._mixed(e, u, rest, state)
+                return
+            alone = all(u not in self.letters.unknowns_in(other) for other in rest)
+            for root in roots:
+                for values in root.values[:1] if alone else root.values:
+                    yield from self.branches(
+                        replace(
+                            state,
+                            equations=rest,
+                            signs=(*state.signs, root.values) if alone else state.signs,
+                            values={**state.values, **values},
+                            common={**state.common, **root.on_it},
+                            relations=(*state.relations, *root.relations),
+                            conditions=(*state.conditions, *(c for c in root.conditions if c not in state.conditions)),
+                            solved=(*state.solved, u),
+                        )
+                    )
+            return
+        turned = self._turned(state)
+        if turned is not None:
+            yield from self.branches(turned)
+            return
+        for other in self._linear(state, with_unknowns=True) or ():
+            yield from self.branches(other)
+            continue
+        if self._linear(state, with_unknowns=True) is None:
+            for values in seen_at_once(state.equations, self.letters):
+                yield from self.branches(self._taken(state, (), values))
+            yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
+
+    def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
+        """The state in which some unknowns have values that were seen."""
+        relations = tuple(Relation(u, v) for u, v in values.items() if u in self.letters.unknowns)
+        return replace(
+            state,
+            equations=rest,
+            values={**state.values, **values},
+            common={**state.common, **values},
+            relations=(*state.relations, *relations),
+            solved=(*state.solved, *(r.lhs for r in relations)),
+        )
+
+    def _roots(self, e: sp.Expr, u: sp.Symbol) -> list[Root] | None:
+        angle = self.letters.angles.get(u)
+        if angle is None or u not in e.free_symbols:
+            return one_unknown(e, u, self.letters)
+        if set(angle.letters) & e.free_symbols:
+            return None
+        roots = plain_roots(e, u, self.letters)
+        if roots is None:
+            return None
+        found = []
+        for r in roots:
+            [values] = r.values
+            c, s = self.letters.pair(angle.measure.xreplace({u: self.letters.write(values[u])}))
+            found.append(replace(r, values=({**values, angle.cosine: c, angle.sine: s},)))
+        return found
+
+    def _mixed(self, e: sp.Expr, u: sp.Symbol, rest: tuple[sp.Expr, ...], state: _State) -> Iterator[Branch]:
+        """An equation that is not solved, such as k θ = m g l sin θ; its root θ = 0 is seen at once."""
+        left = replace(state, equations=rest, stuck=(*state.stuck, e), solved=(*state.solved, u))
+        for values in seen_at_once((e,), self.letters):
+            yield from self.branches(self._taken(state, rest, values))
+            left = replace(left, conditions=(*left.conditions, Condition(u, "≠", values[u])))
+        yield from self.branches(left)
+
+    def _linear(self, state: _State, with_unknowns: bool) -> list[_State] | None:
+        """What comes of eliminating an unknown that occurs linearly; None where there is none."""
+        plain = [u for u in self.letters.unknowns if u not in self.letters.angles and u not in state.solved]
+        plain.sort(key=lambda u: u not in self.first)
+        for u in plain:
+            for n, e in enumerate(state.equations):
+                parts = self._as_linear(e, u)
+                if parts is None:
+                    continue
+                a, b = parts
+                if bool(self.letters.unknowns_in(a)) is not with_unknowns:
+                    continue
+                rest = (*state.equations[:n], *state.equations[n + 1 :])
+                value = tidied(-b / a)
+                found = [
+                    replace(
+                        state,
+                        equations=rest,
+                        values={**state.values, u: value},
+                        common={**state.common, u: value},
+                        relations=(*state.relations, Relation(u, value)),
+                        conditions=(*state.conditions, *self._nonzero(a)),
+                        solved=(*state.solved, u),
+                    )
+                ]
+                if with_unknowns:
+                    found.append(replace(state, equations=(*rest, a, b)))
+                return found
+        return None
+
+    def _turned(self, state: _State) -> _State | None:
+        """What comes of eliminating an angle that another one gives, θ = ψ + α; None where there is none."""
+        letters = {s for a in self.letters.angles.values() for s in a.letters}
+        for n, e in enumerate(state.equations):
+            if not e.free_symbols.isdisjoint(letters):
+                continue
+            for u in [u for u in self.letters.unknowns if u in self.letters.angles and u not in state.solved]:
+                parts = self._as_linear(e, u)
+                if parts is None or self.letters.unknowns_in(parts[0]):
+                    continue
+                value = tidied(-parts[1] / parts[0])
+                pair = self._pair_of(self.letters.angles[u].measure.xreplace({u: value}))
+                if pair is None:
+                    continue
+                values = {u: value, **dict(zip(self.letters.angles[u].letters, pair, strict=True))}
+                return replace(
+                    state,
+                    equations=(*state.equations[:n], *state.equations[n + 1 :]),
+                    values={**state.values, **values},
+                    common={**state.common, **values},
+                    relations=(*state.relations, Relation(u, value)),
+                    conditions=(*state.conditions, *self._nonzero(parts[0])),
+                    solved=(*state.solved, u),
+                )
+        return None
+
+    def _pair_of(self, angle: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
+        """Cosine and sine of an angle in the letters of the unknowns; None where it is no sum of multiples of them."""
+        for term in sp.Add.make_args(sp.expand(angle)):
+            unknown = self.letters.unknowns_in(term)
+            if unknown and not (term.as_coeff_Mul()[1] in unknown and term.as_coeff_Mul()[1] in self.letters.angles):
+                return None
+        try:
+            return self.letters.pair(angle)
+        except NotAlgebraicError:
+            return None
+
+    def _nonzero(self, coefficient: sp.Expr) -> list[Condition]:
+        """The conditions under which what is divided by does not vanish: k l ≠ m g."""
+        pieces = [self.letters.shortest(p) for p in factors(coefficient) or [] if p.is_Add]
+        sums = [p for p in pieces if p.is_Add]
+        return [c for p in sums if not self.letters.unknowns_in(p) for c in different_from_zero(p)]
+
+    def _as_linear(self, e: sp.Expr, u: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+        """a, b with e = a u + b."""
+        if u not in e.free_symbols or any(
+            u in self.letters.unknowns_in(r) for r in self.letters.roots if r in e.free_symbols
+        ):
+            return None
+        try:
+            poly = sp.Poly(e, u)
+        except sp.PolynomialError:
+            return None
+        return (poly.coeff_monomial(u), poly.coeff_monomial(1)) if poly.degree() == 1 else None
+
+    def _finished(self, state: _State) -> Branch:
+        """The branch, its relations still in letters and as they were found."""
+        values = dict(state.values)
+        for letter, radicand in self.letters.roots.items():
+            if letter not in values:
+                values[letter] = square_root(resolved(radicand, values)) if not state.signs else sp.sqrt(radicand)
+        points = []
+        for chosen in islice(product(*state.signs), MOST_POINTS):
+            for more in chosen:
+                values |= more
+            points.append({u: resolved(v, values) for u, v in values.items()})
+        left = tuple(self.letters.write(e) for e in state.stuck)
+        return Branch(state.relations, state.conditions, tuple(points), state.common, state.special, left)

@@ -1,0 +1,286 @@
+"""Small oscillations as algebra: det(K − w M) = 0, its roots w = ω², and the modes a with (K − w M) a = 0.
+
+The matrices are square, of rational functions of the parameters; what is no rational function of these (√2, cos α) is a
+letter. The determinant is a polynomial in w and is factored; a factor of the first or second degree gives its roots in
+closed form, any other is left as an equation. A mode is found in the field of the rational functions of w modulo the
+factor that w is a root of, where nothing has to be decided, and gets the root put in at the end. Work is bounded by the
+size of the matrices and of what is factored.
+
+    K = k ( 2 −1 ; −1 2 ), M = m      (k − m w)(3k − m w) = 0,  w = k/m: (1, 1),  w = 3k/m: (1, −1)
+
+Shapes: M, K (n, n); a (n,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+from sympy.polys.domains.domain import Domain
+from sympy.polys.matrices import DomainMatrix
+from sympy.polys.polyerrors import NotInvertible
+
+from lagrange.algebra.closed_forms.polynomial_roots import MOST_OPERATIONS, square_root
+from lagrange.algebra.closed_forms.presentation import shown
+from lagrange.algebra.closed_forms.signs import Condition, different_from_zero, sign_of
+from lagrange.algebra.exact.linear_algebra import nullspace
+from lagrange.core.records import record
+
+MOST_ROWS = 6
+MOST_ENTRIES = 400
+"""Operations of all entries of a matrix whose determinant is still worked out."""
+MOST_SYMBOLS = 12
+LONGEST_FACTOR = 80
+"""Operations of a factor whose roots are still looked for; those of a longer one would fill lines."""
+LONGEST_ROOT = 80
+"""Operations of a root that is still written down."""
+
+Matrix = tuple[tuple[sp.Expr, ...], ...]
+
+
+@record
+class Frequency:
+    """A root w of the characteristic equation.
+
+    square        w = ω²; None where it is not found in closed form
+    factor        the irreducible polynomial in `letter` that has this root
+    multiplicity  of the root
+    modes         a basis of the a with (K − w M) a = 0, each with first component 1 where it has one
+    """
+
+    square: sp.Expr | None
+    factor: sp.Expr
+    letter: sp.Symbol
+    multiplicity: int
+    modes: tuple[tuple[sp.Expr, ...], ...] = ()
+
+    @property
+    def presupposed(self) -> tuple[Condition, ...]:
+        """What must not vanish for the ratios of the modes to be these: y ≠ 0, a denominator."""
+        below = {f for mode in self.modes for a in mode for f in sp.Mul.make_args(sp.fraction(sp.together(a))[1])}
+        short = sorted((f.as_base_exp()[0] for f in below if f.count_ops() <= MOST_OPERATIONS), key=str)
+        return tuple(dict.fromkeys(c for f in short for c in different_from_zero(f)))
+
+
+def with_letters(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
+    """A letter for each part that is no rational function of symbols: a root, a sine."""
+    found: dict[sp.Expr, sp.Symbol] = {}
+
+    def visit(e: sp.Expr) -> None:
+        if e.is_Symbol or e.is_Rational:
+            return
+        if e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer):
+            for a in e.args:
+                visit(a)
+            return
+        found.setdefault(e, sp.Dummy(f"part_{len(found)}", real=True))
+
+    for e in expressions:
+        visit(e)
+    return found
+
+
+def determinant(rows: Sequence[Sequence[sp.Expr]]) -> sp.Expr | None:
+    """The determinant, but for the denominators of the rows, multiplied out; None: too large."""
+    entries = [e for row in rows for e in row]
+    symbols = {s for e in entries for s in e.free_symbols}
+    if len(rows) > MOST_ROWS or len(symbols) > MOST_SYMBOLS or sum(e.count_ops() for e in entries) > MOST_ENTRIES:
+        return None
+    letters = with_letters(entries)
+    whole = []
+    for row in rows:
+        parts = [sp.fraction(sp.together(e.xreplace(letters))) for e in row]
+        below = sp.Integer(1)
+        for _, d in parts:
+            below = sp.lcm(below, d)
+        whole.append([sp.expand(n * sp.cancel(below / d)) for n, d in parts])
+    matrix = DomainMatrix.from_Matrix(sp.Matrix(whole))
+    found = matrix.domain.to_sympy(matrix.charpoly()[-1]) * (-1) ** len(rows)
+    back = {v: e for e, v in letters.items()}
+    return sp.expand(found).xreplace(back)
+
+
+def factored(polynomial: sp.Expr, letter: sp.Symbol) -> list[tuple[sp.Expr, int]]:
+    """The factors that contain the letter, each with its multiplicity, the coefficient of the highest power positive.
+
+    The polynomial as it is, where it is too large to be factored.
+    """
+    if polynomial.count_ops() > 2 * MOST_OPERATIONS:
+        return [(polynomial, 1)]
+    letters = with_letters([polynomial])
+    _, found = sp.factor_list(polynomial.xreplace(letters))
+    back = {v: e for e, v in letters.items()}
+    pieces = [(f.xreplace(back), int(n)) for f, n in found if letter in f.free_symbols]
+    return [(_led(f, letter), n) for f, n in pieces]
+
+
+def _led(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
+    first = sp.Poly(f, letter).LC()
+    return -f if sign_of(first) == -1 or (sign_of(first) is None and first.could_extract_minus_sign()) else f
+
+
+def closed_roots(factor: sp.Expr, letter: sp.Symbol) -> list[sp.Expr] | None:
+    """Its roots, the smaller one first where that is known; None where they are not in closed form, or long."""
+    found = _parts_of_roots(factor, letter) if factor.count_ops() <= LONGEST_FACTOR else None
+    if found is None:
+        return None
+    centre, half = found
+    roots = [without_minus(centre)] if half == 0 else [_sum(centre, -half), _sum(centre, half)]
+    roots = [shown(r) for r in roots]
+    return None if any(r.count_ops() > LONGEST_ROOT for r in roots) else roots
+
+
+def _parts_of_roots(factor: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Expr] | None:
+    """p, h with the roots p ± h."""
+    coefficients = sp.Poly(factor, letter).all_coeffs()
+    if len(coefficients) == 2:
+        a, b = coefficients
+        return sp.factor(-b / a), sp.S.Zero
+    if len(coefficients) != 3:
+        return None
+    a, b, c = coefficients
+    half = _factored_roots(square_root(b**2 - 4 * a * c)) / sp.factor(2 * a)
+    return sp.factor(-b / (2 * a)), -half if sign_of(half) == -1 else half
+
+
+def without_minus(e: sp.Expr) -> sp.Expr:
+    """−(a − b) c as (b − a) c."""
+    if e.as_coeff_Mul()[0].is_negative:
+        for f in sp.Mul.make_args(e):
+            base, exponent = f.as_base_exp()
+            if base.is_Add and exponent.is_odd and len({term.could_extract_minus_sign() for term in base.args}) == 2:
+                return sp.Mul(-1, e / f, sp.Add(*(-term for term in base.args)) ** exponent)
+    return e
+
+
+def _factored_roots(e: sp.Expr) -> sp.Expr:
+    """√(m² + m M) as √(m (m + M)), where that is shorter."""
+    rule = {p: sp.sqrt(f) for p in e.atoms(sp.Pow) if p.exp == sp.S.Half and (f := sp.factor(p.base)) != p.base}
+    shorter = e.xreplace(rule)
+    return shorter if shorter.count_ops() < e.count_ops() else e
+
+
+def _sum(p: sp.Expr, h: sp.Expr) -> sp.Expr:
+    """p + h over one denominator, common factors in front: (2 − √2) g/l."""
+    if p == 0 or h == 0:
+        return p + h
+    return sp.factor_terms(sp.together(sp.factor_terms(sp.together(p + h))))
+
+
+class Field:
+    """Numbers a_0 + a_1 w + ... modulo a factor, with coefficients rational functions of the parameters.
+
+    It is an `Arithmetic` of `elimination`: exact, so that what is zero is 0.
+    """
+
+    exact = True
+
+    def __init__(self, factor: sp.Expr, letter: sp.Symbol, entries: Iterable[sp.Expr]) -> None:
+        self.letter = letter
+        self.letters = with_letters([factor, *entries])
+        symbols = {s for e in (factor, *entries) for s in e.xreplace(self.letters).free_symbols} - {letter}
+        rationals = sp.QQ
+        domain: Domain = rationals.frac_field(*sorted(symbols, key=str)) if symbols else rationals
+        self.domain = domain
+        self.modulus = self._poly(factor)
+
+    def _poly(self, e: sp.Expr) -> sp.Poly:
+        return sp.Poly(e.xreplace(self.letters), self.letter, domain=self.domain)
+
+    def read(self, e: sp.Expr) -> sp.Poly:
+        """A polynomial in w, or a rational function of parameters."""
+        above, below = sp.fraction(sp.together(e.xreplace(self.letters)))
+        number = sp.Poly(above, self.letter, domain=self.domain).rem(self.modulus)
+        return self.reduce(number * self.inverse(sp.Poly(below, self.letter, domain=self.domain)))
+
+    def number(self, numerator: int, denominator: int = 1) -> sp.Poly:
+        """A rational number."""
+        return sp.Poly(sp.Rational(numerator, denominator), self.letter, domain=self.domain)
+
+    def reduce(self, x: Any) -> sp.Poly:
+        """The remainder modulo the factor."""
+        return x.rem(self.modulus)
+
+    def less(self, row: Sequence[Any], factor: Any, other: Sequence[Any]) -> list[sp.Poly]:
+        """row − factor · other."""
+        return [self.reduce(x - factor * y) for x, y in zip(row, other, strict=True)]
+
+    def inverse(self, x: Any) -> sp.Poly:
+        """1/x. Raises NotInvertible."""
+        return x.invert(self.modulus)
+
+    def vanishes(self, x: Any) -> bool:
+        """Whether x is 0."""
+        return bool(x.is_zero)
+
+    def at(self, x: sp.Poly, centre: sp.Expr, half: sp.Expr) -> sp.Expr:
+        """The value at w = p + h, of a factor of degree two at most."""
+        back = {v: e for e, v in self.letters.items()}
+        coefficients = [c.xreplace(back) for c in reversed(x.all_coeffs())]
+        constant = coefficients[0]
+        slope = coefficients[1] if len(coefficients) > 1 else sp.S.Zero
+        moving = sp.factor_terms(sp.together(sp.factor(slope) * half))
+        return shown(_sum(sp.factor(constant + slope * centre), moving))
+
+
+def modes(
+    mass: Matrix, stiffness: Matrix, factor: sp.Expr, letter: sp.Symbol
+) -> list[tuple[tuple[sp.Expr, ...], ...]] | None:
+    """For each root of `closed_roots` a basis of the a with (K − w M) a = 0; None where that did not succeed."""
+    entries = [k - letter * m for ks, ms in zip(stiffness, mass, strict=True) for k, m in zip(ks, ms, strict=True)]
+    parts = _parts_of_roots(factor, letter)
+    if parts is None:
+        return None
+    size = len(mass)
+    try:
+        numbers = Field(factor, letter, entries)
+        read = [numbers.read(e) for e in entries]
+        basis = nullspace(numbers, [read[n : n + size] for n in range(0, size * size, size)], size)  # type: ignore[arg-type]
+        basis = [_led_by_one(v, numbers) for v in basis]
+    except (NotInvertible, ZeroDivisionError, sp.PolynomialError):
+        return None
+    centre, half = parts
+    halves = [half] if half == 0 else [-half, half]
+    return [tuple(tuple(numbers.at(x, centre, h) for x in v) for v in basis) for h in halves]
+
+
+def _led_by_one(vector: Sequence[sp.Poly], numbers: Field) -> list[sp.Poly]:
+    """The vector divided by its first component that is not zero."""
+    first = next(x for x in vector if not numbers.vanishes(x))
+    scale = numbers.inverse(first)
+    return [numbers.reduce(x * scale) for x in vector]
+
+
+def frequencies(
+    mass: Matrix, stiffness: Matrix, pieces: Sequence[tuple[sp.Expr, int]], letter: sp.Symbol, with_modes: bool
+) -> tuple[Frequency, ...]:
+    """The roots of det(K − w M), from its factors with their multiplicities; those known to be smaller first."""
+    found: list[Frequency] = []
+    for factor, multiplicity in pieces:
+        roots = closed_roots(factor, letter)
+        if roots is None:
+            found.append(Frequency(None, factor, letter, multiplicity))
+            continue
+        vectors = modes(mass, stiffness, factor, letter) if with_modes else None
+        for n, root in enumerate(roots):
+            found.append(Frequency(root, factor, letter, multiplicity, vectors[n] if vectors else ()))
+    return tuple(_ordered(found))
+
+
+def _ordered(found: Sequence[Frequency]) -> list[Frequency]:
+    """The smaller ones first, as far as is known; what is no closed form last."""
+    ordered: list[Frequency] = []
+    for f in found:
+        place = len(ordered)
+        while place and _is_less(f, ordered[place - 1]):
+            place -= 1
+        ordered.insert(place, f)
+    return ordered
+
+
+def _is_less(a: Frequency, b: Frequency) -> bool:
+    if a.square is None or b.square is None:
+        return a.square is not None
+    difference = sp.expand(b.square - a.square)
+    return difference.count_ops() <= MOST_OPERATIONS and sign_of(difference) == 1

@@ -1,0 +1,60 @@
+"""How the value of an unknown is written: the shortest of a few forms, cot α as 1/tan α."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from lagrange.algebra.fourier.textbook import textbook_form
+
+MOST_OPERATIONS = 150
+
+
+def shown(e: sp.Expr) -> sp.Expr:
+    """The expression in the shortest of its forms."""
+    if e.is_Atom or e.count_ops() > MOST_OPERATIONS:
+        return e
+    forms = [e]
+    roots = [p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer]
+    forms += [_with_radicands(e, roots)] if roots else []
+    if not roots and e.has(sp.sin, sp.cos):
+        above, below = sp.fraction(sp.together(e))
+        forms.append(textbook_form(above) / textbook_form(below))
+    if not roots and (e.is_Add or e.has(sp.sin, sp.cos)):
+        forms.append(textbook_form(e))
+    written = [with_tangents(f) for f in forms]
+    return min(written, key=lambda f: (f.count_ops(), forms.index(f) if f in forms else 0))
+
+
+def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:
+    """Sines and cosines under roots in textbook form, where that is shorter."""
+    written = {}
+    for p in roots:
+        if (p.base.is_Add or p.base.is_Mul) and p.base.has(sp.sin, sp.cos):
+            form = textbook_form(p.base)
+            if form.count_ops() < p.base.count_ops() and not p.base.atoms(sp.Pow) & {*roots}:
+                written[p] = form**p.exp
+    return e.xreplace(written)
+
+
+def with_tangents(e: sp.Expr) -> sp.Expr:
+    """Products of sines and cosines of one angle as tangents: cos α/sin α is 1/tan α."""
+    if e.is_Add:
+        return sp.Add(*(with_tangents(a) for a in e.args))
+    powers: dict[sp.Expr, list[sp.Integer]] = {}
+    rest = []
+    for factor in sp.Mul.make_args(e):
+        base, exponent = factor.as_base_exp()
+        if isinstance(base, sp.sin | sp.cos) and exponent.is_Integer:
+            entry = powers.setdefault(base.args[0], [sp.S.Zero, sp.S.Zero])
+            entry[isinstance(base, sp.cos)] += exponent
+        else:
+            rest.append(factor)
+    for angle, (sines, cosines) in powers.items():
+        if sines * cosines < 0:
+            both = sp.Min(abs(sines), abs(cosines)) * sp.sign(sines)
+            rest.append(sp.tan(angle) ** both)
+            sines, cosines = sines - both, cosines + both
+        rest.append(sp.sin(angle) ** sines * sp.cos(angle) ** cosines)
+    return sp.Mul(*rest)

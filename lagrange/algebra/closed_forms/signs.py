@@ -1,0 +1,187 @@
+"""The sign of an expression in symbols of known sign, and the conditions under which roots are real.
+
+A product has the product of the signs of its factors, a sum of terms of one sign that sign. A sum with one square root
+in it is decided by squares: where A and B √D have different signs, A + B √D has the sign of A times that of
+A² − B² D. What cannot be told so is None, and becomes a condition of what depends on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import sympy as sp
+
+from lagrange.core.records import record
+
+MOST_OPERATIONS = 300
+"""Operations of an expression that is still factored to find its sign."""
+
+
+@record
+class Condition:
+    """lhs relation rhs, where the relation is one of ≥ ≤ > < ≠."""
+
+    lhs: sp.Expr
+    relation: str
+    rhs: sp.Expr
+
+
+def sign_of(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> int | None:
+    """+1, -1 or 0; None where it may be either. Each of `positive` is taken to be positive."""
+    if expression == 0:
+        return 0
+    known = tuple(f for p in positive for f in (p, -p))
+    return _of_product(_factored(expression), known)
+
+
+def _factored(expression: sp.Expr) -> sp.Expr:
+    return sp.factor(expression) if expression.count_ops() <= MOST_OPERATIONS else expression
+
+
+def _of_product(product: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
+    sign = 1
+    for factor in sp.Mul.make_args(product):
+        base, exponent = factor.as_base_exp()
+        if exponent.is_Integer and exponent % 2 == 0 and base.is_real:
+            continue
+        found = _of_factor(base if exponent.is_Rational else factor, known)
+        if exponent.is_Rational and not exponent.is_Integer:
+            found = 1  # a root is positive where it exists
+        if found is None:
+            return None
+        sign *= found
+    return sign
+
+
+def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
+    for n, p in enumerate(known):
+        if f == p:
+            return -1 if n % 2 else 1
+    if f.is_positive or f.is_nonnegative:
+        return 1
+    if f.is_negative or f.is_nonpositive:
+        return -1
+    if not f.is_Add:
+        return None
+    signs = {_of_product(term, known) for term in f.args}
+    if len(signs) == 1:
+        return signs.pop()
+    roots = {p for term in f.args for p in sp.Mul.make_args(term) if p.is_Pow and p.exp == sp.S.Half}
+    if roots:
+        return _by_squares(f, roots.pop(), known) if len(roots) == 1 else None
+    return _of_bounded(f) or _of_quadratic(f, known)
+
+
+def _of_bounded(f: sp.Expr) -> int | None:
+    """The sign of a number and sines and cosines that cannot outweigh it: 1 − cos α."""
+    number, rest = f.as_coeff_Add()
+    most = sp.S.Zero
+    for term in sp.Add.make_args(rest):
+        c, function = term.as_coeff_Mul()
+        if not isinstance(function, sp.sin | sp.cos):
+            return None
+        most += abs(c)
+    return None if most > abs(number) else 1 if number > 0 else -1
+
+
+def _of_quadratic(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
+    """The sign of a x² + b x + c without real roots."""
+    for x in sorted(f.free_symbols, key=str):
+        if not f.is_polynomial(x) or sp.degree(f, x) != 2:
+            continue
+        a, b, c = sp.Poly(f, x).all_coeffs()
+        if _of_product(_factored(sp.expand(b**2 - 4 * a * c)), known) == -1:
+            return _of_product(_factored(a), known)
+    return None
+
+
+def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
+    """The sign of A + B √D."""
+    with_root = [term for term in f.args if term.has(root)]
+    a = sp.Add(*(term for term in f.args if not term.has(root)))
+    b = sp.Add(*(term / root for term in with_root))
+    if a.has(root) or b.has(root) or a == 0:
+        return None
+    of_a, of_b = (_of_product(_factored(e), known) for e in (a, b))
+    if of_b is None:
+        return None
+    if of_a == of_b:
+        return of_a
+    square = _of_product(_factored(sp.expand(a**2 - b**2 * root.base)), known)
+    if of_a is not None:
+        return None if square is None else of_a * square
+    if square == -1:
+        return of_b
+    against = sp.Add(*(term for term in sp.Add.make_args(a) if _of_product(term, known) != of_b))
+    if against in (0, a):
+        return None
+    rest = _of_product(_factored(sp.expand(b**2 * root.base - against**2)), known)
+    return of_b if rest == 1 else None
+
+
+def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[Condition, ...] | None:
+    """The conditions under which an expression is ≥ 0: none, one, or None where it is negative."""
+    positive = tuple(positive)
+    sign = sign_of(expression, positive)
+    if sign is None:
+        return (_compared(expression, "≥", positive),)
+    return () if sign >= 0 else None
+
+
+def between_minus_one_and_one(value: sp.Expr) -> tuple[Condition, ...] | None:
+    """The conditions under which |value| ≤ 1; None where that never holds."""
+    numerator, denominator = sp.fraction(sp.together(value))
+    if sign_of(denominator) == -1:
+        numerator, denominator = -numerator, -denominator
+    if sign_of(denominator) is None:
+        numerator, denominator = value, sp.S.One
+    below, above = not_negative(denominator - numerator), not_negative(denominator + numerator)
+    if below is None or above is None:
+        return None
+    if below and above:
+        return (Condition(sp.Abs(value), "≤", sp.S.One),)
+    return (*below, *above)
+
+
+def different_from_zero(expression: sp.Expr) -> tuple[Condition, ...]:
+    """The condition that an expression is not zero; none where its sign is known."""
+    sign = sign_of(expression)
+    return (_compared(expression, "≠"),) if sign is None else ()
+
+
+def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] = ()) -> Condition:
+    """e ≥ 0 with the negative terms brought to the other side: k l ≥ m g."""
+    primitive = _without_positive_factors(expression, positive)
+    terms = sp.Add.make_args(sp.expand(primitive))
+    left = [term for term in terms if not term.could_extract_minus_sign()]
+    right = [-term for term in terms if term.could_extract_minus_sign()]
+    if not left:
+        return Condition(sp.Add(*right), {"≥": "≤", "≠": "≠", ">": "<"}[relation], sp.S.Zero)
+    return Condition(sp.Add(*left), relation, sp.Add(*right))
+
+
+def more_than_zero(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> Condition:
+    """The condition that an expression is > 0."""
+    return _compared(expression, ">", tuple(positive))
+
+
+def _without_positive_factors(expression: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
+    """The expression without the factors that are positive in any case; signs are kept."""
+    known = tuple(f for p in positive for f in (p, -p))
+    kept = []
+    sign = 1
+    for factor in sp.Mul.make_args(_factored(expression)):
+        base, exponent = factor.as_base_exp()
+        if exponent.is_Rational and not exponent.is_Integer:
+            continue  # a root is positive where it exists
+        if not exponent.is_Integer:
+            kept.append(factor)
+            continue
+        found = _of_factor(base, known)
+        if exponent % 2 == 0:
+            kept += [] if base.is_real else [factor]
+        elif found is None:
+            kept.append(base)
+        else:
+            sign *= found
+    return sign * sp.Mul(*kept)

@@ -1,0 +1,234 @@
+"""Points: values for all symbols at once, and the value of every expression there.
+
+A point carries its arithmetic: residues of a random prime field (`residues`) or reals of eighty digits
+(`reals`). Rows are reduced, ranks taken and systems solved with the same calls in both. A symbol gets its
+random value when it is first wanted: a square (a positive number) if it is positive, ±1 for a `Sign`, else
+anything.
+
+    A(q) u + b(q)  is read off at a point by one backward pass: `affine` gives the rows [A | b].
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, Self
+
+import sympy as sp
+
+from lagrange.algebra.exact import linear_algebra as elimination
+from lagrange.algebra.exact.evaluation import Graph
+from lagrange.algebra.exact.graph import Op, Term
+from lagrange.algebra.exact.linear_algebra import Row
+from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.core.symbols import Sign
+
+_RATIONAL = (Op.SYMBOL, Op.ADD, Op.MULTIPLY, Op.POWER)
+
+Operation = Callable[[Any, list[Any], Any], Any]
+
+
+class Point:
+    """Random values of the symbols of a graph, residues (int) or reals (mpf).
+
+    assigned   values of symbols as far as they have been wanted, shared by the points made `with_values`
+    functions  values of undefined and opaque functions, by name and by values of the arguments
+    signs      bit n gives the sign of the n-th `Sign` symbol
+    """
+
+    operations: tuple[Operation, ...]
+
+    def __init__(self, graph: Graph, arithmetic: Any, signs: int = 0) -> None:
+        self.graph = graph
+        self.arithmetic = arithmetic
+        self.assigned: dict[sp.Symbol, Any] = {}
+        self.functions: dict[Any, Any] = {}
+        self.signs = signs
+        self._changes: Mapping[sp.Symbol, Any] = {}
+        self._values: list[Any] = []
+
+    @property
+    def exact(self) -> bool:
+        """Whether values are residues."""
+        return bool(self.arithmetic.exact)
+
+    def value(self, expression: sp.Expr) -> Any:
+        """The value of an expression. Raises InadmissibleError, ZeroDivisorError, UnsupportedError."""
+        return self.at(self.graph.node(expression))
+
+    def values(self, expressions: Iterable[sp.Expr]) -> Row:
+        """The values of several expressions."""
+        return [self.value(e) for e in expressions]
+
+    def matrix(self, rows: Iterable[Iterable[sp.Expr]]) -> list[Row]:
+        """The values of a matrix given by its rows (`matrix.tolist()`), shape (m, n)."""
+        return [self.values(row) for row in rows]
+
+    def at(self, node: int) -> Any:
+        """The value of a node of the graph."""
+        values = self._values
+        if len(values) <= node:
+            values.extend([None] * (len(self.graph.operations) - len(values)))
+        if values[node] is None:
+            operations, codes, data = self.operations, self.graph.operations, self.graph.data
+            n = node
+            try:
+                for n in self.graph.order(node):
+                    if values[n] is None:
+                        values[n] = operations[codes[n]](self, values, data[n])
+            except InadmissibleError as error:
+                error.node = n if error.node is None else error.node
+                raise
+        return values[node]
+
+    def has_value(self, node: int) -> bool:
+        """Whether a node has been evaluated."""
+        return node < len(self._values) and self._values[node] is not None
+
+    def is_zero(self, expression: sp.Expr) -> bool:
+        """Whether an expression vanishes here."""
+        return bool(self.arithmetic.vanishes(self.value(expression)))
+
+    def affine(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[Row] | None:
+        """Rows [A | b], shape (m, n + 1), with expressions = A u + b here; None if one is not affine in u."""
+        rows = self.affine_each(expressions, unknowns)
+        return None if None in rows else [row for row in rows if row is not None]
+
+    def affine_each(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[Row | None]:
+        """The row of each expression, shape (n + 1,); None for one that is not affine in u.
+
+        expressions (m,), unknowns (n,). A is read off at random u; that A u + b holds is tried at other ones.
+        """
+        nodes = [self.graph.node(e) for e in expressions]
+        here = self.with_values({u: self.random() for u in unknowns})
+        there = self.with_values({u: self.random() for u in unknowns})
+        return [here._affine(node, unknowns, there) for node in nodes]
+
+    def with_values(self, changes: Mapping[sp.Symbol, Any]) -> Self:
+        """The same point but for the given symbols. What does not depend on them is not evaluated again."""
+        return self._changed(self.assigned, {**self._changes, **changes}, self.graph.mask(changes))
+
+    def redrawn(self, symbols: Iterable[sp.Symbol]) -> Self:
+        """The same point with other random values of the given symbols."""
+        drawn = set(symbols)
+        kept = {s: v for s, v in self.assigned.items() if s not in drawn}
+        return self._changed(kept, self._changes, self.graph.mask(drawn))
+
+    def assign(self, symbol: sp.Symbol, value: Any) -> None:
+        """Give a symbol that was not wanted yet its value. Raises InadmissibleError for a wrong sign."""
+        if symbol.is_positive:
+            self.require_positive(value)
+        self.assigned[symbol] = value
+
+    def input(self, symbol: sp.Symbol) -> Any:
+        """The value of a symbol, drawn now if it has none."""
+        if symbol in self._changes:
+            return self._changes[symbol]
+        if symbol not in self.assigned:
+            self.assigned[symbol] = self._sign(symbol) if isinstance(symbol, Sign) else self._drawn(symbol)
+        return self.assigned[symbol]
+
+    def require_positive(self, value: Any) -> None:
+        """Raises InadmissibleError unless the value is a square (a positive number), and not 0."""
+        self.arithmetic.root(value)
+        if self.arithmetic.vanishes(value):
+            raise InadmissibleError
+
+    def number(self, numerator: int, denominator: int = 1) -> Any:
+        """A rational number in the point's arithmetic."""
+        return self.arithmetic.number(numerator, denominator)
+
+    def random(self) -> Any:
+        """A random number."""
+        return self.arithmetic.sample()
+
+    def rank(self, rows: Sequence[Sequence[Any]]) -> int:
+        """The rank of a matrix of values, shape (m, n)."""
+        return elimination.rank(self.arithmetic, rows)
+
+    def row_reduced(self, rows: Sequence[Sequence[Any]]) -> tuple[list[Row], list[int]]:
+        """Echelon form and pivot columns, see `elimination.row_reduced`."""
+        return elimination.row_reduced(self.arithmetic, rows)
+
+    def nullspace(self, rows: Sequence[Sequence[Any]], width: int) -> list[Row]:
+        """A basis of the solutions of A x = 0, see `elimination.nullspace`."""
+        return elimination.nullspace(self.arithmetic, rows, width)
+
+    def solution(
+        self, rows: Sequence[Sequence[Any]], right: Sequence[Any], free: Sequence[Any] | None = None
+    ) -> Row | None:
+        """A solution of A x = b or None, see `elimination.solution`."""
+        return elimination.solution(self.arithmetic, rows, right, free)
+
+    def turned(self, terms: tuple[Term, ...], n: int, d: int) -> tuple[Any, Any]:
+        """Cosine and sine of Σ terms + π n/d."""
+        raise NotImplementedError
+
+    def set_angle(self, symbol: sp.Symbol, pair: tuple[Any, Any], depth: int) -> None:
+        """Give a symbol a value v with (cos, sin)(v/depth) = pair."""
+        raise NotImplementedError
+
+    def function_key(self, node: int) -> Any:
+        """Where in `functions` the value of an UNSPECIFIED node is kept."""
+        raise NotImplementedError
+
+    def _drawn(self, symbol: sp.Symbol) -> Any:
+        raise NotImplementedError
+
+    def _blank(self) -> Self:
+        raise NotImplementedError
+
+    def _sign(self, symbol: sp.Symbol) -> Any:
+        own = self.graph.bit(symbol)
+        place = sum(isinstance(s, Sign) and bit < own for s, bit in self.graph.bits.items())
+        return self.number(-1 if self.signs >> place & 1 else 1)
+
+    def _changed(self, assigned: dict[sp.Symbol, Any], changes: Mapping[sp.Symbol, Any], mask: int) -> Self:
+        other = self._blank()
+        other.assigned, other._changes, other.functions = assigned, changes, self.functions
+        symbols = self.graph.symbols
+        other._values = [v if not symbols[n] & mask else None for n, v in enumerate(self._values)]
+        return other
+
+    def _affine(self, node: int, unknowns: Sequence[sp.Symbol], there: Self) -> Row | None:
+        """The row of a node; None if it does not hold `there` as well, at other values of the unknowns."""
+        row = self._slopes(node, unknowns)
+        if row is None:
+            return None
+        b, c = (p.at(node) - sum(a * p.input(u) for a, u in zip(row, unknowns, strict=True)) for p in (self, there))
+        reduce = self.arithmetic.reduce
+        return [*row, reduce(b)] if self.arithmetic.vanishes(reduce(b - c)) else None
+
+    def _slopes(self, node: int, unknowns: Sequence[sp.Symbol]) -> Row | None:
+        """Derivatives of a node by the unknowns; None if these occur in other than sums, products, powers."""
+        graph, reduce = self.graph, self.arithmetic.reduce
+        mask = graph.mask(unknowns)
+        if any(graph.symbols[n] & mask and graph.operations[n] not in _RATIONAL for n in graph.order(node)):
+            return None
+        self.at(node)
+        values = self._values
+        slopes: dict[int, Any] = {node: self.number(1)}
+        found: dict[sp.Symbol, Any] = {}
+        for n in reversed(graph.order(node)):
+            if not graph.symbols[n] & mask or n not in slopes:
+                continue
+            slope, op, data = reduce(slopes[n]), graph.operations[n], graph.data[n]
+            if op == Op.SYMBOL:
+                found[data] = slope
+            elif op == Op.ADD:
+                for m in data:
+                    slopes[m] = slopes.get(m, 0) + slope
+            elif op == Op.MULTIPLY:
+                for place, m in enumerate(data):
+                    if graph.symbols[m] & mask:
+                        slopes[m] = slopes.get(m, 0) + self._others(slope, data, place)
+            elif op == Op.POWER:
+                base, exponent = data
+                inverse = self.arithmetic.inverse(values[base])
+                slopes[base] = slopes.get(base, 0) + slope * exponent * reduce(values[n] * inverse)
+        return [found.get(u, self.number(0)) for u in unknowns]
+
+    def _others(self, slope: Any, factors: tuple[int, ...], place: int) -> Any:
+        for n, m in enumerate(factors):
+            if n != place:
+                slope = self.arithmetic.reduce(slope * self._values[m])
+        return slope

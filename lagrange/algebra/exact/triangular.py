@@ -1,0 +1,286 @@
+"""Geometric constraints in an order in which they can be solved one after the other.
+
+    f_1 fixes s_1,   f_2 fixes s_2 once s_1 is known,   ...
+
+The order is found from its end: a coordinate that occurs in one constraint only can be solved for last,
+whatever the others are, and so can k coordinates that occur in k constraints only (x, y of a joint held by
+two rods). Taking these away shortens the problem and excludes nothing. Linear equations go before quadratic
+ones. Where no coordinate will do, a parameter may (the length of a rod), then the value of an undefined
+function.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
+from itertools import combinations, islice
+from typing import TypeVar
+
+import sympy as sp
+
+from lagrange.algebra.exact.evaluation import Graph
+from lagrange.algebra.exact.field_points import FieldPoint
+from lagrange.algebra.exact.graph import DivisionByZeroError, Op, UnsupportedError
+from lagrange.algebra.exact.points import Point
+from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.algebra.exact.solved_blocks import Block, ContradictoryError, NotSolvableError
+from lagrange.core.records import record
+from lagrange.core.symbols import t
+
+TRIALS = 12
+DRAWS = 200
+_MOST_TRIED = 400
+_LARGEST_BLOCK = 4
+_CHOICES_OF_UNKNOWNS = 20
+_LONGEST_RULE = 60
+
+Places = tuple[int, ...]
+Unknowns = tuple[sp.Expr, ...]
+Fresh = Callable[[Graph], FieldPoint]
+AnyPoint = TypeVar("AnyPoint", bound=Point)
+
+
+@record
+class Order:
+    """Constraints in the order in which they are solved.
+
+    blocks  to be solved one after the other
+    rules   symbols that a linear equation gives, expressed by symbols that none gives: x = R(θ + φ)
+    roots   how many square roots are taken on the way: each has two branches
+    """
+
+    blocks: tuple[Block, ...]
+    rules: Mapping[sp.Symbol, sp.Expr]
+    roots: int = 0
+
+    @cached_property
+    def own(self) -> tuple[tuple[sp.Symbol, ...], ...]:
+        """For each block the symbols that occur neither in one before it nor among its unknowns."""
+        met: set[sp.Symbol] = set()
+        own = []
+        for block in self.blocks:
+            symbols = {s for f in block.constraints for s in f.free_symbols}
+            own.append(tuple(sorted(symbols - met - {*block.unknowns}, key=str)))
+            met |= symbols
+        return tuple(own)
+
+    def solved(self, point: AnyPoint) -> tuple[AnyPoint, int]:
+        """A point on the surface, made from a random one, and how many roots that took.
+
+        Where a root does not exist, only what belongs to that constraint is drawn again. Raises FailedError.
+        """
+        roots = 0
+        for n, (block, own) in enumerate(zip(self.blocks, self.own, strict=True)):
+            for _ in range(TRIALS if own else 1):
+                try:
+                    roots += block.solve(point)
+                    break
+                except InadmissibleError:
+                    point = point.redrawn(own)
+                except (NotSolvableError, ContradictoryError):
+                    raise FailedError(n) from None
+            else:
+                raise FailedError(n)
+        return point, roots
+
+    def drawn(self, fresh: Callable[[], AnyPoint], draws: int) -> AnyPoint | None:
+        """A point on the surface, or None after so many attempts."""
+        for _ in range(draws):
+            try:
+                return self.solved(fresh())[0]
+            except FailedError:
+                continue
+        return None
+
+
+class FailedError(Exception):
+    """A block was not solved."""
+
+    def __init__(self, block: int) -> None:
+        super().__init__(block)
+        self.block = block
+
+
+def triangular_order(constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], fresh: Fresh) -> Order | None:
+    """The constraints in a triangular order, or None when none was found.
+
+    fresh  gives a random point of the space without constraints, on which solutions are tried
+    """
+    try:
+        search = _Search(Graph(), constraints, coordinates, fresh)
+        while (blocks := search.peeled()) is not None:
+            order = Order(tuple(blocks), _explicit(blocks, coordinates))
+            roots, failing = _tried(order, fresh)
+            if failing is None:
+                if coordinates and any(u not in coordinates for b in blocks for u in b.unknowns):
+                    # x = 0 with x = a fixes the parameter a: a contradiction for all but one a.
+                    return None if contradiction(constraints, coordinates, fresh) else replace(order, roots=roots)
+                return replace(order, roots=roots)
+            search.banned.add(failing)
+    except (UnsupportedError, DivisionByZeroError):
+        pass
+    return None
+
+
+def contradiction(constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], fresh: Fresh) -> Places:
+    """Places of constraints that exclude one another, none to spare, or () if none were found."""
+
+    def excluded(places: Sequence[int]) -> bool:
+        return _contradicts(Block(tuple(constraints[n] for n in places), tuple(coordinates)), fresh)
+
+    places = list(range(len(constraints)))
+    try:
+        if not excluded(places):
+            return ()
+        for n in list(places):
+            fewer = [m for m in places if m != n]
+            if excluded(fewer):
+                places = fewer
+    except (UnsupportedError, DivisionByZeroError):
+        return ()
+    return tuple(places)
+
+
+def _explicit(blocks: Sequence[Block], coordinates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """s = E for the coordinates that occur linearly in their constraint, as far as E is short."""
+    rules: dict[sp.Symbol, sp.Expr] = {}
+    for block in blocks:
+        if len(block.unknowns) != 1 or len(block.constraints) != 1 or block.unknowns[0] not in coordinates:
+            continue
+        [f], [s] = block.constraints, block.unknowns
+        slope = f.diff(s)
+        if slope == 0 or slope.has(s):
+            continue
+        value = (-f.xreplace({s: sp.S.Zero}) / slope).xreplace(rules)
+        if value.count_ops() <= _LONGEST_RULE:
+            rules[s] = value
+    return rules
+
+
+def _contradicts(block: Block, fresh: Fresh) -> bool:
+    graph = Graph()
+    for _ in range(TRIALS):
+        try:
+            block.solve(fresh(graph))
+        except ContradictoryError:
+            return True
+        except InadmissibleError:
+            continue
+        except NotSolvableError:
+            return False
+        return False
+    return False
+
+
+def _tried(order: Order, fresh: Fresh) -> tuple[int, Block | None]:
+    """How many roots drawing a point takes, and the block at which it always fails, if one does."""
+    graph = Graph(order.rules)
+    furthest = 0
+    for _ in range(DRAWS):
+        try:
+            return order.solved(fresh(graph))[1], None
+        except FailedError as failure:
+            furthest = max(furthest, failure.block)
+    return 0, order.blocks[furthest]
+
+
+class _Search:
+    """Takes away constraints from the end."""
+
+    def __init__(
+        self, graph: Graph, constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], fresh: Fresh
+    ) -> None:
+        self.graph = graph
+        self.constraints = constraints
+        self.coordinates = coordinates
+        self.fresh = fresh
+        self.nodes = [graph.node(f) for f in constraints]
+        self.banned: set[Block] = set()
+        self._tried = 0
+
+    def peeled(self) -> list[Block] | None:
+        """Blocks that were solvable each on its own."""
+        remaining = list(range(len(self.nodes)))
+        blocks: list[Block] = []
+        while remaining:
+            found = self._last_block(remaining)
+            if found is None:
+                return None
+            places, block = found
+            blocks.append(block)
+            remaining = [n for n in remaining if n not in places]
+        return blocks[::-1]
+
+    def _last_block(self, remaining: list[int]) -> tuple[Places, Block] | None:
+        """As few constraints as possible, with as many unknowns that occur in them alone."""
+        sizes = list(range(1, min(len(remaining), _LARGEST_BLOCK) + 1))
+        if len(remaining) > _LARGEST_BLOCK:
+            sizes.append(len(remaining))
+        for size in sizes:
+            found = self._best(self._candidates(remaining, size, self._coordinates))
+            if found:
+                return found
+        return self._best(self._candidates(remaining, 1, self._parameters)) or self._best(
+            self._candidates(remaining, 1, self._functions)
+        )
+
+    def _candidates(
+        self, remaining: list[int], size: int, unknowns: Callable[[int], Sequence[sp.Expr]]
+    ) -> Iterator[tuple[Places, Unknowns]]:
+        for places in combinations(remaining, size):
+            others = [n for n in remaining if n not in places]
+            inside = {u: None for n in places for u in unknowns(n)}
+            own = [u for u in inside if not any(self._has(n, u) for n in others)]
+            # Fewer unknowns than constraints will do where constraints are redundant: tried on all that are
+            # left, and on a constraint without coordinates, which may be an identity.
+            if len(own) >= size or not others or not inside:
+                for chosen in islice(combinations(own, min(size, len(own))), _CHOICES_OF_UNKNOWNS):
+                    yield places, chosen
+
+    def _best(self, candidates: Iterator[tuple[Places, Unknowns]]) -> tuple[Places, Block] | None:
+        """The first that is linear, else the first that is solved at all."""
+        best: tuple[Places, Block] | None = None
+        for places, unknowns in candidates:
+            block = Block(tuple(self.constraints[n] for n in places), unknowns)
+            if block in self.banned or self._tried >= _MOST_TRIED:
+                continue
+            self._tried += 1
+            roots = self._roots_needed(block)
+            if roots == 0:
+                return places, block
+            if roots is not None and best is None:
+                best = places, block
+        return best
+
+    def _roots_needed(self, block: Block) -> int | None:
+        """How many roots a block takes, tried where no other constraint is satisfied; None: not solved."""
+        for _ in range(TRIALS):
+            try:
+                return block.solve(self.fresh(self.graph))
+            except InadmissibleError:
+                continue
+            except (NotSolvableError, ContradictoryError):
+                return None
+        return None
+
+    def _has(self, place: int, unknown: sp.Expr) -> bool:
+        node = self.nodes[place]
+        if isinstance(unknown, sp.Symbol):
+            return bool(self.graph.symbols[node] & self.graph.bit(unknown))
+        return self.graph.node(unknown) in self.graph.order(node)
+
+    def _coordinates(self, place: int) -> list[sp.Expr]:
+        return [q for q in self.coordinates if self._has(place, q)]
+
+    def _parameters(self, place: int) -> list[sp.Expr]:
+        """Parameters of a constraint on coordinates; one on parameters alone is not for us to satisfy."""
+        if self.coordinates and not self._coordinates(place):
+            return []
+        known = {*self.coordinates, t}
+        return [s for s in self.graph.bits if s not in known and self._has(place, s)]
+
+    def _functions(self, place: int) -> list[sp.Expr]:
+        graph = self.graph
+        order = graph.order(self.nodes[place])
+        return [graph.expressions[n] for n in order if graph.operations[n] == Op.UNSPECIFIED]

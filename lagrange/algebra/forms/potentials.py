@@ -1,0 +1,167 @@
+"""The finite form of an exact differential form, by successive integration.
+
+If Σ a_i dq_i + a_t dt = df, then f = ∫ a_1 dq_1 + g with a g that does not contain q_1, and ∂g/∂q_2 = a_2 -
+∂f_1/∂q_2 gives the next part, until nothing is left. Any order of the variables will do, so that a
+coefficient whose antiderivative is not in the table waits until the others have taken their part of it
+away. A prescribed motion u is integrated in t as an undefined function u(t), whose derivatives u', u'' are.
+
+The result is verified by differentiation. Constants are cleared: x dx + y dy = 0 has the finite form x² +
+y² = const.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import DivisionByZeroError, is_zero
+from lagrange.algebra.forms.antiderivatives import LARGEST, antiderivative, multiplied_out
+from lagrange.core.symbols import Slots, Unspecified, base, partial, t
+
+Pairs = list[tuple[sp.Symbol, sp.Expr]]
+
+
+def potential(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr | None:
+    """A function whose differential is `form` times a constant, as a person would write it; None: not found.
+
+    form       (k,) coefficients of the differentials of `variables` (k,), t among them if there is a dt
+    """
+    found = primitive(form, variables, slots)
+    return None if found is None else cleared(found, variables, slots)
+
+
+def primitive(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr | None:
+    """A function f with df = `form`, verified; None if none is found."""
+    timed = _as_functions_of_time(form, slots)
+    rule = {s: u for s, u in timed.items() if u != s}
+    back = {u: s for s, u in rule.items()}
+    waiting = [(v, sp.sympify(a, strict=True).xreplace(rule)) for v, a in zip(variables, form, strict=True)]
+    found = _successively(waiting)
+    if found is None:
+        return None
+    f = found.xreplace(back)
+    positive = f.replace(sp.log, lambda e: sp.log(e.args[0] if isinstance(e, sp.Abs) else e))
+    for candidate in (f, positive) if positive != f else (f,):
+        differences = (differentiated(candidate, v, slots) - a for v, a in zip(variables, form, strict=True))
+        if all(_vanishes(d) for d in differences):
+            return candidate
+    return None
+
+
+def _vanishes(e: sp.Expr) -> bool:
+    try:
+        return is_zero(e) is True
+    except DivisionByZeroError:
+        return False
+
+
+def differentiated(e: sp.Expr, v: sp.Symbol, slots: Slots) -> sp.Expr:
+    """∂e/∂v; by t, prescribed motions go on."""
+    return slots.frozen_derivative(e) if v == t else partial(e, v)
+
+
+def cleared(f: sp.Expr, variables: Sequence[sp.Symbol], slots: Slots) -> sp.Expr:
+    """The function f without the constant factor that all its terms have, and not all of them negative."""
+    moving = {*variables, *slots.prescribed}
+    factors = [c for c in sp.Mul.make_args(sp.factor_terms(f)) if not _moves(c, moving)]
+    common = sp.Mul(*(abs(c) if c.is_Rational else c for c in factors))
+    if common == 0:
+        return f
+    terms = [_without_minus(sp.factor_terms(term / common)) for term in sp.Add.make_args(f)]
+    if all(term.could_extract_minus_sign() for term in terms):
+        terms = [-term for term in terms]
+    return sp.Add(*terms)
+
+
+def _without_minus(term: sp.Expr) -> sp.Expr:
+    """The angle -atan2(y, x) as atan2(x, y), which is a quarter turn from it; other terms as they are."""
+    number, angle = term.as_coeff_Mul()
+    return -number * sp.atan2(*reversed(angle.args)) if number < 0 and isinstance(angle, sp.atan2) else term
+
+
+def _moves(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
+    return any(base(s) in moving for s in e.free_symbols)
+
+
+def _successively(waiting: Pairs) -> sp.Expr | None:
+    f, done = sp.S.Zero, list[sp.Symbol]()
+    while waiting:
+        for v, a in waiting:
+            rest = _remainder(a, sp.diff(f, v), done)
+            part = None if rest is None else _part(rest, v, [b for w, b in waiting if w != v])
+            if part is None and rest is not None and f != 0:
+                steady = _steady(rest, v)
+                part = None if steady is None else steady * v
+            if part is not None:
+                break
+        else:
+            return None
+        f += part
+        done.append(v)
+        waiting = [pair for pair in waiting if pair[0] != v]
+    return f
+
+
+def _part(a: sp.Expr, v: sp.Symbol, others: Sequence[sp.Expr]) -> sp.Expr | None:
+    """∫ a dv; a square where a is linear and is, but for a factor, another coefficient too: (x1 - x2)²/2."""
+    rate = sp.diff(a, v)
+    if rate.is_Rational and rate != 0 and a != rate * v:
+        content, inner = a.as_content_primitive()
+        if any(b.as_content_primitive()[1] in (inner, -inner) for b in others):
+            return content * inner**2 / (2 * sp.diff(inner, v))
+    return antiderivative(a, v)
+
+
+def _remainder(a: sp.Expr, taken: sp.Expr, done: Sequence[sp.Symbol]) -> sp.Expr | None:
+    """a - taken, which does not depend on `done` if the form is exact, written without them."""
+    rest = a - taken
+    if not rest.free_symbols & set(done):
+        return rest
+    if sp.count_ops(rest) <= LARGEST and _vanishes(rest):
+        return sp.S.Zero
+    rest = multiplied_out(rest)
+    for v in done:
+        if v in rest.free_symbols:
+            rest = at_some_value(rest, v)
+            if rest is None:
+                return None
+    return rest
+
+
+def _is_sign_of_size(e: sp.Expr) -> bool:
+    return isinstance(e, sp.sign) and isinstance(e.args[0], sp.Abs)
+
+
+def _steady(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
+    """The expression without v, if it does not depend on it: sin² v + cos² v is 1. None where it does."""
+    rate = sp.diff(e, v)
+    if sp.count_ops(rate) > LARGEST or not _vanishes(rate):
+        return None
+    there = at_some_value(e, v)
+    if there is not None and there.is_number and not there.is_Rational and there.is_finite:
+        near = sp.Rational(str(sp.N(there, 20))).limit_denominator(60)
+        return near if _vanishes(e - near) else there
+    return there
+
+
+def at_some_value(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
+    """The expression at a number v for which it is finite and real: all of it, where it does not depend on v."""
+    for number in (0, 1, 2, sp.Rational(1, 2)):
+        there = e.subs(v, number).replace(_is_sign_of_size, lambda _: sp.S.One)
+        if not there.has(sp.nan, sp.zoo, sp.oo, -sp.oo, sp.I):
+            return there
+    return None
+
+
+def _as_functions_of_time(form: Sequence[sp.Expr], slots: Slots) -> dict[sp.Symbol, sp.Expr]:
+    """The slots u, u', ... that occur, each with the function u(t) or the derivative that it stands for."""
+    rule: dict[sp.Symbol, sp.Expr] = {}
+    for symbol in {s for a in form for s in sp.sympify(a, strict=True).free_symbols}:
+        u = base(symbol)
+        if u in slots.prescribed:
+            function = Unspecified.of(u.name, ("t",), t)
+            for order in range(len(symbol.name) - len(u.name) + 1):
+                rule[sp.Symbol(u.name + "'" * order, real=True) if order else u] = function
+                function = function.partial(0)
+    return rule

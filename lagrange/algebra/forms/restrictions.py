@@ -1,0 +1,208 @@
+"""A form restricted to the surface of geometric constraints, where these can be solved by hand.
+
+A form may be integrable on a surface only: there it is a form in fewer coordinates. Two kinds of constraints are
+solved,
+
+    linear in a coordinate q:             q = E, with E free of q
+    p and q on a circle:                  (p - α)² + (q - β)² = ρ²,    p = α + ρ cos ψ,    q = β + ρ sin ψ
+
+with α, β, ρ that do not contain p and q (a sphere is a circle whose ρ depends on z), and the differentials dE, dα +
+cos ψ dρ - ρ sin ψ dψ, dβ + sin ψ dρ + ρ cos ψ dψ are put into the form. What is found there is written in the old
+coordinates again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import combinations
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import DivisionByZeroError, Surface, is_zero
+from lagrange.algebra.forms.factor_candidates import is_small
+from lagrange.algebra.forms.integrability import is_integrable
+from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
+from lagrange.algebra.forms.one_variable import shortened
+from lagrange.algebra.forms.potentials import differentiated
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots, t
+
+LARGEST = 60
+ANGLES = ("psi", "chi", "eta", "zeta")
+
+
+@record
+class Angle:
+    """ψ with p - α = ρ cos ψ, q - β = ρ sin ψ."""
+
+    symbol: sp.Symbol
+    across: sp.Expr
+    along: sp.Expr
+    radius: sp.Expr
+
+    def undone(self, e: sp.Expr) -> sp.Expr:
+        """An expression without ψ."""
+        if self.symbol not in e.free_symbols:
+            return e
+        e = e.replace(sp.tan, lambda a: sp.sin(a) / sp.cos(a))
+        e = sp.expand_trig(e) if is_small(e) else e
+        cosine, sine = self.across / self.radius, self.along / self.radius
+        e = e.xreplace({sp.cos(self.symbol): cosine, sp.sin(self.symbol): sine})
+        return e.xreplace({self.symbol: sp.atan2(self.along, self.across)})
+
+
+@record
+class Restriction:
+    """A form on the surface of geometric constraints.
+
+    rules      what the coordinates are that were replaced
+    angles     that were introduced
+    form       the coefficients, shape (k,), of the differentials of `variables` (k,)
+    slots      with the coordinates that are left
+    """
+
+    rules: tuple[tuple[sp.Symbol, sp.Expr], ...]
+    angles: tuple[Angle, ...]
+    form: tuple[sp.Expr, ...]
+    variables: tuple[sp.Symbol, ...]
+    slots: Slots
+
+    def in_old_coordinates(self, e: sp.Expr) -> sp.Expr:
+        """An expression without the angles that were introduced."""
+        for angle in reversed(self.angles):
+            e = angle.undone(e)
+        return e
+
+
+def restriction(form: Sequence[sp.Expr], geometric: Sequence[sp.Expr], slots: Slots) -> Restriction | None:
+    """The form on the surface, as far as it is solved by hand; None where no constraint is.
+
+    form       (n + 1,) coefficients of dq_1 ... dq_n, dt
+    geometric  functions f(q, t) whose vanishing is the geometric constraints
+    """
+    left = slots
+    rules: dict[sp.Symbol, sp.Expr] = {}
+    angles: list[Angle] = []
+    for f in geometric:
+        there = f.xreplace(rules)
+        names = {s.name for e in (*form, *geometric) for s in e.free_symbols} | {q.name for q in left.coordinates}
+        found = _linear(there, left) or _circle(there, left, names)
+        if found is None:
+            continue
+        solved, angle = found
+        rules = {q: e.xreplace(solved) for q, e in rules.items()} | dict(solved)
+        kept = [q for q in left.coordinates if q not in solved]
+        if angle is not None:
+            angles.append(angle)
+            kept.append(angle.symbol)
+        left = Slots(tuple(kept), slots.prescribed)
+    if not rules:
+        return None
+    variables = (*left.coordinates, t)
+    replaced = [shortened(a.xreplace(rules)) for a in form]
+    old = [rules.get(q, q) for q in (*slots.coordinates, t)]
+    pulled = []
+    for v in variables:
+        terms = (a * differentiated(e, v, left) for a, e in zip(replaced, old, strict=True))
+        pulled.append(shortened(sp.Add(*terms)))
+    return Restriction(tuple(rules.items()), tuple(angles), tuple(pulled), variables, left)
+
+
+@record
+class FiniteForm:
+    """How a form that is not exact becomes the differential of a function.
+
+    found        the factor, for the form itself or for its restriction
+    restriction  to the geometric constraints, where only that is integrable
+    """
+
+    found: IntegratingFactor
+    restriction: Restriction | None = None
+
+    @property
+    def factor(self) -> sp.Expr:
+        """μ, in the coordinates of the file."""
+        return self._written(self.found.factor)
+
+    @property
+    def integral(self) -> sp.Expr | None:
+        """F, in the coordinates of the file; F stays constant."""
+        return None if self.found.integral is None else self._written(self.found.integral)
+
+    def _written(self, e: sp.Expr) -> sp.Expr:
+        return e if self.restriction is None else self.restriction.in_old_coordinates(e)
+
+
+def finite_form(form: Sequence[sp.Expr], surface: Surface, slots: Slots) -> FiniteForm | None:
+    """A factor for a form, or for what it is on the surface of the geometric constraints; None: not found.
+
+    form     (n + 1,) coefficients of dq_1 ... dq_n, dt
+    surface  where the geometric constraints hold
+    """
+    geometric = surface.constraints
+    if not geometric or is_integrable(form, slots):
+        found = integrating_factor(form, (*slots.coordinates, t), slots)
+        if found is not None and _is_valid(found, surface):
+            return FiniteForm(found)
+        if not geometric:
+            return None
+    there = restriction(form, geometric, slots)
+    if there is None or not is_integrable(there.form, there.slots):
+        return None
+    found = integrating_factor(there.form, there.variables, there.slots, [a.symbol for a in there.angles])
+    return None if found is None else FiniteForm(found, there)
+
+
+def _is_valid(found: IntegratingFactor, surface: Surface) -> bool:
+    """Whether the factor is finite and not 0 on the surface: with z = 0, 1/z is not."""
+    return all(surface.is_zero(g) is False for g in (*found.nonzero, *found.positive))
+
+
+Solved = tuple[Mapping[sp.Symbol, sp.Expr], Angle | None]
+
+
+def _linear(f: sp.Expr, slots: Slots) -> Solved | None:
+    """q = E, for the coordinate with the simplest slope."""
+    best: tuple[tuple[bool, int], sp.Symbol, sp.Expr] | None = None
+    for q in slots.coordinates:
+        slope = sp.diff(f, q)
+        if q in slope.free_symbols or slope == 0 or sp.count_ops(f) > LARGEST:
+            continue
+        moving = bool(slope.free_symbols & {*slots.coordinates, t, *slots.prescribed})
+        rank = (moving, sp.count_ops(slope))
+        if (best is None or rank < best[0]) and _is_nonzero(slope):
+            best = rank, q, slope
+    if best is None:
+        return None
+    _, q, slope = best
+    return {q: shortened(-f.xreplace({q: sp.S.Zero}) / slope)}, None
+
+
+def _circle(f: sp.Expr, slots: Slots, taken: set[str]) -> Solved | None:
+    """p = α + ρ cos ψ, q = β + ρ sin ψ."""
+    if not is_small(f):
+        return None
+    for p, q in combinations(slots.coordinates, 2):
+        if {p, q} - f.free_symbols or not f.is_polynomial(p, q):
+            continue
+        powers = sp.Poly(sp.expand(f), p, q).as_dict()
+        scale = powers.get((2, 0), sp.S.Zero)
+        if set(powers) - {(2, 0), (0, 2), (1, 0), (0, 1), (0, 0)} or scale == 0 or powers.get((0, 2)) != scale:
+            continue
+        alpha, beta = (-powers.get(k, sp.S.Zero) / (2 * scale) for k in ((1, 0), (0, 1)))
+        square = shortened(alpha**2 + beta**2 - powers.get((0, 0), sp.S.Zero) / scale)
+        name = next((n for n in ANGLES if n not in taken), None)
+        if name is None or not _is_nonzero(square):
+            return None
+        psi = sp.Symbol(name, real=True)
+        rho = sp.sqrt(square)
+        solved = {p: alpha + rho * sp.cos(psi), q: beta + rho * sp.sin(psi)}
+        return solved, Angle(psi, p - alpha, q - beta, rho)
+    return None
+
+
+def _is_nonzero(e: sp.Expr) -> bool:
+    try:
+        return is_zero(e) is False
+    except DivisionByZeroError:
+        return False

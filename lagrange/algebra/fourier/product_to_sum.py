@@ -1,0 +1,304 @@
+"""From sums of cosines and sines to products of them, the way they are written by hand.
+
+    cos a + cos b = 2 cos (a + b)/2 cos (a - b)/2,      1 - cos 2θ = 2 sin²θ,      sin 2θ = 2 sin θ cos θ,
+
+wherever the halves are whole. A sum is written as the fewest products: it is divided by the sines and
+cosines that divide it (`division.py`), then the best is taken of: the sum as it is; pairs of terms joined;
+a polynomial in the sines and cosines of single angles, as in 2 + 2 cos²θ for 3 + cos 2θ. What is best does
+not depend on the order in which symbols turned up.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from functools import lru_cache
+from itertools import combinations, product
+from math import comb, prod
+
+import sympy as sp
+
+from lagrange.algebra.fourier.division import Complex, over_wave
+from lagrange.algebra.fourier.fourier import Element
+from lagrange.algebra.fourier.generators import UNIT, Basis
+from lagrange.algebra.fourier.packing import WIDTH, unpack
+from lagrange.core.records import record
+
+SEARCHED = 4  # in a longer sum only the first pair is joined
+MOST_ANGLES = 3
+HIGHEST_POWER = 12
+
+Part = tuple[int, Fraction, bool]  # frequency, coefficient, whether it is a sine
+Powers = tuple[tuple[int, int], ...]  # (exponent of cos, exponent of sin) of each angle
+
+
+@record
+class Atom:
+    """cos or sin of one frequency, which is positive."""
+
+    frequency: int
+    sine: bool
+
+
+@record
+class Product:
+    """A number times powers of atoms, sorted by the names of their angles."""
+
+    number: Fraction
+    powers: tuple[tuple[Atom, int], ...] = ()
+
+
+class Factoring:
+    """The product forms of one ring, remembered."""
+
+    def __init__(self, basis: Basis) -> None:
+        self._basis = basis
+        self._found: dict[object, tuple[Product, ...]] = {}
+        self._angles: dict[int, tuple[int, sp.Expr]] = {}
+        self._names: dict[int, str] = {}
+
+    def products(self, element: Element) -> tuple[Product, ...]:
+        """The sum of products that equals an element without generators."""
+        if len(element) < 2:
+            parts = list(_parts(element))
+            if len(parts) < 2:
+                return tuple(self._single(*part) for part in parts)
+        number = element.content()[0]
+        primitive = element / number
+        found = self._found.get(primitive.key)
+        if found is None:
+            found = self._found[primitive.key] = self._best(primitive)
+        return tuple(Product(p.number * number, p.powers) for p in found)
+
+    def angle(self, frequency: int) -> tuple[int, sp.Expr]:
+        """The sign that SymPy takes out of a sine of the angle, and the angle without it."""
+        found = self._angles.get(frequency)
+        if found is None:
+            angle = self._basis.angle_expression(frequency)
+            found = (-1, -angle) if angle.could_extract_minus_sign() else (1, angle)
+            self._angles[frequency] = found
+        return found
+
+    def _name(self, frequency: int) -> str:
+        """What angles are sorted by: the same in every ring."""
+        name = self._names.get(frequency)
+        if name is None:
+            name = self._names[frequency] = str(self.angle(frequency)[1])
+        return name
+
+    def _key(self, atom: Atom) -> tuple[str, bool]:
+        return self._name(atom.frequency), atom.sine
+
+    def _best(self, element: Element) -> tuple[Product, ...]:
+        parts = sorted(_parts(element), key=lambda part: (self._name(part[0]), part[2]))
+        plain = tuple(self._single(*part) for part in parts)
+        if len(plain) < 2:
+            return plain
+        divided = self._divided(element)
+        if divided is not None:
+            return divided
+        forms = (*self._joined(element, parts), *self._apart(parts), *self._separated(element))
+        return min((plain, *map(gathered, forms)), key=self._cost)
+
+    def _single(self, w: int, number: Fraction, sine: bool) -> Product:
+        """One term; sin 2u is 2 sin u cos u."""
+        if not w:
+            return Product(number)
+        half = self._basis.half(w) if sine else None
+        if half is None:
+            return Product(number, ((Atom(w, sine), 1),))
+        return self._sorted(2 * number, {Atom(half, True): 1, Atom(half, False): 1})
+
+    def _sorted(self, number: Fraction, powers: dict[Atom, int]) -> Product:
+        return Product(number, tuple(sorted(powers.items(), key=lambda p: self._key(p[0]))))
+
+    def atoms(self, element: Element) -> tuple[list[Atom], Element]:
+        """The sines and cosines that divide an element without making it longer, and what is left."""
+        atoms = []
+        while (found := self._division(element)) is not None:
+            atom, quotient = found
+            atoms.append(atom)
+            element = quotient * self._sign(atom)
+        return atoms, element
+
+    def _division(self, element: Element) -> tuple[Atom, Element] | None:
+        """The first atom that divides an element without making it longer, and the quotient.
+
+        A sine is divided by with the sign that SymPy gives it: the quotient is the same in every ring.
+        """
+        length = len(list(_parts(element)))
+        for u in self._halves(element):
+            for atom in (Atom(u, False), Atom(u, True)):
+                quotient = over_wave(element, u, atom.sine)
+                if quotient is not None and len(list(_parts(quotient))) <= length:
+                    return atom, quotient * self._sign(atom)
+        return None
+
+    def _divided(self, element: Element) -> tuple[Product, ...] | None:
+        """The element as the product of an atom that divides it and the quotient."""
+        found = self._division(element)
+        if found is None:
+            return None
+        atom, quotient = found
+        front = self._single(atom.frequency, Fraction(self._sign(atom)), atom.sine)
+        return gathered(self._product(front, p) for p in self.products(quotient))
+
+    def _product(self, p: Product, q: Product) -> Product:
+        powers = dict(p.powers)
+        for atom, e in q.powers:
+            powers[atom] = powers.get(atom, 0) + e
+        return self._sorted(p.number * q.number, powers)
+
+    def _halves(self, element: Element) -> list[int]:
+        """Half sums and half differences of the frequencies, the simplest first."""
+        frequencies = sorted({w for _, w in element.terms})
+        fine = not all(map(self._basis.is_whole, frequencies))
+        sums = {abs(a + b) for a in frequencies for b in (0, *frequencies, *(-w for w in frequencies))}
+        halves = {self._basis.half(w, fine) for w in sums if w}
+        return sorted((w for w in halves if w), key=lambda w: (self._weight(w), self._name(w)))
+
+    def _joined(self, element: Element, parts: list[Part]) -> Iterator[tuple[Product, ...]]:
+        """The element as a joined pair of terms and the rest; if long, one pair of equal coefficient."""
+        searched = len(parts) <= SEARCHED
+        for one, two in combinations(parts, 2):
+            alike = abs(one[1]) == abs(two[1])
+            constant = not (one[0] and two[0])
+            if one[2] != two[2] or not (alike or (searched and constant) or len(parts) == 2):
+                continue
+            for pair in self._pairs(one, two):
+                rest = element - pair
+                if rest:
+                    yield (*self.products(pair), *self.products(rest))
+                    if not searched:
+                        return
+
+    def _apart(self, parts: list[Part]) -> Iterator[tuple[Product, ...]]:
+        """The terms of equal coefficient each for themselves, or those of the same angles."""
+        for kind in (_size, _support):
+            classes: dict[object, list[Part]] = {}
+            for part in parts:
+                classes.setdefault(kind(part), []).append(part)
+            if len(classes) > 1:
+                sums = [self._basis.total(self._wave(*part) for part in members) for members in classes.values()]
+                yield tuple(p for element in sums for p in self.products(element))
+
+    def _wave(self, frequency: int, number: Fraction, sine: bool) -> Element:
+        return self._basis.circle(frequency, sine) * number
+
+    def _pairs(self, one: Part, two: Part) -> Iterator[Element]:
+        """c (cos w1 ± cos w2), or of sines, with c one of the coefficients, if the halves are whole."""
+        (w1, a, sine), (w2, b, _) = one, two
+        basis = self._basis
+        if basis.half(w1 + w2, fine=not (basis.is_whole(w1) and basis.is_whole(w2))) is None:
+            return
+        for size in sorted({abs(a), abs(b)}):
+            first, second = (size if a > 0 else -size), (size if b > 0 else -size)
+            yield self._wave(w1, first, sine) + self._wave(w2, second, sine)
+
+    def _separated(self, element: Element) -> Iterator[tuple[Product, ...]]:
+        """The element as a polynomial in sines and cosines of single angles, reduced by sin² + cos² = 1."""
+        frequencies = {w for _, w in element.terms}
+        angles = sorted({i for w in frequencies for i, _ in unpack(w)})
+        steps = [self._step(i, frequencies) for i in angles]
+        degree = dict(zip(angles, steps, strict=True))
+        highest = max(sum(abs(f) // degree[i] for i, f in unpack(w)) for w in frequencies)
+        if len(angles) > MOST_ANGLES or highest > HIGHEST_POWER:
+            return
+        units = [step << (WIDTH * i) for i, step in degree.items()]
+        for kept in product((False, True), repeat=len(angles)):
+            sums = separated(element, angles, steps, kept)
+            yield tuple(self._monomial(Fraction(n, element.denominator), units, p) for p, n in sums.items())
+
+    def _step(self, angle: int, frequencies: Iterable[int]) -> int:
+        """The frequency that the others of this angle are whole multiples of."""
+        whole = all(f % UNIT == 0 for w in frequencies for i, f in unpack(w) if i == angle)
+        return UNIT if whole else self._basis.steps[angle]
+
+    def _monomial(self, number: Fraction, units: Sequence[int], powers: Powers) -> Product:
+        atoms = {}
+        for unit, (cosines, sines) in zip(units, powers, strict=True):
+            atoms.update({Atom(unit, False): cosines, Atom(unit, True): sines})
+        return self._sorted(number, {atom: e for atom, e in atoms.items() if e})
+
+    def _cost(self, form: tuple[Product, ...]) -> tuple[object, ...]:
+        """Few products of few atoms first, then plus signs, small numbers, names."""
+        heavy = sum(self._weight(atom.frequency) + (e > 1) for p in form for atom, e in p.powers)
+        numbers = [p.number * prod(self._sign(atom) ** e for atom, e in p.powers) for p in form]
+        names = [tuple((self._key(atom), e) for atom, e in p.powers) for p in form]
+        size = sum(n * n for n in numbers)
+        return len(form), heavy, sum(n < 0 for n in numbers), size, sorted(zip(names, numbers, strict=True))
+
+    def _sign(self, atom: Atom) -> int:
+        return self.angle(atom.frequency)[0] if atom.sine else 1
+
+    def _weight(self, frequency: int) -> int:
+        """2 for cos θ, 4 for cos(θ - φ), 6 for cos 2θ and cos(2θ - φ)."""
+        places = unpack(frequency)
+        if any(abs(value) > UNIT for _, value in places):
+            return 6
+        return 2 if len(places) == 1 else 4
+
+
+def _size(part: Part) -> Fraction:
+    return abs(part[1])
+
+
+def _support(part: Part) -> tuple[int, ...]:
+    return tuple(i for i, _ in unpack(part[0]))
+
+
+def gathered(form: Iterable[Product]) -> tuple[Product, ...]:
+    """The sum with products of the same powers added up."""
+    numbers: dict[tuple[tuple[Atom, int], ...], Fraction] = {}
+    for p in form:
+        numbers[p.powers] = numbers.get(p.powers, Fraction(0)) + p.number
+    return tuple(Product(number, powers) for powers, number in numbers.items() if number)
+
+
+def _parts(element: Element) -> Iterator[Part]:
+    """The terms one by one: frequency, coefficient, whether it is a sine."""
+    for _, w, a, b in element.items():
+        if a:
+            yield w, a, False
+        if b:
+            yield w, b, True
+
+
+def separated(
+    element: Element, angles: Sequence[int], steps: Sequence[int], sines: Sequence[bool]
+) -> dict[Powers, int]:
+    """The numerators of a polynomial in cos and sin of single angles.
+
+    Even powers of the cosine are eliminated where `sines` says so, of the sine elsewhere.
+    """
+    total: dict[Powers, int] = {}
+    for (_, w), (a, b) in element.terms.items():
+        frequencies = dict(unpack(w))
+        partial: dict[Powers, Complex] = {(): (a, -b)}
+        for angle, step, sine in zip(angles, steps, sines, strict=True):
+            rotation = _rotation(frequencies.get(angle, 0) // step, sine)
+            partial = {
+                (*powers, power): (x * u - y * v, x * v + y * u)
+                for powers, (x, y) in partial.items()
+                for power, (u, v) in rotation.items()
+            }
+        for powers, (x, _) in partial.items():
+            total[powers] = total.get(powers, 0) + x
+    return {powers: x for powers, x in total.items() if x}
+
+
+@lru_cache(maxsize=256)
+def _rotation(n: int, sine: bool) -> dict[tuple[int, int], Complex]:
+    """(cos θ + i sin θ)^n as a polynomial: cos² is replaced by 1 - sin² (`sine`), or sin² by 1 - cos²."""
+    total: dict[tuple[int, int], Complex] = {}
+    for k in range(abs(n) + 1):
+        size = comb(abs(n), k) * (-1 if n < 0 and k % 2 else 1)
+        re, im = ((size, 0), (0, size), (-size, 0), (0, -size))[k % 4]
+        c, s = abs(n) - k, k
+        replaced = c if sine else s
+        for j in range(replaced // 2 + 1):
+            sign = comb(replaced // 2, j) * (-1) ** j
+            power = (c % 2, s + 2 * j) if sine else (c + 2 * j, s % 2)
+            x, y = total.get(power, (0, 0))
+            total[power] = (x + re * sign, y + im * sign)
+    return {power: z for power, z in total.items() if z != (0, 0)}

@@ -1,0 +1,92 @@
+"""What multiplying out has spoilt: sin² + cos², and differences of coordinates.
+
+A file says `cross(omega, r)` or `dot(r', n)`; the components come out with sin²φ sin θ + cos²φ sin θ, or with
+sin θ sin(θ + φ) + cos θ cos(θ + φ), which nobody would write. An expression with such products is put into textbook
+form, and that is kept where it is shorter. What has no such products stays as the file has it.
+
+A function of x₂ − x₁ alone does not change when both grow alike, ∂e/∂x₁ + ∂e/∂x₂ = 0; then e is e(0, x₂ − x₁).
+
+And cos w/sin w is written cot w, where it is to be read and not worked with.
+
+Only short expressions are tidied: multiplied out, (x + y + z)^20 has 231 terms, and a file can write much longer ones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import combinations
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.expression_size import Measures
+
+LARGEST = 600
+"""Nodes of an expression that is still tidied."""
+
+MOST_TERMS = 60
+"""Terms that any part of it has when it is multiplied out."""
+
+
+def is_short(expression: sp.Expr) -> bool:
+    """Whether multiplying out and factoring take little time."""
+    measure = Measures().of(expression)
+    return measure.size <= LARGEST and measure.widest <= MOST_TERMS
+
+
+def tidied(expression: sp.Expr) -> sp.Expr:
+    """The expression, shorter where sin² + cos² = 1 or cos(a − b) = cos a cos b + sin a sin b makes it so."""
+    if not is_short(expression) or _degree(expression, sp.sin) < 2 or _degree(expression, sp.cos) < 2:
+        return expression
+    form = textbook_form(expression)
+    return form if form.count_ops() < expression.count_ops() else expression
+
+
+def _degree(expression: sp.Expr, function: type[sp.Function]) -> int:
+    """How many sines, or cosines, are multiplied in one term, at most."""
+    if isinstance(expression, function):
+        return 1
+    if expression.is_Add:
+        return max(_degree(term, function) for term in expression.args)
+    if expression.is_Mul:
+        return sum(_degree(f, function) for f in expression.args)
+    if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:
+        return int(expression.exp) * _degree(expression.base, function)
+    return 0
+
+
+def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.Expr:
+    """x₁² − 2x₁ x₂ + x₂² as (x₂ − x₁)², factored, where that is shorter. Rational functions of the coordinates only."""
+    if not is_short(expression):
+        return expression
+    used = [q for q in coordinates if q in expression.free_symbols]
+    if not expression.is_rational_function(*used):
+        return expression
+    rest, differences = expression, {}
+    for a, b in combinations(used, 2):
+        if {a, b} <= rest.free_symbols and is_zero(rest.diff(a) + rest.diff(b)):
+            difference = sp.Dummy(real=True)
+            rest = rest.xreplace({a: sp.S.Zero, b: difference})
+            differences[difference] = b - a
+    found = sp.factor(rest).xreplace(differences) if differences else expression
+    return found if found.count_ops() < expression.count_ops() else expression
+
+
+def with_cotangents(expression: sp.Expr) -> sp.Expr:
+    """cos w/sin w written as cot w, in every product."""
+    if not expression.args or not expression.has(sp.sin):
+        return expression
+    found = [with_cotangents(a) for a in expression.args]
+    rebuilt = expression if found == list(expression.args) else expression.func(*found)
+    if not rebuilt.is_Mul:
+        return rebuilt
+    powers = dict(f.as_base_exp() for f in rebuilt.args)
+    for sine, below in list(powers.items()):
+        if isinstance(sine, sp.sin) and below.is_Integer and below < 0:
+            cosine = sp.cos(sine.args[0])
+            above = powers.get(cosine, sp.S.Zero)
+            if above.is_Integer and above > 0:
+                common = min(above, -below)
+                powers |= {sine: below + common, cosine: above - common, sp.cot(sine.args[0]): common}
+    return sp.Mul(*(b**e for b, e in powers.items()))

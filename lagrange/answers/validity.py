@@ -1,0 +1,290 @@
+"""Where an answer says as much as the equations of motion: what must not vanish for it.
+
+An equation of an answer is a combination Σ c_k E_k of the derived ones, with c_k that depend on the state. Where all of
+them vanish it says nothing; where one has a pole it is not defined, or says more:
+
+    θ' (m l² θ'' + m g l sin θ) = 0     c = θ',        valid where θ' ≠ 0
+    θ'' / sin θ + g/l = 0               c = 1/(m l² sin θ),  valid where sin θ ≠ 0
+
+Which c_k are zero is seen at a random state. An equation that is a multiple of one E_k has the ratio of two
+coefficients for its factor; several that mix them have the determinant of their coefficients, against that of the
+derived ones, det(C A) / det A = det C, as long as the determinants are small. A factor is named only where it can
+vanish: on the surface of the constraints, at a real point.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import (
+    DivisionByZeroError,
+    InadmissibleError,
+    NoPointError,
+    Point,
+    Surface,
+    UnsupportedError,
+    has_real_point,
+)
+from lagrange.algebra.fourier.common_factor import as_term
+from lagrange.algebra.fourier.terms import Factors, common_powers, divided, multiplied, number_apart
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.expression_size import Measures
+from lagrange.core.records import record
+from lagrange.core.symbols import partial
+from lagrange.mechanics.dynamics.comparison import System, affine_rows, state, symbols_of
+
+_LONGEST = 24  # terms of a factor that is brought to textbook form, multiplied out
+_LONGEST_NAMED = 60  # parts of a factor that is named
+_LARGEST = 4  # unknowns of a determinant
+_MOST_FACTORS = 8
+
+_BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
+
+
+@record
+class Condition:
+    """`factor` must not vanish, for an equation is multiplied by it (or divided).
+
+    together  it is the determinant of all equations that vanishes: they do not determine the accelerations there
+
+    Without a factor it is too long to be named, or to see whether it can vanish.
+    """
+
+    factor: sp.Expr | None
+    divided: bool = False
+    together: bool = False
+
+
+def conditions(equations: Sequence[sp.Expr], system: System, *, complete: bool = True) -> list[tuple[Condition, ...]]:
+    """What must not vanish for each of some equations, each zero, that follow from a system and are independent.
+
+    complete  they are all there is: no other equation determines the accelerations where these do not
+
+    Nothing is said of an equation where that cannot be found within bounds.
+    """
+    try:
+        combinations = system.configuration.states.sampled(lambda p: _combinations(p, equations, system), 1)[0]
+    except (NoPointError, UnsupportedError, DivisionByZeroError):
+        return [()] * len(equations)
+    found = _Validity(equations, system, combinations).conditions()
+    return [tuple(c for c in own if complete or not c.together) for own in found]
+
+
+@record
+class _Combination:
+    """An equation as one of constraints and derived equations.
+
+    parts    the numbers of the derived equations that take part
+    pure     no constraint takes part
+    columns  the unknowns that the equation has
+    """
+
+    parts: tuple[int, ...]
+    pure: bool
+    columns: frozenset[int]
+
+
+def _combinations(point: Point, equations: Sequence[sp.Expr], system: System) -> list[_Combination]:
+    """What each equation is made of, at one state."""
+    constraints = system.accelerated_constraints
+    unknowns = _unknowns(system)
+    moving = state(point, system.configuration, symbols_of((*equations, *system.equations, *constraints)))
+    known = affine_rows(moving, (*constraints, *system.equations), unknowns)
+    rows = moving.affine(equations, unknowns)
+    if rows is None:
+        raise UnsupportedError("not linear")
+    transposed: list[list[Any]] = [list(column) for column in zip(*known, strict=True)]
+    vanishes = moving.arithmetic.vanishes
+    found = []
+    for row in rows:
+        c = moving.solution(transposed, row)
+        if c is None:
+            raise InadmissibleError
+        used = [n for n, x in enumerate(c) if not vanishes(x)]
+        parts = tuple(n - len(constraints) for n in used if n >= len(constraints))
+        columns = frozenset(j for j, x in enumerate(row[:-1]) if not vanishes(x))
+        found.append(_Combination(parts, len(parts) == len(used), columns))
+    return found
+
+
+def _unknowns(system: System) -> tuple[sp.Symbol, ...]:
+    return (*system.multipliers, *system.configuration.slots.accelerations)
+
+
+class _Validity:
+    """One answer against one system."""
+
+    def __init__(self, equations: Sequence[sp.Expr], system: System, combinations: Sequence[_Combination]) -> None:
+        self.equations = equations
+        self.system = system
+        self.combinations = combinations
+        self.unknowns = _unknowns(system)
+        self.measures = Measures()
+        self._known: dict[sp.Expr, Factors] = {}
+        self.never = {f for e in system.equations for f in self._below(e)}
+
+    def conditions(self) -> list[tuple[Condition, ...]]:
+        """What must not vanish for each equation."""
+        factors = [self._own(e, c) for e, c in zip(self.equations, self.combinations, strict=True)]
+        mixed = [n for n, c in enumerate(self.combinations) if not self._is_multiple(c)]
+        rest = divided(self._determinant(mixed), _product(factors[n] for n in mixed)) if mixed else {}
+        found = []
+        for n, e in enumerate(self.equations):
+            said = {f: Condition(f, divided=power < 0) for f, power in factors[n].items()}
+            said = {f: Condition(f, divided=True) for f in self._below(e)} | said
+            if n in mixed[-1:]:
+                said = {f: Condition(f, divided=power < 0, together=power > 0) for f, power in rest.items()} | said
+            named = (replace(c, factor=None) if self._is_long(f) else c for f, c in [*said.items()][:_MOST_FACTORS])
+            found.append(tuple(dict.fromkeys(c for c in named if c.factor is None or self._counts(c.factor))))
+        return found
+
+    def _is_multiple(self, c: _Combination) -> bool:
+        return c.pure and len(c.parts) == 1
+
+    def _own(self, equation: sp.Expr, c: _Combination) -> Factors:
+        """The factor of one equation: of a multiple of E_k the ratio, of another what its coefficients share."""
+        mine = {j: self._coefficient(equation, j) for j in sorted(c.columns)}
+        if not mine:
+            return {}
+        if self._is_multiple(c):
+            theirs = {j: self._coefficient(self.system.equations[c.parts[0]], j) for j in mine}
+            j = min(mine, key=lambda j: self._size(mine[j]) + self._size(theirs[j]))
+            return divided(self._powers(mine[j]), self._powers(theirs[j]))
+        shared = _common(self._powers(a) for a in mine.values())
+        for k in c.parts:
+            all_of_it = (self._coefficient(self.system.equations[k], j) for j in range(len(self.unknowns)))
+            theirs_shared = _common(self._powers(a) for a in all_of_it if a != 0)
+            shared = {f: p for f, p in shared.items() if p > 0 and f not in theirs_shared}
+        return shared
+
+    def _determinant(self, mixed: Sequence[int]) -> Factors:
+        """det C of a complete answer; multiples of one E_k count as that, so that only what is mixed is left.
+
+        Where an answer has eliminated the multipliers, det C is known but for what vanishes where det A does.
+        """
+        rows = [e if n in mixed else self.system.equations[self.combinations[n].parts[0]]
+                for n, e in enumerate(self.equations)]  # fmt: skip
+        rows += self.system.accelerated_constraints
+        columns = list(range(len(self.unknowns)))
+        head = len(self.system.multipliers)
+        eliminated = head and not any(self.unknowns[j] in e.free_symbols for e in rows for j in range(head))
+        if eliminated:
+            columns = columns[head:]
+        if len(rows) != len(columns) or len(columns) > _LARGEST:
+            return {}
+        mine = self._powers(self._expanded(rows, columns))
+        derived = [*self.system.equations, *self.system.accelerated_constraints]
+        if len(derived) != len(self.unknowns) or len(derived) > _LARGEST + 1:
+            return {f: p for f, p in mine.items() if p > 0}
+        theirs = self._powers(self._expanded(derived, range(len(self.unknowns))))
+        if eliminated:
+            return {f: p for f, p in mine.items() if p > 0 and f not in theirs}
+        return divided(mine, theirs)
+
+    def _expanded(self, rows: Sequence[sp.Expr], columns: Iterable[int]) -> sp.Expr:
+        """The determinant of the coefficients of some unknowns, expanded by the first row again and again."""
+        return _determinant([[self._coefficient(e, j) for j in columns] for e in rows])
+
+    def _coefficient(self, equation: sp.Expr, column: int) -> sp.Expr:
+        """∂e/∂u, where e is affine in u: written as e is, with nothing multiplied out."""
+        u = self.unknowns[column]
+        if u not in equation.free_symbols:
+            return sp.S.Zero
+        return partial(equation, u)
+
+    def _size(self, e: sp.Expr) -> int:
+        return self.measures.of(e).size
+
+    def _powers(self, e: sp.Expr) -> Factors:
+        """The factors of an expression."""
+        if e not in self._known:
+            powers: Factors = {}
+            for factor, exponent in as_term(e).factors.items():
+                inside = self._pieces(factor)
+                powers = multiplied(powers, {f: exponent * p for f, p in inside.items()})
+            self._known[e] = powers
+        return self._known[e]
+
+    def _pieces(self, e: sp.Expr) -> Factors:
+        """The factors of what is no product itself, in textbook form where that is not long."""
+        measure = self.measures.of(e)
+        if e.is_Symbol or measure.widest > _LONGEST or measure.size > 4 * _LONGEST_NAMED:
+            return {e: 1}
+        form = textbook_form(e)
+        if form == 0 or not form.is_Add:
+            return {_signed(f): p for f, p in as_term(form).factors.items()}
+        terms = [as_term(summand).factors for summand in form.args]
+        shared = common_powers(terms)
+        _, rest = number_apart(sp.Add(*(sp.Mul(s, *(f**-p for f, p in shared.items())) for s in form.args)))
+        return multiplied(shared, {_signed(rest): 1})
+
+    def _below(self, e: sp.Expr) -> Iterator[sp.Expr]:
+        """What an expression, as it is written, divides by."""
+        stack, seen = [e], {e}
+        while stack:
+            part = stack.pop()
+            if isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.is_negative:
+                yield from self._powers(part.base)
+            elif type(part) in _BELOW:
+                yield from self._powers(_BELOW[type(part)](part.args[0]))
+            stack += [a for a in part.args if a not in seen]
+            seen.update(part.args)
+
+    def _is_long(self, factor: sp.Expr) -> bool:
+        return self._size(factor) > _LONGEST_NAMED and factor not in self.never
+
+    def _counts(self, factor: sp.Expr) -> bool:
+        """Whether a factor can vanish where the derived equations are defined."""
+        if factor.is_nonzero or factor in self.never:
+            return False
+        configuration = self.system.configuration
+        if not configuration.rows and (factor.is_Symbol or _is_wave(factor)):
+            return True
+        slots = configuration.slots
+        rates = factor.free_symbols & {*slots.velocities}
+        if not rates | factor.free_symbols & {*slots.coordinates} or (factor.is_Symbol and rates):
+            return True
+        rows = [r.velocity_form(slots) for r in configuration.rows] if rates else []
+        unknowns = (*slots.coordinates, *slots.velocities) if rates else slots.coordinates
+        try:
+            return has_real_point(Surface((*configuration.finite_constraints, *rows, factor), unknowns))
+        except (UnsupportedError, DivisionByZeroError):
+            return False
+
+
+def _determinant(rows: list[list[sp.Expr]]) -> sp.Expr:
+    if not rows:
+        return sp.S.One
+    first, *others = rows
+    terms = []
+    for j, a in enumerate(first):
+        if a != 0:
+            minor = _determinant([[*r[:j], *r[j + 1 :]] for r in others])
+            terms.append(sp.Mul((-1) ** j, a, minor))
+    return sp.Add(*terms)
+
+
+def _common(powers: Iterable[Factors]) -> Factors:
+    listed = list(powers)
+    return common_powers(listed) if listed else {}
+
+
+def _product(factors: Iterable[Factors]) -> Factors:
+    product: Factors = {}
+    for f in factors:
+        product = multiplied(product, f)
+    return product
+
+
+def _signed(e: sp.Expr) -> sp.Expr:
+    """A sum without its sign."""
+    return -e if e.is_Add and e.could_extract_minus_sign() else e
+
+
+def _is_wave(e: sp.Expr) -> bool:
+    """Whether this is a sine or cosine of something that moves freely."""
+    return isinstance(e, sp.sin | sp.cos) and bool(e.free_symbols)

@@ -1,0 +1,124 @@
+"""What `import lagrange` offers: a problem is loaded, solved, and answers to it are checked.
+
+    problem = lagrange.load("ex11-ideal-pendulum")
+    result = lagrange.solve(problem)
+    lagrange.check(result, "l theta'' + g sin theta = 0").verdict
+
+Whatever is wrong with a problem is a `ProblemError`, whose text is what the command prints.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import IO
+
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.references import reference_of_solution
+from lagrange.answers.verdicts import CheckedAnswer
+from lagrange.api.judgement import Judgement
+from lagrange.api.result import Result
+from lagrange.api.sympy_answers import answer_of
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
+from lagrange.explain.report import report
+from lagrange.mechanics.dynamics.motion import Method
+from lagrange.problem.library import named, path_of
+from lagrange.problem.loader import read_problem, read_source
+from lagrange.problem.model import Answers, Problem
+from lagrange.problem.yaml_nodes import decode
+from lagrange.render.verdict import notation_of_problem
+
+ENDINGS = (".yaml", ".yml")
+
+
+def load(problem: str | os.PathLike[str] | IO[str] | IO[bytes]) -> Problem:
+    """The problem of a file, or of the shipped library.
+
+    problem  a path, an open file, or the name of a shipped problem: "ex11-ideal-pendulum", "ex11" where that is clear
+
+    Raises ProblemError with all mistakes of the file, or where there is none.
+    """
+    if isinstance(problem, str):
+        return read_problem(_named(problem))
+    if isinstance(problem, os.PathLike):
+        return read_problem(read_source(Path(problem)))
+    if not hasattr(problem, "read"):
+        raise TypeError(f"`load` takes a path, an open file or a name, and not {type(problem).__name__}")
+    read, name = problem.read(), str(getattr(problem, "name", "the file"))
+    return read_problem(decode(read.encode() if isinstance(read, str) else read, name))
+
+
+def _named(name: str) -> Source:
+    """A file, or else a problem of the library."""
+    if "\n" in name:
+        message = "a text is not the name of a problem"
+        raise ProblemError(
+            Diagnostic("no-such-problem", message, help="`lagrange.loads` reads a problem from its text")
+        )
+    as_file = name.endswith(ENDINGS) or os.path.exists(name)
+    if as_file and not (os.path.isdir(name) and named(name)):
+        return read_source(Path(name))
+    return read_source(path_of(name))
+
+
+def loads(text: str, name: str = "problem") -> Problem:
+    """The problem that a text states; `name` is what messages call it. Raises ProblemError with all its mistakes."""
+    return read_problem(Source(name, text.replace("\r\n", "\n").replace("\r", "\n")))
+
+
+def solve(problem: Problem, choice: str | None = None, *, method: str = "dalembert") -> Result:
+    """A problem, solved, checked and explained.
+
+    choice  only this choice of generalized coordinates
+    method  by what equations of motion are derived: "dalembert", or "lagrange" for T, V and Lagrange's equations
+
+    Raises ProblemError where the problem contradicts itself; UndecidedError and NotCoveredError, which are
+    ProblemErrors, where it cannot be solved; ValueError where there is no such method. Whether the checks held is
+    `holds` of the result.
+    """
+    _check_problem(problem, "solve")
+    if method not in [*Method]:
+        raise ValueError(f"there is no method `{method}`; the methods are {', '.join(Method)}")
+    return Result(report(problem, choice, method=Method(method)))
+
+
+def check(problem: Problem | Result, equations: object = None) -> Judgement:
+    """The verdict on somebody's equations.
+
+    problem    or its result, where it has been solved already
+    equations  one, or a list, tuple or matrix of them: texts, plain or in LaTeX, and SymPy's `Eq`, or expressions that
+               vanish, in symbols of the problem or in functions of time with `Derivative`. Lists in a list are
+               alternatives, of an equilibrium. None: what the problem file itself states.
+
+    An equation that cannot be read is part of the verdict. Raises ProblemError where the problem cannot be solved, or
+    there is nothing to compare.
+    """
+    if isinstance(problem, Result):
+        examiner = Examiner(problem.problem, problem.solution)
+    else:
+        _check_problem(problem, "check")
+        examiner = Examiner.of(problem)
+    found = _checked(examiner, equations)
+    derived = examiner.revealed(found) if found.equations.equations else ()
+    return Judgement(
+        found.equations, found.others, found.statics, found.reactions, problem=examiner.problem, derived=derived
+    )
+
+
+def _checked(examiner: Examiner, equations: object) -> CheckedAnswer:
+    if equations is None:
+        return examiner.check_own()
+    solution = examiner.solution
+    scope = examiner.reference.scope if solution is None else reference_of_solution(solution).scope
+    notation = notation_of_problem(examiner.problem)
+    if isinstance(equations, list | tuple) and equations and all(isinstance(e, list | tuple) for e in equations):
+        alternatives = tuple(answer_of(part, scope, notation) for part in equations)
+        return examiner.check_answers(Answers(equilibrium=alternatives))
+    return examiner.check(answer_of(equations, scope, notation))
+
+
+def _check_problem(problem: object, called: str) -> None:
+    """Refuses what is not a problem: mostly its name."""
+    if not isinstance(problem, Problem):
+        meant = f": lagrange.{called}(lagrange.load({problem!r}))" if isinstance(problem, str | Path) else ""
+        raise TypeError(f"`{called}` takes a problem, and not {type(problem).__name__}{meant}")

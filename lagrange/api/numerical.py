@@ -1,0 +1,281 @@
+"""The equations of motion as a function that a computer integrates: dy/dt = f(t, y).
+
+The linear equations for accelerations and multipliers are solved in numbers at each call, never in symbols
+(`first_order`). The code that Python compiles (`sympy.lambdify`) has no name in it that a file declares: every symbol
+has been replaced by y0, y1, ... before.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, SupportsFloat
+
+import sympy as sp
+
+from lagrange.api.first_order import FirstOrder
+from lagrange.api.given_functions import Given, with_given
+from lagrange.core.diagnostics import nearest
+from lagrange.core.symbols import t
+from lagrange.problem.model import Assumption, Parameter
+
+MODULES = ("math", "numpy")
+Values = Mapping[str | sp.Symbol, SupportsFloat]
+Vector = Sequence[float]
+Solve = Callable[[list[list[float]], list[float]], Any]
+SMALLEST = 1e-14
+"""A pivot that is smaller, where the largest entry of each row is 1, is one that vanishes."""
+
+
+class RightHandSide:
+    """f(t, y) = dy/dt, ready for `scipy.integrate.solve_ivp` and whatever else integrates.
+
+    names       what the components of y are: ("theta", "theta'"), shape (n + p,)
+    values      the numbers that stand for parameters, by name
+
+    Called with t and y of shape (n + p,) it returns dy/dt of that shape: a list of floats, with `module="numpy"` an
+    array. It raises ArithmeticError where the accelerations are not determined, or not finite.
+    """
+
+    def __init__(
+        self,
+        equations: FirstOrder,
+        parameters: Sequence[Parameter],
+        values: Values,
+        functions: Mapping[str, Given],
+        module: str = "math",
+        unknowns: Sequence[sp.Symbol] = (),
+    ) -> None:
+        if module not in MODULES:
+            raise ValueError(f"`module` is one of {', '.join(map(repr, MODULES))}, and not {module!r}")
+        self.names: tuple[str, ...] = tuple(s.name for s in equations.state)
+        self._equations = equations
+        size = len(equations.unknowns)
+        flat = [e for row in equations.matrix for e in row]
+        whole = [*equations.rates, *flat, *equations.right, *equations.constraints]
+        self._code = _Code(equations, functions, parameters, values, module, unknowns)
+        run = self._code.compiled(whole)
+        self.values: Mapping[str, float] = self._code.values
+        n = len(equations.rates)
+
+        def parts(time: float, y: Vector) -> tuple[list[float], list[list[float]], list[float], list[float]]:
+            numbers = run(time, y)
+            matrix = [numbers[k : k + size] for k in range(n, n + size * size, size)]
+            right = numbers[n + size * size : n + size * size + size]
+            return numbers[:n], matrix, right, numbers[n + size * size + size :]
+
+        self._parts = parts
+        self._solved, self._listed = (_in_arrays if module == "numpy" else _in_lists)()
+
+    def __call__(self, time: float, y: Vector) -> Any:
+        """dy/dt, shape (n + p,)."""
+        rates, matrix, right, _ = self._parts(time, y)
+        speeds = len(self._equations.speeds)
+        found = [float(x) for x in (*rates, *self._unknowns(time, matrix, right)[:speeds])]
+        return self._listed(found)
+
+    def __repr__(self) -> str:
+        listed = ", ".join(f"{name}={value:g}" for name, value in self.values.items())
+        return f"<f(t, y) with y = ({', '.join(self.names)}); {listed}>"
+
+    def state(self, values: Mapping[str | sp.Symbol, SupportsFloat]) -> list[float]:
+        """y from values by name; what is left out is 0. Raises ValueError where a name is not in y."""
+        given = {str(k): float(v) for k, v in values.items()}
+        for name in given:
+            if name not in self.names:
+                raise ValueError(f"`{name}` is no component of y, which has {', '.join(self.names)}")
+        return [given.get(name, 0.0) for name in self.names]
+
+    def multipliers(self, time: float, y: Vector) -> dict[str, float]:
+        """The multipliers of the constraints that these coordinates do not satisfy by themselves, by name."""
+        _, matrix, right, _ = self._parts(time, y)
+        speeds = len(self._equations.speeds)
+        found = self._unknowns(time, matrix, right)[speeds:]
+        return {s.name: float(v) + 0.0 for s, v in zip(self._equations.unknowns[speeds:], found, strict=True)}
+
+    def violation(self, time: float, y: Vector) -> list[float]:
+        """What the constraints are off by: g and dg/dt of each finite relation g = 0, φ of each other constraint φ = 0.
+
+        It should vanish in the state that an integration begins with.
+        """
+        return [float(x) for x in self._parts(time, y)[3]]
+
+    def function(self, expression: sp.Expr) -> Callable[[float, Vector], float]:
+        """An expression of coordinates, velocities, accelerations, multipliers, t and parameters, as a function (t, y).
+
+        Symbols are known by their names: `Symbol("theta'")` is the velocity.
+
+        Raises ValueError where there is something else in it.
+        """
+        equations = self._equations
+        slots = equations.slots
+        meant = {s.name: s for s in (t, *equations.state, *slots.velocities, *equations.unknowns)}
+        written = sp.sympify(expression, strict=True)
+        written = written.xreplace({s: meant[s.name] for s in written.free_symbols if s.name in meant})
+        written = written.xreplace(dict(zip(slots.velocities, equations.rates, strict=True)))
+        wanted = written.free_symbols & set(equations.unknowns)
+        run = self._code.compiled([written], equations.unknowns)
+
+        def value(time: float, y: Vector) -> float:
+            unknowns: Sequence[float] = [0.0] * len(equations.unknowns)
+            if wanted:
+                _, matrix, right, _ = self._parts(time, y)
+                unknowns = self._unknowns(time, matrix, right)
+            return float(run(time, y, unknowns)[0])
+
+        return value
+
+    def _unknowns(self, time: float, matrix: list[list[float]], right: list[float]) -> Any:
+        try:
+            found = self._solved(matrix, right)
+        except ZeroDivisionError:
+            raise ArithmeticError(f"at t = {float(time):g} the accelerations are not determined") from None
+        if not all(map(math.isfinite, found)):
+            raise ArithmeticError(f"at t = {float(time):g} the accelerations are not finite")
+        return found
+
+
+class _Code:
+    """Expressions as functions of t, y and the unknowns, with numbers for parameters.
+
+    Raises ValueError where a number is missing, or is not one that the problem admits.
+    """
+
+    def __init__(
+        self,
+        equations: FirstOrder,
+        functions: Mapping[str, Given],
+        parameters: Sequence[Parameter],
+        values: Values,
+        module: str,
+        forces: Sequence[sp.Symbol],
+    ) -> None:
+        self._equations, self._functions, self._module = equations, functions, module
+        self._forces = forces
+        self._parameters = {p.symbol.name: p for p in parameters}
+        given = {str(name): _number(str(name), v) for name, v in values.items()}
+        defaults = {p.symbol.name: float(p.value) for p in parameters if p.value is not None}
+        self.values = {**defaults, **given}
+        self._given = set(given)
+        self._known: set[str] = {*self._parameters}
+        for name, number in given.items():
+            if name in self._parameters:
+                _check_assumption(self._parameters[name], number)
+
+    def compiled(
+        self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol] = ()
+    ) -> Callable[..., list[float]]:
+        """run(t, y) or run(t, y, unknowns), which gives a list of numbers."""
+        first = not unknowns
+        written, calls = with_given(expressions, self._functions, self._equations.slots, self._forces)
+        arguments = [t, *self._equations.state, *unknowns]
+        used = set().union(*(e.free_symbols for e in written)) if written else set()
+        others = sorted(used - set(arguments), key=lambda s: str(s.name))
+        self._check_values(others, first)
+        stand_ins = {s: sp.Symbol(f"y{k}", real=True) for k, s in enumerate((*arguments, *others))}
+        plain = [e.xreplace(stand_ins) for e in written]
+        compiled = sp.lambdify([*stand_ins.values()], plain, [calls, self._module], cse=True)
+        constants = [self.values[s.name] for s in others]
+        size = len(self._equations.state)
+
+        def run(time: float, y: Vector, solved: Vector = ()) -> list[float]:
+            if len(y) != size:
+                raise ValueError(f"y has {size} components, and {len(y)} are given")
+            found: list[float] = compiled(time, *y, *solved, *constants)
+            return found
+
+        return run
+
+    def _check_values(self, needed: Sequence[sp.Symbol], all_known: bool) -> None:
+        """What stands in the equations has a number; what has a number stands in the problem."""
+        names = {s.name for s in needed}
+        known = self._known | names
+        strange = sorted(self._given - known) if all_known else []
+        if strange:
+            near = nearest(strange[0], known)
+            listed = f"did you mean `{near}`?" if near else f"known are {', '.join(sorted(known))}"
+            raise ValueError(f"there is no parameter `{strange[0]}`; {listed}")
+        moving = {*self._equations.slots.velocities, *self._equations.slots.accelerations}
+        foreign = [s for s in needed if s in moving]
+        missing = [s for s in needed if s.name not in self.values and s not in foreign]
+        if foreign:
+            raise ValueError(f"`{foreign[0]}` is not known in this state, which has {', '.join(self._names)}")
+        if missing:
+            what = ", ".join(_described(s, self._parameters) for s in missing)
+            raise ValueError(f"a number is needed for {what}: right_hand_side({{{missing[0].name!r}: ...}})")
+        self._known |= names
+
+    @property
+    def _names(self) -> list[str]:
+        return [s.name for s in self._equations.state]
+
+
+def _described(symbol: sp.Symbol, parameters: Mapping[str, Parameter]) -> str:
+    found = parameters.get(symbol.name)
+    return f"`{symbol}` ({found.meaning})" if found and found.meaning else f"`{symbol}`"
+
+
+def _number(name: str, value: SupportsFloat) -> float:
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"`{name}` needs a number, and {value!r} is none") from None
+    if not math.isfinite(number):
+        raise ValueError(f"`{name}` needs a number, and {value!r} is none")
+    return number
+
+
+def _check_assumption(parameter: Parameter, number: float) -> None:
+    """Refuses a number that contradicts what the derivation has assumed."""
+    allowed = {
+        Assumption.POSITIVE: number > 0,
+        Assumption.NONNEGATIVE: number >= 0,
+        Assumption.SIGN: abs(number) == 1,
+        Assumption.REAL: True,
+    }
+    if not allowed[parameter.assume]:
+        is_sign = parameter.assume is Assumption.SIGN
+        what = "+1 or -1" if is_sign else parameter.assume.value
+        help_ = "" if is_sign else f"; declare it as `{parameter.symbol}: real`"
+        raise ValueError(f"`{parameter.symbol}` is {what} in the problem, and {number:g} is not{help_}")
+
+
+def _solved(matrix: list[list[float]], right: list[float]) -> list[float]:
+    """x with matrix · x = right, by elimination with partial pivoting. Raises ZeroDivisionError where there is none."""
+    rows = []
+    for row, b in zip(matrix, right, strict=True):
+        size = max(map(abs, row))
+        rows.append([x / size for x in (*row, b)])
+    count = len(rows)
+    for k in range(count):
+        best = max(range(k, count), key=lambda r: abs(rows[r][k]))
+        if not abs(rows[best][k]) > SMALLEST:
+            raise ZeroDivisionError
+        rows[k], rows[best] = rows[best], rows[k]
+        pivot = rows[k]
+        for r in range(k + 1, count):
+            share = rows[r][k] / pivot[k]
+            if share:
+                rows[r] = [a - share * b for a, b in zip(rows[r], pivot, strict=True)]
+    found = [0.0] * count
+    for k in reversed(range(count)):
+        known = math.fsum(rows[k][j] * found[j] for j in range(k + 1, count))
+        found[k] = (rows[k][-1] - known) / rows[k][k]
+    return found
+
+
+def _in_lists() -> tuple[Solve, Callable[[list[float]], Any]]:
+    return _solved, list
+
+
+def _in_arrays() -> tuple[Solve, Callable[[list[float]], Any]]:
+    """Raises ImportError where NumPy is not installed."""
+    import numpy
+
+    def solved(matrix: list[list[float]], right: list[float]) -> Any:
+        try:
+            return numpy.linalg.solve(numpy.array(matrix, dtype=float), numpy.array(right, dtype=float))
+        except numpy.linalg.LinAlgError:
+            raise ZeroDivisionError from None
+
+    return solved, numpy.array

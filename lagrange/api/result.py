@@ -1,0 +1,176 @@
+"""What `lagrange.solve` gives: all that was found, by the names of the field."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import cached_property
+from types import MappingProxyType
+
+import sympy as sp
+
+from lagrange.answers.verdicts import ComparedAnswer
+from lagrange.api.formulation import Formulation
+from lagrange.core.diagnostics import Diagnostic, suggestion
+from lagrange.core.records import record
+from lagrange.document.derivation import Derivation, Detail
+from lagrange.explain.report import Report
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
+from lagrange.mechanics.dynamics.verification import Check
+from lagrange.mechanics.solution import Solution
+from lagrange.problem.model import Problem
+
+FORMATS = ("pretty", "latex", "markdown", "html", "json")
+
+
+@record
+class Result:
+    """A problem, solved and explained: n coordinates in the file, m constraints.
+
+    `own` and `choices` have equations of motion, reactions and what is conserved, each in one set of coordinates;
+    `result["angle"]` is the choice `angle`, `result[""]` the file's own coordinates. A notebook shows the derivation.
+    """
+
+    report: Report
+
+    @property
+    def problem(self) -> Problem:
+        """The problem."""
+        return self.solution.problem
+
+    @property
+    def solution(self) -> Solution:
+        """Everything that was found, as the stages of the derivation have left it."""
+        return self.report.solution
+
+    @property
+    def classification(self) -> Classification:
+        """`holonomic`, `scleronomic`, `catastatic` (None: undecided), `rank`, `hidden` relations, ..."""
+        return self.solution.classification
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """The number of independent virtual displacements."""
+        return self.classification.degrees_of_freedom
+
+    @property
+    def constraints(self) -> tuple[ConstraintAnalysis, ...]:
+        """What each constraint is, shape (m,): `row` its form, `integrable`, `integral`, `exactness`, ..."""
+        return self.classification.constraints
+
+    @property
+    def possible_displacements(self) -> tuple[sp.Expr, ...]:
+        """Σ a_k d(q_k) + a_t d(t) of each constraint, each zero, shape (m,)."""
+        return tuple(possible_displacement(r, self.problem.slots) for r in self.classification.rows)
+
+    @property
+    def virtual_displacements(self) -> tuple[sp.Expr, ...]:
+        """Σ a_k delta(q_k) of each constraint, each zero, shape (m,)."""
+        return tuple(virtual_displacement(r, self.problem.slots) for r in self.classification.rows)
+
+    @property
+    def dependent_displacements(self) -> Mapping[sp.Symbol, sp.Expr]:
+        """Each dependent delta(q) in terms of the independent ones."""
+        return self.solution.elimination.solved(self.problem.slots)
+
+    @property
+    def newton(self) -> tuple[sp.Eq, ...]:
+        """Newton's law with reactions, component by component; empty where coordinates give no free bodies."""
+        law = self.solution.law
+        pairs = (law.newton.equations if law else None) or ()
+        return tuple(sp.Eq(a, b, evaluate=False) for a, b in pairs)
+
+    @cached_property
+    def own(self) -> Formulation:
+        """The problem in the file's own coordinates."""
+        return Formulation(self.problem, self.report.notation, self.solution)
+
+    @cached_property
+    def choices(self) -> Mapping[str, Formulation]:
+        """The problem in each choice of generalized coordinates, by name."""
+        made = (Formulation(self.problem, self.report.notation, c) for c in self.solution.choices)
+        return MappingProxyType({f.name: f for f in made})
+
+    def __getitem__(self, choice: str) -> Formulation:
+        """The problem in the choice of this name; the empty name is the file's own coordinates. Raises KeyError."""
+        if choice == "":
+            return self.own
+        if choice not in self.choices:
+            raise KeyError(f"the solution has no choice `{choice}`; {suggestion(choice, [*self.choices], 'choices')}")
+        return self.choices[choice]
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """The checks: `name`, `passed` (None: undecided), `how`, `choice`."""
+        return self.solution.checks
+
+    @property
+    def answers(self) -> tuple[ComparedAnswer, ...]:
+        """The answers that the file states, each with its `verdict`."""
+        return self.report.answers
+
+    @property
+    def holds(self) -> bool:
+        """Whether every check held, nothing is undecided, and the answers of the file agree."""
+        return self.report.holds
+
+    @property
+    def shortcomings(self) -> tuple[Diagnostic, ...]:
+        """What is undecided, which checks did not hold, which answers of the file do not agree."""
+        return self.report.shortcomings
+
+    @property
+    def notes(self) -> tuple[Diagnostic, ...]:
+        """What is to be said of how the file was read."""
+        return self.report.notes
+
+    @property
+    def derivation(self) -> Derivation:
+        """What is printed, as data: steps of prose, equations and tables."""
+        return self.report.derivation
+
+    def render(self, format: str = "pretty", *, detail: str = "steps", width: int = 80) -> str:
+        """The derivation as the command prints it.
+
+        format  "pretty" (plain text), "latex", "markdown", "html" or "json"
+        detail  "brief", "steps" or "full"; JSON has everything
+        width   of plain text
+
+        Raises ValueError where there is no such format or detail.
+        """
+        if format not in FORMATS:
+            raise ValueError(f"there is no format `{format}`; {suggestion(format, FORMATS, 'formats')}")
+        if detail.upper() not in Detail.__members__:
+            raise ValueError(f"there is no detail `{detail}`; it is brief, steps or full")
+        if format == "json":
+            from lagrange.render import json
+
+            return json.render([self.report])
+        shown, written = Detail[detail.upper()], (self.derivation, self.report.notation)
+        if format == "pretty":
+            from lagrange.render import terminal as pretty
+
+            return pretty.text(*written, width, shown)
+        from lagrange.render import html, latex, markdown
+
+        if format == "latex":
+            return latex.render([written], detail=shown)
+        if format == "markdown":
+            return markdown.render([written], detail=shown)
+        return html.render([written], detail=shown)
+
+    def __str__(self) -> str:
+        return self.render()
+
+    def __repr__(self) -> str:
+        c, n = self.classification, self.degrees_of_freedom
+        words = {"holonomic": "nonholonomic", "scleronomic": "rheonomic"}
+        classes = [w if getattr(c, w) else not_ for w, not_ in words.items() if getattr(c, w) is not None]
+        freedom = f"{n} degree{'s' * (n != 1)} of freedom"
+        listed = f"; choices: {', '.join(self.choices)}" if self.choices else ""
+        return f"<Result of {self.problem.title!r}: {', '.join([freedom, *classes])}{listed}>"
+
+    def _repr_markdown_(self) -> str:
+        """What a notebook shows: the derivation."""
+        return self.report._repr_markdown_()

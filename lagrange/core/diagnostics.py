@@ -1,0 +1,210 @@
+"""What is wrong with a text, where, and what to do about it.
+
+A `Diagnostic` is one finding: a stable code, one sentence, the place, and a way out. A `Fragment` is a piece of
+text that remembers where in its file it stands, so that an error inside an expression inside a YAML scalar points
+at the very characters. `ProblemError` carries all the findings of one reading; it knows how to show itself.
+
+Wording: messages begin with a lower-case letter and have no full stop; names stand in backticks; the label under
+the caret makes sense without the message; one mistake is reported once.
+"""
+
+from __future__ import annotations
+
+import difflib
+import unicodedata
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
+from dataclasses import field, replace
+from enum import StrEnum
+from functools import cached_property
+
+from lagrange.core.records import record
+
+
+class Level(StrEnum):
+    """How bad it is."""
+
+    ERROR = "error"
+    NOTE = "note"
+
+
+@record
+class Source:
+    """A text as it was read, with the name it is known by (a path, `<stdin>`, `answer 1`)."""
+
+    name: str
+    text: str
+
+    @cached_property
+    def _starts(self) -> list[int]:
+        """Where the lines begin: found once, for a file may have a thousand findings."""
+        return [0, *(n + 1 for n, c in enumerate(self.text) if c == "\n")]
+
+    def position(self, offset: int) -> tuple[int, int]:
+        """Line and column of an offset, both counted from 1."""
+        number = bisect_right(self._starts, offset)
+        return number, offset - self._starts[number - 1] + 1
+
+    def line(self, number: int) -> str:
+        """Line `number`, counted from 1, without its end."""
+        if number > len(self._starts):
+            return ""
+        start = self._starts[number - 1]
+        end = self.text.find("\n", start)
+        return self.text[start : end if end >= 0 else None].rstrip("\r")
+
+
+@record
+class Span:
+    """Characters `start` to `end` (exclusive) of a source."""
+
+    source: Source
+    start: int
+    end: int
+
+
+@record
+class Fragment:
+    """A piece of a source that is read on its own: an expression.
+
+    `start` is where the text begins in the source when it stands there character for character. Where it does not
+    (an escaped or folded YAML scalar), `start` is None and `whole` is blamed for everything.
+    """
+
+    text: str
+    whole: Span
+    start: int | None = None
+
+    @classmethod
+    def of(cls, text: str, name: str = "expression") -> Fragment:
+        """A text that is a source of its own."""
+        return cls(text, Span(Source(name, text), 0, len(text)), 0)
+
+    def span(self, start: int, end: int) -> Span:
+        """Where characters `start` to `end` of the text stand in the source."""
+        if self.start is None:
+            return self.whole
+        return Span(self.whole.source, self.start + start, self.start + end)
+
+
+@record
+class Diagnostic:
+    """One finding: `level[code]: message`, the place with a label under it, and what to do."""
+
+    code: str
+    message: str
+    span: Span | None = None
+    label: str = ""
+    help: str = ""
+    level: Level = field(default=Level.ERROR)
+
+    def as_note(self) -> Diagnostic:
+        """The same finding, as something to know and not a mistake."""
+        return replace(self, level=Level.NOTE)
+
+    def __str__(self) -> str:
+        head = f"{self.level}[{self.code}]: {self.message}"
+        lines = [head, *_window(self.span, self.label)] if self.span else [head]
+        if self.help:
+            gutter = " " * _gutter(self.span)
+            lines.append(f"{gutter} = help: {self.help}")
+        return "\n".join(lines)
+
+
+class ProblemError(Exception):
+    """A text that cannot be used, with everything that is wrong with it. Exit status 2."""
+
+    exit_status = 2
+
+    def __init__(self, diagnostics: Diagnostic | Iterable[Diagnostic]) -> None:
+        found = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
+        super().__init__("; ".join(d.message for d in found))
+        self.diagnostics: tuple[Diagnostic, ...] = found
+
+    def show(self) -> str:
+        """All findings in the order of the file, a blank line between them."""
+        ordered = sorted(self.diagnostics, key=lambda d: d.span.start if d.span else -1)
+        return "\n\n".join(str(d) for d in ordered)
+
+    def __str__(self) -> str:
+        return self.show()  # what Python prints under a traceback is what the command prints
+
+
+class UndecidedError(ProblemError):
+    """A question on which the derivation depends, and which could not be settled. Exit status 3."""
+
+    exit_status = 3
+
+    def __init__(self, question: str, span: Span | None = None) -> None:
+        help_ = "nothing is guessed: simplify the expressions, or choose other coordinates"
+        super().__init__(Diagnostic("undecided", f"it could not be decided {question}", span, help=help_))
+
+
+class NotCoveredError(ProblemError):
+    """Something that the format allows and the program does not do yet. Exit status 3."""
+
+    exit_status = 3
+
+    def __init__(self, what: str, span: Span | None = None) -> None:
+        super().__init__(Diagnostic("not-covered", f"{what} cannot be treated yet", span))
+
+
+def nearest(name: str, known: Iterable[str]) -> str | None:
+    """The known name closest to `name`, if one is close: other case first, then spelling."""
+    names = sorted(set(known))
+    for candidate in names:
+        if candidate.casefold() == name.casefold():
+            return candidate
+    close = difflib.get_close_matches(name, names, n=1, cutoff=0.6)
+    return close[0] if close else None
+
+
+def suggestion(name: str, known: Sequence[str], what: str = "names") -> str:
+    """`did you mean ...?`, or the list of what there is."""
+    near = nearest(name, known)
+    if near:
+        return f"did you mean `{near}`?"
+    listed = ", ".join(f"`{k}`" for k in list(known)[:30])
+    return f"known {what}: {listed}" if listed else f"there are no {what} here"
+
+
+def _gutter(span: Span | None) -> int:
+    return len(str(span.source.position(span.start)[0])) if span else 0
+
+
+def _window(span: Span, label: str) -> list[str]:
+    number, column = span.source.position(span.start)
+    gutter = " " * len(str(number))
+    line = span.source.line(number)
+    shown, column_shown = _around(line, column - 1)
+    before = "".join("\t" if c == "\t" else " " * _cells(c) for c in shown[:column_shown])
+    marked = shown[column_shown : column_shown + max(1, span.end - span.start)]
+    carets = "^" * max(1, sum(_cells(c) for c in marked))
+    return [
+        f"{gutter}--> {span.source.name}:{number}:{column}",
+        f"{gutter} |",
+        f"{number} | {_visible(shown)}",
+        f"{gutter} | {before}{carets}{' ' + label if label else ''}",
+    ]
+
+
+def _around(line: str, column: int, width: int = 100) -> tuple[str, int]:
+    """The part of a long line that surrounds the place, and where the place is in it."""
+    if len(line) <= width:
+        return line, column
+    start = max(0, min(column - width // 3, len(line) - width))
+    head = "..." if start else ""
+    tail = "..." if start + width < len(line) else ""
+    return head + line[start : start + width] + tail, column - start + len(head)
+
+
+def _cells(char: str) -> int:
+    if unicodedata.combining(char):
+        return 0
+    return 2 if unicodedata.east_asian_width(char) in "WF" else 1
+
+
+def _visible(text: str) -> str:
+    """Characters that are not to be seen shown as a box, so that nothing a file says reaches the terminal raw."""
+    hidden = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
+    return "".join(c if c == "\t" or unicodedata.category(c) not in hidden else "\N{WHITE SQUARE}" for c in text)

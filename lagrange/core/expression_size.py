@@ -1,0 +1,186 @@
+"""How much an expression amounts to, without working anything out.
+
+Abbreviations share their parts, so that a short file can write down an expression with 2^60 leaves:
+everything here is found once for each different part, in time proportional to their number. Two costs are
+estimated: that of a derivative, which turns each factor of each product and each function in turn, and that
+of the sign of an expression, for which SymPy isolates the roots of every polynomial in one parameter of known
+sign.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence, Set
+from math import comb
+from typing import NamedTuple
+
+import sympy as sp
+
+from lagrange.core.symbols import base
+
+_CUT = 10**9
+_INFINITE = (sp.S.NaN, sp.S.ComplexInfinity, sp.S.Infinity, sp.S.NegativeInfinity)
+_SEVERAL = sp.Dummy()  # in place of the only symbol, where there are more
+
+
+class Measure(NamedTuple):
+    """What an expression amounts to.
+
+    size         nodes of its tree
+    layers       nodes on the longest way from its root to a leaf
+    power        the highest numeric power in it, nested ones multiplied
+    denominator  the largest denominator of such a power
+    bits         of its longest number
+    terms        how many it has at most when it is multiplied out
+    widest       the same of any of its parts
+    symbol       the only one in it, None in a constant
+    degree       in that symbol
+    doubt        what it costs to find its sign, in units of 0.1 ms
+    is_constant  it is a number
+    is_finite    no division by zero occurs in it
+    is_real      no root of a negative number occurs in it
+    """
+
+    size: int = 1
+    layers: int = 1
+    power: float = 1.0
+    denominator: int = 1
+    bits: int = 0
+    terms: int = 1
+    widest: int = 1
+    symbol: sp.Symbol | None = None
+    degree: int = 0
+    doubt: float = 0.0
+    is_constant: bool = False
+    is_finite: bool = True
+    is_real: bool = True
+
+
+class Measures:
+    """Measures, each found once."""
+
+    def __init__(self) -> None:
+        self._found: dict[sp.Basic, Measure] = {}
+
+    def of(self, expression: sp.Basic) -> Measure:
+        """The measure of an expression."""
+        found = self._found.get(expression)
+        if found is None:
+            parts = [self.of(a) for a in expression.args]
+            found = _of_compound(expression, parts) if parts else _of_atom(expression)
+            self._found[expression] = found
+        return found
+
+    def derivative_cost(self, expressions: Iterable[sp.Expr], moving: Set[sp.Symbol]) -> float:
+        """What it costs to differentiate by each of the moving symbols, in units of 0.1 ms."""
+        estimate = _DerivativeEstimate(self, moving)
+        sizes = sum(0.2 * size + 5 * len(symbols) for size, symbols in map(estimate.of, expressions))
+        return sizes + 1.5 * estimate.cost
+
+
+class _DerivativeEstimate:
+    """The size of a derivative, from above, and the cost of the steps to it, each different part once."""
+
+    def __init__(self, measures: Measures, moving: Set[sp.Symbol]) -> None:
+        self.cost = 0.0
+        self._measures = measures
+        self._moving = moving
+        self._found: dict[sp.Basic, tuple[float, frozenset[sp.Symbol]]] = {}
+
+    def of(self, e: sp.Basic) -> tuple[float, frozenset[sp.Symbol]]:
+        """The size of the derivative, and the moving symbols that occur."""
+        found = self._found.get(e)
+        if found is None:
+            found = self._found[e] = self._of_symbol(e) if e.is_Symbol else self._of_compound(e)
+        return found
+
+    def _of_symbol(self, e: sp.Symbol) -> tuple[float, frozenset[sp.Symbol]]:
+        moves = e in self._moving or base(e) in self._moving
+        return (1.0, frozenset({e})) if moves else (0.0, frozenset())
+
+    def _of_compound(self, e: sp.Basic) -> tuple[float, frozenset[sp.Symbol]]:
+        parts = [self.of(a) for a in e.args]
+        size = sum(s for s, _ in parts)
+        dependences = sum(len(symbols) for _, symbols in parts)
+        together = frozenset().union(*(symbols for _, symbols in parts))
+        if e.is_Add:
+            self.cost += 0.5 * len(together) * len(parts)
+        else:
+            size += dependences * self._measures.of(e).size
+            step = 2 + 0.12 * len(parts) ** 2 if e.is_Mul else 10 if e.is_Pow else 30
+            self.cost += dependences * step
+        return size, together
+
+
+def _of_atom(e: sp.Basic) -> Measure:
+    if e.is_Rational:
+        return Measure(bits=max(abs(e.p).bit_length(), e.q.bit_length()), is_constant=True)
+    if e.is_Symbol:
+        return Measure(symbol=e, degree=1)
+    return Measure(is_constant=bool(e.is_number), is_finite=e not in _INFINITE, is_real=e is not sp.I)
+
+
+def _of_compound(e: sp.Basic, parts: Sequence[Measure]) -> Measure:
+    terms, symbol, degree = _terms(e, parts), _only_symbol(parts), _degree(e, parts)
+    return Measure(
+        size=min(1 + sum(p.size for p in parts), _CUT),
+        layers=1 + max(p.layers for p in parts),
+        power=_power(e, parts),
+        denominator=max(e.exp.q if _is_power(e) else 1, *(p.denominator for p in parts)),
+        bits=max(p.bits for p in parts),
+        terms=terms,
+        widest=max(terms, *(p.widest for p in parts)),
+        symbol=symbol,
+        degree=degree,
+        doubt=min(_own_doubt(e, symbol, degree) + sum(p.doubt for p in parts), _CUT),
+        is_constant=all(p.is_constant for p in parts),
+        is_finite=all(p.is_finite for p in parts),
+        is_real=all(p.is_real for p in parts) and not _is_imaginary(e),
+    )
+
+
+def _is_power(e: sp.Basic) -> bool:
+    return bool(e.is_Pow and e.exp.is_Rational)
+
+
+def _is_imaginary(e: sp.Basic) -> bool:
+    return bool(e.is_Pow and e.base.is_Number and e.base.is_negative and not e.exp.is_Integer)
+
+
+def _power(e: sp.Basic, parts: Sequence[Measure]) -> float:
+    if _is_power(e):
+        return max(abs(int(e.exp.p)) / int(e.exp.q), 1.0) * parts[0].power
+    return max(p.power for p in parts) if e.is_Add or e.is_Mul else 1.0
+
+
+def _terms(e: sp.Basic, parts: Sequence[Measure]) -> int:
+    if e.is_Add:
+        return min(sum(p.terms for p in parts), _CUT)
+    if e.is_Mul:
+        terms = 1
+        for p in parts:
+            terms = min(terms * p.terms, _CUT)
+        return terms
+    if e.is_Pow and e.exp.is_Integer and parts[0].terms > 1:
+        terms, power = parts[0].terms, abs(int(e.exp))
+        return min(comb(terms + power - 1, power), _CUT) if power <= 100 else _CUT
+    return 1
+
+
+def _only_symbol(parts: Sequence[Measure]) -> sp.Symbol | None:
+    symbols = {p.symbol for p in parts} - {None}
+    return symbols.pop() if len(symbols) == 1 else _SEVERAL if symbols else None
+
+
+def _degree(e: sp.Basic, parts: Sequence[Measure]) -> int:
+    if e.is_Mul:
+        return sum(p.degree for p in parts)
+    if e.is_Pow and e.exp.is_Integer:
+        return parts[0].degree * abs(int(e.exp))
+    return max(p.degree for p in parts) if e.is_Add else 0
+
+
+def _own_doubt(e: sp.Basic, symbol: sp.Symbol | None, degree: int) -> float:
+    """Of a sum in one symbol of known sign: the roots of a polynomial."""
+    if not e.is_Add or symbol is None or symbol is _SEVERAL or degree < 2:
+        return 0.0
+    return 30.0 * degree**2 if symbol.is_nonnegative else 0.0

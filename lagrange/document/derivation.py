@@ -1,0 +1,201 @@
+"""A derivation is data: steps of prose, equations, tables and checks, with SymPy in them and never strings of it.
+
+Stages make steps, renderers format them; neither knows the other. A label is an id; whoever prints gives the number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import field
+from enum import IntEnum, StrEnum
+from typing import TypeAlias
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.document.scene import Scene
+
+Mathematics: TypeAlias = sp.Expr | Vector
+
+
+class Rule(StrEnum):
+    """What a step does. Stable: programs rely on these names."""
+
+    STATEMENT = "statement"  # a particle P of mass m at x i + y j, with its weight m g j
+    CONSTRAINT = "constraint"  # x² + y² = l²: no velocity occurs, geometric
+    PFAFFIAN_FORM = "pfaffian-form"  # 2x dx + 2y dy = 0
+    INTEGRABILITY = "integrability"  # ∂(2x)/∂y = 0 = ∂(2y)/∂x: exact
+    CLASSIFICATION = "classification"  # holonomic, scleronomic
+    DEGREES_OF_FREEDOM = "degrees-of-freedom"  # 2 - 1 = 1
+    DISPLACEMENTS = "displacements"  # x δx + y δy = 0, δx = -(y/x) δy
+    REACTIONS = "reactions"  # m x'' = 2 x λ
+    WORKLESS = "workless"  # R·δr = 0
+    PRINCIPLE = "principle"  # (m r'' - F)·δr = 0
+    ENERGIES = "energies"  # T = m l² θ'²/2, V = −m g l cos θ
+    LAGRANGE = "lagrange-equations"  # p_θ = m l² θ', d/dt p_θ = ∂L/∂θ
+    GENERALIZED_COORDINATES = "generalized-coordinates"  # x = l sin θ, y = l cos θ
+    EQUATIONS_OF_MOTION = "equations-of-motion"  # l θ'' + g sin θ = 0
+    QUASI_VELOCITIES = "quasi-velocities"  # u = x' cos θ + y' sin θ: u' = a ω²
+    LINEARIZATION = "linearization"  # l ξ'' + g ξ = 0, ω² = g/l
+    SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
+    CONSERVED = "conserved"  # m l² θ'²/2 − m g l cos θ = const
+    EQUILIBRIUM = "equilibrium"  # tan θ = (2k - 1)/tan α
+    CHECKS = "checks"  # Lagrange's equations give the same
+
+
+class Detail(IntEnum):
+    """From how much detail on a block is shown."""
+
+    BRIEF = 0
+    STEPS = 1
+    FULL = 2
+
+
+@record
+class Math:
+    """Mathematics in running text. With several sides it reads a = b = c."""
+
+    sides: tuple[Mathematics, ...]
+    relation: str = "="
+
+
+@record
+class Ref:
+    """The number of a labelled equation."""
+
+    label: str
+
+
+@record
+class Term:
+    """A word that is being defined or concluded: set in italics or bold."""
+
+    word: str
+
+
+Part = str | Math | Ref | Term
+
+
+@record
+class Prose:
+    """A paragraph; `short` stands in its place where little detail is wanted."""
+
+    parts: tuple[Part, ...]
+    detail: Detail = Detail.STEPS
+    short: tuple[Part, ...] = ()
+
+
+@record
+class Equation:
+    """A displayed equation a = b = c; `condition` is set behind it ("where y ≠ 0")."""
+
+    sides: tuple[Mathematics, ...]
+    label: str | None = None
+    relation: str = "="
+    condition: tuple[Part, ...] = ()
+
+
+@record
+class Display:
+    """Equations that belong together; boxed when they are a result."""
+
+    equations: tuple[Equation, ...]
+    boxed: bool = False
+    detail: Detail = Detail.STEPS
+
+
+@record
+class Table:
+    """A table: cells are text or mathematics; the first column names the rows."""
+
+    header: tuple[Part, ...]
+    rows: tuple[tuple[Part, ...], ...]
+    detail: Detail = Detail.STEPS
+
+
+@record
+class Matrices:
+    """Named matrices, M = (a b; c d), side by side where there is room; a column has rows of one entry."""
+
+    named: tuple[tuple[sp.Symbol, tuple[tuple[sp.Expr, ...], ...]], ...]
+    detail: Detail = Detail.STEPS
+
+
+@record
+class CheckMark:
+    """A check, whether it held (None: could not be decided), and how it was done."""
+
+    name: tuple[Part, ...]
+    passed: bool | None
+    how: str
+    detail: Detail = Detail.BRIEF
+
+
+@record
+class Picture:
+    """A picture, drawn when it is asked for; None where it cannot be drawn sensibly.
+
+    caption  what stands below it
+    alt      what is in it, in words
+    """
+
+    draw: Callable[[], Scene | None] = field(compare=False)
+    caption: tuple[Part, ...]
+    alt: str
+    detail: Detail = Detail.STEPS
+
+
+Block = Prose | Display | Table | Matrices | CheckMark | Picture
+
+
+@record
+class Step:
+    """One step of the derivation."""
+
+    rule: Rule
+    title: str
+    body: tuple[Block, ...]
+
+
+@record
+class Derivation:
+    """A whole derivation: what is printed."""
+
+    title: str
+    source: str
+    steps: tuple[Step, ...]
+
+
+def prose(*parts: Part, detail: Detail = Detail.STEPS) -> Prose:
+    """A paragraph from text and mathematics."""
+    return Prose(parts, detail)
+
+
+def math(*sides: Mathematics, relation: str = "=") -> Math:
+    """Inline mathematics a = b = c."""
+    return Math(sides, relation)
+
+
+def paragraph(*sentences: Prose) -> Prose:
+    """Sentences as one paragraph."""
+    parts: list[Part] = []
+    for n, sentence in enumerate(sentences):
+        parts += [" ", *sentence.parts] if n else sentence.parts
+    return Prose(tuple(parts), min(s.detail for s in sentences))
+
+
+def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.STEPS) -> Display:
+    """Displayed equations."""
+    return Display(equations, boxed, detail)
+
+
+def listed(parts: Iterable[Part], last: str = " and ") -> tuple[Part, ...]:
+    """`a, b and c`, as parts of a paragraph."""
+    items = list(parts)
+    joined: list[Part] = []
+    for n, item in enumerate(items):
+        if n:
+            joined.append(last if n == len(items) - 1 else ", ")
+        joined.append(item)
+    return tuple(joined)

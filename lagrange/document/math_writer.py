@@ -1,0 +1,333 @@
+"""Mathematics in text, Unicode, LaTeX and MathML: one walker, and a table for each style.
+
+    text      l*theta'' + g*sin(theta)                  read back by `expressions`
+    unicode   l θ̈ + g sin θ                             for the terminal
+    latex     l \\ddot{\\theta} + g \\sin\\theta              as typed by hand
+
+What is written is the expression as it stands: nothing is expanded, collected or cancelled here. What the
+walker decides is what a hand decides: the order (`order`), what goes above and below a fraction line
+(`products`), which fraction stands in front, (g/l) sin θ, where brackets are needed, and where a long line
+may be broken (`styles`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from itertools import pairwise
+
+import sympy as sp
+
+from lagrange.core.symbols import Dot, Partial, Rate, UnitVector, Unspecified, VectorSymbol, Wedge
+from lagrange.core.vectors import Vector
+from lagrange.document.derivation import Mathematics
+from lagrange.document.names import Name
+from lagrange.document.notation import Kind, Notation
+from lagrange.document.order import Order
+from lagrange.document.pieces import BREAK, END, START, Level, Piece, plain
+from lagrange.document.products import Factor, Product, product
+from lagrange.document.style_latex import Latex, WideLatex
+from lagrange.document.style_unicode import Unicode
+from lagrange.document.styles import BARE, POWERED, Text
+
+__all__ = ["LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "latex", "text", "unicode"]
+
+TEXT, UNICODE, LATEX, WIDE_LATEX = Text(), Unicode(), Latex(), WideLatex()
+NOTHING = Notation()
+LONGEST_LIST = 3
+"""Arguments of an undefined function that are written wherever it stands."""
+_STILL = {Kind.PARAMETER, Kind.SIGN}
+_PLACES = {Kind.COORDINATE, *_STILL}
+
+
+def text(expression: Mathematics, notation: Notation = NOTHING) -> str:
+    """The expression in the language of problem files."""
+    return Writer(TEXT, notation).plain(expression)
+
+
+def unicode(expression: Mathematics, notation: Notation = NOTHING) -> str:
+    """The expression for a terminal."""
+    return Writer(UNICODE, notation).plain(expression)
+
+
+def latex(expression: Mathematics, notation: Notation = NOTHING) -> str:
+    """The expression in LaTeX, for math mode with amsmath."""
+    return Writer(LATEX, notation).plain(expression)
+
+
+class Writer:
+    """Writes mathematics in one style and notation. Remembers what it has written."""
+
+    def __init__(self, style: Text, notation: Notation = NOTHING) -> None:
+        self.style = style
+        self.notation = notation
+        self.order = Order(notation)
+        self._written: dict[sp.Basic, Piece] = {}
+        self._ambiguous = notation.ambiguous
+
+    def plain(self, expression: Mathematics) -> str:
+        """The expression on one line."""
+        return plain(self.marked(expression))
+
+    def marked(self, expression: Mathematics) -> str:
+        """The expression with marks where it may be broken; see `styles`."""
+        whole = expression.components if isinstance(expression, Vector) else (expression,)
+        ambiguous = self.notation.ambiguous | _ambiguous(whole)
+        if ambiguous != self._ambiguous:
+            self._ambiguous = ambiguous
+            self._written.clear()
+        return self.piece(expression).code
+
+    def relation(self, sides: Iterable[Mathematics], relation: str = "=") -> str:
+        """a = b = c, on one line."""
+        return f" {self.style.relation(relation)} ".join(self.plain(side) for side in sides)
+
+    def piece(self, expression: Mathematics) -> Piece:
+        """The expression, with what is known about its surroundings."""
+        if isinstance(expression, Vector):
+            return self._vector(expression)
+        found = self._written.get(expression)
+        if found is None:
+            found = self._written[expression] = self._write(expression)
+        return found
+
+    def _write(self, expression: sp.Expr) -> Piece:
+        match expression:
+            case sp.Symbol():
+                return self._symbol(expression)
+            case sp.Add():
+                return self._sum(self.order.terms(expression.args))
+            case sp.Mul() | sp.Pow() | sp.Rational() | sp.Float():
+                return self._term(product(expression))
+            case sp.NumberSymbol() | sp.core.numbers.Infinity():
+                return Piece(self.style.constants.get(type(expression).__name__, str(expression)), tight=True)
+            case Unspecified():
+                return self._unspecified(expression)
+            case Dot():
+                a, b = (self.piece(a) for a in expression.args)
+                return self.style.dot(a, b)
+            case Wedge():
+                return self.style.wedge([self.piece(a) for a in expression.args])
+            case Partial():
+                inner, *variables = expression.args
+                return self.style.partial(self.piece(inner), [v.name for v in variables])
+            case Rate():
+                return self.style.rate(self.piece(expression.args[0]))
+            case sp.exp():
+                return self.style.exponential(self._argument(expression.args[0]))
+            case sp.Abs():
+                return self.style.absolute(self._argument(expression.args[0]))
+        return self._application(type(expression).__name__, expression.args)
+
+    def _symbol(self, symbol: sp.Symbol) -> Piece:
+        name = symbol.name
+        if isinstance(symbol, UnitVector) and self.notation.shadows_unit_vectors:
+            name = {"i": "e_x", "j": "e_y", "k": "e_z"}.get(name, name)
+        return self.style.name(name, isinstance(symbol, UnitVector | VectorSymbol))
+
+    def _vector(self, vector: Vector) -> Piece:
+        parts = zip(vector.components, vector.triad.units, strict=True)
+        terms = [sp.Mul(c, e, evaluate=False) for c, e in parts if c != 0]
+        if not terms:
+            return self.style.zero_vector()
+        return self._sum(terms) if len(terms) > 1 else self._term(product(terms[0]))
+
+    def _sum(self, terms: Iterable[sp.Expr]) -> Piece:
+        codes = [START]
+        for n, term in enumerate(terms):
+            parts = product(term)
+            negative, parts.negative = parts.negative, False
+            piece = self._term(parts)
+            if negative:
+                codes.append(BREAK + self.style.minus if n else self.style.sign)
+            elif n:
+                codes.append(BREAK + self.style.plus)
+            codes.append(self._inside(piece, Level.SUM))
+        return Piece("".join(codes) + END, Level.SUM)
+
+    def _inside(self, piece: Piece, level: Level) -> str:
+        """The piece, in brackets if it holds together no tighter than `level`."""
+        return self.style.bracketed(piece.code) if piece.level <= level else piece.code
+
+    # Products and fractions
+
+    def _term(self, parts: Product) -> Piece:
+        above, below = self.order.factors(parts.above), self.order.factors(parts.below)
+        if not below and not parts.divisors:
+            piece = self._product(parts.numbers, above, whole=True)
+        elif not self.style.by_hand:
+            piece = self.style.fraction(self._product(parts.numbers, above), self._product(parts.divisors, below))
+        elif not below and (len(above) > 1 or (above and not _is_letter(above[0]))):
+            number = self.style.coefficient(self._product(parts.numbers, []), self._product(parts.divisors, []))
+            piece = self._joined([number, *self._factors(above)])
+        else:
+            ahead, front, behind = self._split(above, below)
+            numerator = self._product(parts.numbers if not ahead else [], front)
+            fraction = self.style.fraction(numerator, self._product(parts.divisors, below))
+            leading = [self.style.number(n) for n in parts.numbers] if ahead else []
+            pieces = [*leading, *self._factors(ahead), fraction, *self._factors(behind)]
+            piece = self._joined(pieces) if len(pieces) > 1 else fraction
+        if not parts.negative:
+            return piece
+        return Piece(self.style.sign + self._inside(piece, Level.SUM), Level.SUM)
+
+    def _split(self, above: list[Factor], below: list[Factor]) -> tuple[list[Factor], ...]:
+        """What goes ahead of a fraction, above its line, and behind: m (y/x) x'', (g/l) sin θ, x²/l²."""
+        late = {Kind.DIFFERENTIAL, Kind.VECTOR}
+        last = [f for f in above if self.order.kinds(f[0]) & late]
+        front = [f for f in above if f not in last]
+        constant = [f for f in front if self._is_plain(f, _STILL)]
+        others = [f for f in front if f not in constant]
+        sums = any(isinstance(base, sp.Add) and base.has(sp.sin, sp.cos) for base, _ in below)
+        if below and constant and all(self.order.is_constant(base) for base, _ in below):
+            if sums and others and not any(isinstance(base, sp.Add) or self._moves(base) for base, _ in others):
+                return [], front, last  # m g cos α/(M + m sin²α), a coefficient as long would be none
+            return [], constant, others + last
+        places = [f for f in others if self._is_plain(f, _PLACES)]
+        moving = [f for f in others if f not in places]
+        letters = (isinstance(f[0], sp.Symbol) and self._is_plain(f, _PLACES) for f in below)
+        if places and moving and all(letters):
+            return constant, places, moving + last
+        return [], front, last
+
+    def _moves(self, base: sp.Expr) -> bool:
+        """Whether it is more than a matter of position."""
+        return not self.order.kinds(base) <= {*_PLACES, Kind.TIME}
+
+    def _is_plain(self, factor: Factor, kinds: set[Kind]) -> bool:
+        """Whether it is a number, a symbol of these kinds, or a sum of such."""
+        base, exponent = factor
+        if isinstance(base, sp.Number | sp.NumberSymbol):
+            return True
+        whole = isinstance(base, sp.Symbol | sp.Add) and exponent.is_Integer
+        return bool(whole) and self.order.kinds(base) <= kinds
+
+    def _product(self, numbers: list[sp.Number], factors: list[Factor], whole: bool = False) -> Piece:
+        pieces = [self.style.number(n) for n in numbers]
+        if len(pieces) > 1:
+            pieces = [Piece(self.style.between_numbers.join(p.code for p in pieces), Level.PRODUCT)]
+        pieces += self._unmistakable(factors) if whole and len(pieces) + len(factors) > 1 else self._factors(factors)
+        if whole and len(pieces) > 1 and isinstance(factors[-1][0], Wedge) and BREAK in pieces[-2].code:
+            return self._broken_before(pieces)
+        first_of_several = self.style.by_hand and not numbers and len(pieces) > 1
+        if first_of_several and pieces[1].level <= Level.DIVISION and _is_slope(factors[0]):
+            pieces[0] = Piece(self.style.bracketed(pieces[0].code), Level.POWER)  # ∂f/∂x (a + b) is f's slope at a + b
+        if not pieces:
+            return self.style.number(sp.S.One)
+        return pieces[0] if len(pieces) == 1 else self._joined(pieces)
+
+    def _factors(self, factors: list[Factor]) -> list[Piece]:
+        return [self._power(base, exponent) for base, exponent in factors]
+
+    def _unmistakable(self, factors: list[Factor]) -> list[Piece]:
+        """The factors of a whole term: ∂f/∂X dx and u ∂f/∂X are read rightly without brackets, (∂f/∂X) x' is not."""
+        pieces = self._factors(factors)
+        slopes = [n for n, (base, _) in enumerate(factors) if isinstance(base, Unspecified) and any(base.orders)]
+        if len(slopes) == 1 and factors[slopes[0]][1] == 1:
+            [n] = slopes
+            if all(self.order.kinds(base) == {Kind.DIFFERENTIAL} for base, _ in factors[n + 1 :]):
+                pieces[n] = replace(pieces[n], level=Level.PRODUCT)
+        return pieces
+
+    def _broken_before(self, pieces: list[Piece]) -> Piece:
+        """A product that may be broken before its last factor: (a long sum) dx ∧ dy ∧ dz."""
+        *front, last = pieces
+        ahead = self._joined(front).code if len(front) > 1 else self._inside(front[0], Level.DIVISION)
+        return Piece(f"{START}{ahead}{BREAK}{self.style.between(front[-1], last)}{last.code}{END}", Level.PRODUCT)
+
+    def _joined(self, pieces: list[Piece]) -> Piece:
+        codes = [pieces[0].code if pieces[0].level is Level.PRODUCT else self._inside(pieces[0], Level.DIVISION)]
+        for before, after in pairwise(pieces):
+            codes.append(self.style.between(before, after))
+            codes.append(self._inside(after, Level.DIVISION))
+        return Piece("".join(codes), Level.PRODUCT, tight=pieces[0].tight)
+
+    # Powers and functions
+
+    def _power(self, base: sp.Expr, exponent: sp.Expr) -> Piece:
+        if exponent == 1:
+            return self.piece(base)
+        if exponent == sp.Rational(1, 2):
+            return self.style.root(self.piece(base))
+        raised = self._exponent(exponent)
+        name = type(base).__name__
+        if self.style.by_hand and name in POWERED and exponent.is_Integer:
+            return self._application(name, base.args, raised)
+        return self.style.power(self._inside(self.piece(base), Level.POWER), raised)
+
+    def _exponent(self, exponent: sp.Expr) -> Piece:
+        if isinstance(exponent, sp.Rational) and not exponent.is_Integer:
+            return Piece(f"{exponent.p}/{exponent.q}", Level.DIVISION)
+        return self.piece(exponent)
+
+    def _application(self, name: str, arguments: tuple[sp.Expr, ...], power: Piece | None = None) -> Piece:
+        head = self.style.function(name)
+        if power is not None:
+            head = self.style.power(head, power).code
+        codes = [self._argument(a).code for a in arguments]
+        bare = self._bare(arguments[0]) if self.style.by_hand and name in BARE else None
+        if bare is None:
+            return Piece(head + self.style.arguments(codes))
+        return self.style.applied(head, bare, power is not None)
+
+    def _argument(self, argument: sp.Expr) -> Piece:
+        if isinstance(argument, sp.Add):
+            return self._sum(self.order.terms(argument.args, argument=True))
+        return self.piece(argument)
+
+    def _bare(self, argument: sp.Expr) -> str | None:
+        """The argument as it stands behind sin without parentheses: θ, 2θ, ωt; None if it needs them."""
+        parts = product(argument)
+        if (
+            parts.negative
+            or len(parts.numbers) > 1
+            or isinstance(argument, sp.Add)
+            or any(e != 1 for _, e in parts.above)
+        ):
+            return None
+        if parts.divisors or parts.below:
+            return self.piece(argument).code if self.style.stacked else None
+        symbols = [base for base, _ in self.order.factors(parts.above)]
+        if not all(isinstance(s, sp.Symbol | sp.NumberSymbol) for s in symbols):
+            return None
+        if self.style.stacked or not symbols:
+            return self.piece(argument).code
+        if not all(Name.of(s.name).is_tight for s in symbols[:-1] if isinstance(s, sp.Symbol)):
+            return None
+        return "".join([*(self.style.number(n).code for n in parts.numbers), *(self.piece(s).code for s in symbols)])
+
+    def _unspecified(self, function: Unspecified) -> Piece:
+        head = self.style.name(function.name)
+        codes = [self._argument(a).code for a in function.arguments]
+        variables = [n for n, k in zip(function.argument_names, function.orders, strict=True) for _ in range(k)]
+        if not variables and self.style.by_hand and self._is_known(function):
+            return head
+        if not variables:
+            return Piece(head.code + self.style.arguments(codes))
+        return self.style.partial(head, variables, codes if function.name in self._ambiguous else ())
+
+    def _is_known(self, function: Unspecified) -> bool:
+        """Whether its long list of arguments is the declared one, said once for all: F_x(x, y, x', t) is F_x."""
+        declared = tuple(str(a) for a in function.arguments) == function.argument_names
+        return declared and len(function.arguments) > LONGEST_LIST and function.name not in self._ambiguous
+
+
+def _ambiguous(expressions: Iterable[sp.Basic]) -> frozenset[str]:
+    """The undefined functions that occur with several lists of arguments."""
+    lists: dict[str, set[tuple[sp.Expr, ...]]] = {}
+    for expression in expressions:
+        for function in expression.atoms(Unspecified):
+            lists.setdefault(function.name, set()).add(function.arguments)
+    return frozenset(name for name, found in lists.items() if len(found) > 1)
+
+
+def _is_slope(factor: Factor) -> bool:
+    """Whether it is a derivative of an undefined function, to the first power."""
+    base, exponent = factor
+    return isinstance(base, Unspecified) and any(base.orders) and exponent == 1
+
+
+def _is_letter(factor: Factor) -> bool:
+    """Whether half of it is x/2, and not ½ x²."""
+    base, exponent = factor
+    return isinstance(base, sp.Number) or (isinstance(base, sp.Symbol | sp.NumberSymbol) and exponent == 1)

@@ -1,0 +1,182 @@
+"""The parts of a name, and its spelling.
+
+A symbol's name is its text form, and says everything: theta_1'' is the letter theta with the index 1 and
+two dots, d(x) is the differential of x, delta(r_P) the variation of the vector r_P. A trailing number is an
+index too, so that theta1 and theta_1 look alike. Dots belong on the letter, not on the index: θ̈₁. A name
+of several letters that is not Greek stays a word, with primes in place of dots: pos″.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from functools import lru_cache
+
+from lagrange.core.records import record
+
+# name: (letter, LaTeX). Capitals that look Latin have no LaTeX command; ℓ, a letter like any of these, is among them.
+GREEK: dict[str, tuple[str, str]] = {
+    "alpha": ("α", r"\alpha"),
+    "beta": ("β", r"\beta"),
+    "gamma": ("γ", r"\gamma"),
+    "delta": ("δ", r"\delta"),
+    "epsilon": ("ε", r"\epsilon"),
+    "varepsilon": ("ϵ", r"\varepsilon"),
+    "zeta": ("ζ", r"\zeta"),
+    "eta": ("η", r"\eta"),
+    "theta": ("θ", r"\theta"),
+    "vartheta": ("ϑ", r"\vartheta"),
+    "iota": ("ι", r"\iota"),
+    "kappa": ("κ", r"\kappa"),
+    "varkappa": ("ϰ", r"\varkappa"),
+    "lambda": ("λ", r"\lambda"),
+    "mu": ("μ", r"\mu"),
+    "nu": ("ν", r"\nu"),
+    "xi": ("ξ", r"\xi"),
+    "omicron": ("ο", "o"),
+    "pi": ("π", r"\pi"),
+    "varpi": ("ϖ", r"\varpi"),
+    "rho": ("ρ", r"\rho"),
+    "varrho": ("ϱ", r"\varrho"),
+    "sigma": ("σ", r"\sigma"),
+    "varsigma": ("ς", r"\varsigma"),
+    "tau": ("τ", r"\tau"),
+    "upsilon": ("υ", r"\upsilon"),
+    "phi": ("φ", r"\phi"),
+    "varphi": ("ϕ", r"\varphi"),
+    "chi": ("χ", r"\chi"),
+    "psi": ("ψ", r"\psi"),
+    "omega": ("ω", r"\omega"),
+    "Alpha": ("Α", r"\mathrm{A}"),
+    "Beta": ("Β", r"\mathrm{B}"),
+    "Gamma": ("Γ", r"\Gamma"),
+    "Delta": ("Δ", r"\Delta"),
+    "Epsilon": ("Ε", r"\mathrm{E}"),
+    "Zeta": ("Ζ", r"\mathrm{Z}"),
+    "Eta": ("Η", r"\mathrm{H}"),
+    "Theta": ("Θ", r"\Theta"),
+    "Iota": ("Ι", r"\mathrm{I}"),
+    "Kappa": ("Κ", r"\mathrm{K}"),
+    "Lambda": ("Λ", r"\Lambda"),
+    "Mu": ("Μ", r"\mathrm{M}"),
+    "Nu": ("Ν", r"\mathrm{N}"),
+    "Xi": ("Ξ", r"\Xi"),
+    "Omicron": ("Ο", r"\mathrm{O}"),
+    "Pi": ("Π", r"\Pi"),
+    "Rho": ("Ρ", r"\mathrm{P}"),
+    "Sigma": ("Σ", r"\Sigma"),
+    "Tau": ("Τ", r"\mathrm{T}"),
+    "Upsilon": ("Υ", r"\Upsilon"),
+    "Phi": ("Φ", r"\Phi"),
+    "Chi": ("Χ", r"\mathrm{X}"),
+    "Psi": ("Ψ", r"\Psi"),
+    "Omega": ("Ω", r"\Omega"),
+    "ell": ("ℓ", r"\ell"),
+}
+
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+SMALL = dict(zip("aehijklmnoprstuvx", "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+
+_DOTS = ("", "\u0307", "\u0308")
+_OPERATED = re.compile(r"(d|delta)\((.+)\)\Z")
+_MIXED = re.compile(r"(\d+)([aehijklmnoprstuvx])\Z")  # a_1t
+_NUMBERED = re.compile(r"([^\W\d_]+)(\d+)\Z")
+
+
+@record
+class Name:
+    """A name in its parts.
+
+    operator    "", "d" or "delta"
+    letter      "theta", "x", "pos"
+    indices     ("1",), ("rod",), ("1", "B")
+    primes      how many time derivatives
+    """
+
+    operator: str
+    letter: str
+    indices: tuple[str, ...]
+    primes: int
+
+    @classmethod
+    @lru_cache(maxsize=1 << 12)
+    def of(cls, name: str) -> Name:
+        """Takes a name apart."""
+        if operated := _OPERATED.match(name):
+            inner = cls.of(operated[2])
+            return cls(operated[1], inner.letter, inner.indices, inner.primes)
+        stem = name.rstrip("'")
+        letter, _, label = stem.partition("_")
+        indices = (label,) if label else ()
+        if numbered := _NUMBERED.match(letter):
+            letter, indices = numbered[1], (numbered[2], *indices)
+        return cls("", letter, indices, len(name) - len(stem))
+
+    @property
+    def is_letter(self) -> bool:
+        """Whether it is written with one letter, so that names can stand side by side."""
+        return len(self.letter) == 1 or self.letter in GREEK
+
+    @property
+    def is_tight(self) -> bool:
+        """Whether a letter can follow without a space, and is read as another: ωt, not kx or λ_rod x."""
+        return self.letter in GREEK and not self.primes and all(index.isdigit() for index in self.indices)
+
+
+def unicode_name(name: Name) -> str:
+    """`θ̈₁`, `dx`, `δr_P`, `λ_rod`, `pos″`."""
+    letter = _letter(name.letter)
+    dotted = len(letter) == 1 and name.primes < len(_DOTS)
+    body = unicodedata.normalize("NFC", letter + _DOTS[name.primes]) if dotted else letter
+    body += "".join(_unicode_index(index) for index in name.indices)
+    if not dotted:
+        body += {1: "′", 2: "″", 3: "‴"}.get(name.primes, "′" * name.primes)
+    return {"": "", "d": "d", "delta": "δ"}[name.operator] + body
+
+
+def latex_name(name: Name, bold: bool = False) -> str:
+    r"""`\ddot{\theta}_{1}`, `\mathrm{d}x`, `\delta \mathbf{r}_{P}`, `\lambda_{\text{rod}}`."""
+    body = _latex_letter(name.letter, bold)
+    if 0 < name.primes < 4:
+        body = "\\" + "d" * (name.primes - 1) + "dot{" + body + "}"
+    if name.indices:
+        body += "_{" + ",".join(_latex_index(index) for index in name.indices) + "}"
+    if name.primes > 3:
+        body += "^{(" + str(name.primes) + ")}"
+    return {"": "", "d": r"\mathrm{d}", "delta": r"\delta "}[name.operator] + body
+
+
+def _letter(word: str) -> str:
+    return GREEK[word][0] if word in GREEK else word
+
+
+def _unicode_index(index: str) -> str:
+    if mixed := _MIXED.match(index):
+        return mixed[1].translate(SUBSCRIPTS) + SMALL[mixed[2]]
+    return index.translate(SUBSCRIPTS) if index.isdigit() else "_" + unicode_name(Name.of(index))
+
+
+_COMMANDS = dict(GREEK.values())
+
+
+def _latex_letter(word: str, bold: bool) -> str:
+    command = GREEK[word][1] if word in GREEK else _COMMANDS.get(word)
+    if command is not None:
+        return rf"\boldsymbol{{{command}}}" if bold else command
+    if bold:
+        return rf"\mathbf{{{word}}}"
+    if len(word) == 1 and word.isascii():
+        return word
+    return rf"\mathit{{{word}}}" if word.isascii() else rf"\text{{{word}}}"
+
+
+def _latex_index(index: str) -> str:
+    if _MIXED.match(index):
+        return index
+    inner = Name.of(index)
+    if index.isdigit() or (inner.is_letter and all(i.isdigit() or len(i) == 1 or i in GREEK for i in inner.indices)):
+        return index if index.isdigit() else latex_name(inner)
+    words = [word for word in re.split(r"[_.]", index) if word]
+    numbers = [word for word in words if word.isdigit()]
+    return ",".join([r"\text{" + " ".join(w for w in words if not w.isdigit()) + "}", *numbers])

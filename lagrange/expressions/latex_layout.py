@@ -1,0 +1,340 @@
+r"""Where the equations stand in a piece of LaTeX: between `$`, in environments, in rows that `\\` ends.
+
+An equation is a run of characters of the text, found by its marks and not rewritten, so that every place in it stays
+what it is. A row that begins with `=`, or with a sign and has none, continues the row before it. Labels and numbers,
+punctuation and words beside an equation are left out. One pass over the text finds the marks, and everything else is
+about them.
+"""
+
+from __future__ import annotations
+
+import re
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Sequence
+
+from lagrange.core.diagnostics import Fragment, Span
+from lagrange.core.records import record
+from lagrange.expressions.latex_commands import ENVIRONMENTS
+
+
+@record
+class LatexFragment(Fragment):
+    """A piece of another fragment that is in LaTeX, whether or not anything in it says so. It begins at `offset`."""
+
+    outer: Fragment | None = None
+    offset: int = 0
+
+    def span(self, start: int, end: int) -> Span:
+        """Where characters `start` to `end` of the text stand in the source."""
+        return (
+            super().span(start, end) if self.outer is None else self.outer.span(self.offset + start, self.offset + end)
+        )
+
+
+@record
+class Region:
+    """Mathematics between two marks of a text: characters `start` to `end`, with the marks around them from `opens` to
+    `closes`; the marks in it are those numbered `first` to `last` (exclusive)."""
+
+    start: int
+    end: int
+    first: int
+    last: int
+    opens: int = 0
+    closes: int = 0
+
+
+@record
+class Mark:
+    """Something that matters for the layout: `kind` is what stands there, or a word for it."""
+
+    kind: str
+    start: int
+    end: int
+
+
+_MARK = re.compile(
+    r"(?P<comment>%[^\n]*)|\\(?P<side>begin|end)\s?\{(?P<name>[A-Za-z]{1,20}\*?)\}"
+    r"|(?P<row>\\\\\*?(?:\[[0-9a-z. ]{1,20}\])?|\\newline(?![A-Za-z]))"
+    r"|(?P<words>\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{)"
+    r"|(?P<label>\\(?:label|tag\*?|eqref|ref|cite)\s?\{[^{}]{0,200}\})|(?P<box>\\(?:boxed|fbox)\s?\{)"
+    r"|(?P<wide>\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\{[^{}]{0,20}\}|\\hfill(?![A-Za-z]))"
+    r"|(?P<thin>\\(?:[,;:! ]|nonumber|notag|displaystyle|hline|centering|noindent)(?![A-Za-z]))"
+    r"|(?P<cases>\\left\s?(?:\\\{|\\lbrace|\.)(?=\s*\\begin)|\\right\s?\.)"
+    r"|(?P<sign>\$\$|\$|\\[()\[\]]|\\?[{}]|[()\[\]=,;])|(?P<paragraph>\n[ \t\r]*\n)|\\(?:[A-Za-z]+|.)",
+    re.DOTALL,
+)
+ALTERNATIVE = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
+"""What stands between alternatives: it parts no equations that hold together."""
+_BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
+_OPEN = {"$": "$", "$$": "$$", r"\(": r"\)", r"\[": r"\]"}
+_DISPLAYS = ("$$", r"\[", r"\]")
+_PRINTED = ("verbatim", "verbatim*", "lstlisting", "comment", "thebibliography")
+_ARGUMENTS = re.compile(r"(?:\s?\[[a-z]{0,3}\])?(?:\s?\{[^{}=\\]{0,40}\})?")
+_WITH_ARGUMENTS = ("array", "alignat", "alignedat", "aligned", "gathered", "split")
+_NUMBER = re.compile(r"\([0-9]{1,3}[a-z]?\)\Z")
+_WORD = re.compile(r"\\[a-z]+\{(?:[A-Za-z0-9_]*)\}")
+_CONJUNCTIONS = frozenset(["and", "where", "with", "so", "thus", "hence", "for", "if", "i", "ii", "iii", "iv"])
+_BESIDE = ("label", "thin", "comment", "wide", "cases", "row")
+
+
+def piece(fragment: Fragment, start: int, end: int) -> LatexFragment:
+    """Characters `start` to `end` of a fragment, as LaTeX."""
+    return LatexFragment(fragment.text[start:end], fragment.span(start, end), None, fragment, start)
+
+
+def is_latex(fragment: Fragment) -> bool:
+    """Whether a text is LaTeX: a backslash or `$` says so."""
+    return isinstance(fragment, LatexFragment) or "\\" in fragment.text or "$" in fragment.text
+
+
+def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
+    """The equations of an answer, one by one; a text in LaTeX may have several."""
+    return tuple(e for fragment in answer for e in equations(fragment))
+
+
+def equations(fragment: Fragment) -> Sequence[Fragment]:
+    """The equations in one text. A text in which none is found is one that cannot be read, and stays whole."""
+    if isinstance(fragment, LatexFragment) or not is_latex(fragment):
+        return (fragment,)
+    marks = marks_of(fragment.text)
+    regions = [r for r in delimited(marks)[0] if has_equation(marks, r)]
+    inside = sum(m.kind == "=" for r in regions for m in marks[r.first : r.last])
+    if inside < sum(m.kind == "=" for m in marks):  # `$\ddot x$ = 0`
+        regions = []
+    found = [e for r in regions or [Region(0, len(fragment.text), 0, len(marks))] for e in rows(fragment, marks, r)]
+    return found or (piece(fragment, 0, len(fragment.text)),)
+
+
+def marks_of(text: str) -> list[Mark]:
+    """What matters for the layout, in the order of the text. What is printed as it is typed is passed over."""
+    found = []
+    closing = _closing_braces(text)
+    at, printed = 0, ""
+    while match := _MARK.search(text, at):
+        start, at = match.start(), match.end()
+        side, name = match["side"], match["name"]
+        if printed:
+            printed = "" if side == "end" and name == printed else printed
+        elif side == "begin" and name in _PRINTED:
+            printed = name
+        elif side:
+            if name.rstrip("*") in _WITH_ARGUMENTS and side == "begin" and (arguments := _ARGUMENTS.match(text, at)):
+                at = arguments.end()
+            found.append(Mark(f"{side} {name}", start, at))
+        elif match["words"] and at - 1 not in closing:
+            found.append(Mark("{", at - 1, at))
+        elif match.lastgroup:
+            at = closing[at - 1] if match["words"] else at
+            kind = match[0] if match.lastgroup == "sign" else match.lastgroup
+            kind = "or" if ALTERNATIVE.fullmatch(text, start, at) else kind
+            found.append(Mark(kind, start, at))
+    return found
+
+
+def _closing_braces(text: str) -> dict[int, int]:
+    """Where each brace `{` stands that is closed, and the place behind the one that closes it."""
+    found: dict[int, int] = {}
+    opened: list[int] = []
+    for match in _BRACE.finditer(text):
+        if match[0] == "{":
+            opened.append(match.start())
+        elif match[0] == "}" and opened:
+            found[opened.pop()] = match.end()
+    return found
+
+
+def delimited(marks: Sequence[Mark]) -> tuple[list[Region], list[Mark]]:
+    r"""The outermost parts between `$`, `$$`, `\(`, `\[` or in environments of mathematics; and what is not closed."""
+    found: list[Region] = []
+    unclosed: list[Mark] = []
+    opened: Mark | None = None
+    index = level = 0
+    for n, mark in enumerate(marks):
+        if opened is None:
+            if mark.kind in _OPEN or (mark.kind.startswith("begin ") and mark.kind[6:] in ENVIRONMENTS):
+                opened, index, level = mark, n, 0
+            continue
+        if opened.kind.startswith("begin "):
+            level += (mark.kind == opened.kind) - (mark.kind == f"end {opened.kind[6:]}")
+            closes = level < 0
+        else:
+            closes = mark.kind == _OPEN[opened.kind]
+        if closes:
+            found.append(Region(opened.end, mark.start, index + 1, n, opened.start, mark.end))
+            opened = None
+        elif mark.kind == "paragraph" and opened.kind in ("$", r"\("):
+            unclosed += [opened] if any(m.kind == "=" for m in marks[index:n]) else []
+            opened = None
+    if opened is not None and any(m.kind == "=" for m in marks[index:]):
+        unclosed.append(opened)
+    return found, unclosed
+
+
+def has_equation(marks: Sequence[Mark], region: Region) -> bool:
+    """Whether there is a `=` in a part of a text."""
+    return any(m.kind == "=" for m in marks[region.first : region.last])
+
+
+def rows(fragment: Fragment, marks: Sequence[Mark], region: Region) -> list[LatexFragment]:
+    """The equations in one part of a text."""
+    text, trim = fragment.text, _Trim(fragment.text, marks[region.first : region.last])
+    cut = [(*trim.both(start, end), equals) for start, end, equals in _cut(marks, region)]
+    parts = [(start, end, equals) for start, end, equals in cut if start < end]
+    found: list[tuple[int, int, bool]] = []
+    for n, (start, end, equals) in enumerate(parts):
+        if found and (not found[-1][2] or _continues(text, *found[-1][:2], parts[n:])):
+            found[-1] = (found[-1][0], end, found[-1][2] or equals)
+        else:
+            found.append((start, end, equals))
+    return [piece(fragment, start, end) for start, end, _ in found]
+
+
+def _continues(text: str, begun: int, ended: int, parts: Sequence[tuple[int, int, bool]]) -> bool:
+    """Whether the first of the parts continues an equation that stands before it and has its `=`."""
+    start, _, equals = parts[0]
+    if text[start] == "=" or text.count("(", begun, ended) > text.count(")", begun, ended):
+        return True
+    begins_another = any(has for _, _, has in parts) and text[start] not in "+-*/−"
+    return not equals and not begins_another
+
+
+def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool]]:
+    """Cuts at rows, delimiters and environments, and at commas and wide spaces behind which another equation stands.
+
+    Gives where each part begins and ends, and whether it has a `=`.
+    """
+    boxes = _boxes_of_equations(marks, region)
+    followed = _followed_by_equation(marks, region)
+    start, equals, since = region.start, False, False  # `since`: there has been a `=` since the last "or"
+    braces = brackets = 0
+    for n in range(region.first, region.last):
+        kind = marks[n].kind
+        outside = n in boxes or kind.startswith(("begin ", "end ")) or kind in ("paragraph", *_DISPLAYS)
+        if n in boxes:
+            pass
+        elif kind in ("{", "box"):
+            braces += 1
+        elif kind == "}":
+            braces = max(braces - 1, 0)
+        elif kind in ("(", "[", r"\{"):
+            brackets += 1
+        elif kind in (")", "]", r"\}"):
+            brackets = max(brackets - 1, 0)
+        elif kind == "=":
+            equals = since = True
+        elif kind == "or":
+            since = False
+        elif braces == 0 and kind == "row":
+            outside = True
+        elif braces == brackets == 0 and kind in (",", ";", "wide", "words"):
+            outside = since and n in followed
+        if outside:
+            yield start, marks[n].start, equals
+            start, equals, since, brackets = marks[n].end, False, False, 0
+    yield start, region.end, equals
+
+
+def _followed_by_equation(marks: Sequence[Mark], region: Region) -> set[int]:
+    """The marks behind which a `=` stands in the same row."""
+    found, follows = set(), False
+    for n in range(region.last - 1, region.first - 1, -1):
+        kind = marks[n].kind
+        if kind == "row" or kind.startswith(("begin ", "end ")):
+            follows = False
+        elif kind == "=":
+            follows = True
+        elif kind == "or":
+            follows = False
+        elif follows:
+            found.add(n)
+    return found
+
+
+def _boxes_of_equations(marks: Sequence[Mark], region: Region) -> set[int]:
+    r"""The marks of each `\boxed{...}` around whole equations."""
+    found: set[int] = set()
+    open_: list[tuple[int, int]] = []
+    equals = 0
+    for n in range(region.first, region.last):
+        kind = marks[n].kind
+        equals += kind == "="
+        if kind in ("{", "box"):
+            open_.append((n, equals))
+        elif kind == "}" and open_:
+            first, before = open_.pop()
+            if marks[first].kind == "box" and equals > before:
+                found |= {first, n}
+    return found
+
+
+class _Trim:
+    """Leaves out what stands beside an equation: spaces, labels, its number, punctuation, words."""
+
+    def __init__(self, text: str, marks: Sequence[Mark]) -> None:
+        self.text = text
+        self.marks = marks
+        self.starts = [m.start for m in marks]
+        self.ends = [m.end for m in marks]
+
+    def both(self, start: int, end: int) -> tuple[int, int]:
+        """Where what is left begins and ends."""
+        start = self._from_the_left(start, end)
+        return start, self._from_the_right(start, end)
+
+    def _from_the_left(self, start: int, end: int) -> int:
+        n = bisect_left(self.starts, start)
+        while start < end:
+            if self.text[start] in " \t\r\n&~" or self.text[start] in ",;":
+                start += 1
+            else:
+                while n < len(self.marks) and self.starts[n] < start:
+                    n += 1
+                if n == len(self.marks) or self.starts[n] != start or not self._is_beside(self.marks[n]):
+                    break
+                start = self.ends[n]
+        return min(start, end)
+
+    def _from_the_right(self, start: int, end: int) -> int:
+        n = bisect_left(self.ends, end + 1) - 1
+        while end > start:
+            while n >= 0 and self.ends[n] > end:
+                n -= 1
+            mark = self.marks[n] if n >= 0 and self.ends[n] == end else None
+            if mark is not None and mark.start >= start and self._is_beside(mark):
+                end = mark.start
+            elif self.text[end - 1] in " \t\r\n&~,;.":
+                end -= 1
+            elif (number := _NUMBER.search(self.text, max(start, end - 6), end)) and self._wide_before(number.start()):
+                end = number.start()
+            else:
+                break
+        return end
+
+    def _wide_before(self, place: int) -> bool:
+        """Whether a wide space ends where a place is, blanks apart."""
+        n = bisect_left(self.ends, place + 1) - 1
+        while n >= 0 and self.starts[n] >= place:
+            n -= 1
+        return n >= 0 and self.marks[n].kind == "wide" and not self.text[self.ends[n] : place].strip()
+
+    def _stands_apart(self, mark: Mark) -> bool:
+        """Whether there is a wide space on both sides, or on one and nothing on the other: no factor stands so."""
+        before, behind = self._wide_before(mark.start), self._wide_behind(mark.end)
+        return (before and (behind or not self.text[mark.end :].strip())) or (
+            behind and not self.text[: mark.start].strip()
+        )
+
+    def _wide_behind(self, place: int) -> bool:
+        """Whether a wide space begins where a place is, blanks apart."""
+        n = bisect_left(self.starts, place)
+        return n < len(self.marks) and self.marks[n].kind == "wide" and not self.text[place : self.starts[n]].strip()
+
+    def _is_beside(self, mark: Mark) -> bool:
+        if mark.kind != "words":
+            return mark.kind in _BESIDE
+        if self._stands_apart(mark):
+            return True
+        written = self.text[mark.start : mark.end]
+        inside = written[written.index("{") + 1 : -1].strip()
+        return not _WORD.fullmatch(written) or inside in _CONJUNCTIONS or not inside

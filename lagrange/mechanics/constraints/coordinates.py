@@ -1,0 +1,301 @@
+"""Choices of generalized coordinates.
+
+A choice gives the old coordinates in terms of new ones, q = q(s, t). It is verified, not believed: the geometric
+constraints must hold identically in s, and the columns of ∂q/∂s must be independent, as many as the constraints that
+the substitution satisfies leave over. Constraints on velocities that it does not satisfy stay, rewritten in s:
+a' = a ∂q/∂s, a_t' = a_t + a ∂q/∂t.
+
+A choice may also name some of the old coordinates. The rest is then solved from the geometric constraints, with a sign
+±1 for each square root, so that all branches are carried at once; what only a constraint on velocities gives
+(φ' = y'/R) is eliminated through it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import combinations
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
+from lagrange.core.expression_size import Measures
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign, Slots, prime
+from lagrange.mechanics.constraints.kinematics import Configuration, Row, substituted_configuration
+from lagrange.problem.model import Choice
+
+LONGEST_SOLVED = 3000
+"""Nodes of an equation that is solved for a coordinate."""
+MOST_TERMS = 1000
+"""Terms that it may have, or what stands under its root, multiplied out."""
+MULTIPLIED_OUT = 60
+"""Nodes of an equation that is multiplied out to see whether it is a polynomial."""
+
+
+@record
+class GeneralizedCoordinates:
+    """A verified choice.
+
+    configuration  the system in its coordinates
+    satisfied      names of the constraints that it satisfies identically
+    signs          the signs ±1 of square roots; there are 2^len(signs) branches
+    through_rates  old coordinates that are known only through their velocities
+    radicands      what stands under the roots: not negative
+    jacobian       ∂q/∂s, shape (number of old coordinates, number of chosen ones)
+    """
+
+    choice: Choice
+    configuration: Configuration
+    satisfied: tuple[str, ...]
+    signs: tuple[Sign, ...]
+    through_rates: tuple[sp.Symbol, ...]
+    radicands: tuple[sp.Expr, ...]
+    jacobian: sp.ImmutableMatrix
+
+    @property
+    def branches(self) -> int:
+        """The number of branches of the square roots."""
+        return 1 << len(self.signs)
+
+
+def generalized_coordinates(choice: Choice, original: Configuration) -> GeneralizedCoordinates:
+    """Verifies a choice and rewrites the system in it.
+
+    Raises ProblemError where the substitution does not satisfy a constraint, the coordinates are not independent or
+    too few; UndecidedError where that could not be settled.
+    """
+    old = original.slots.coordinates
+    if choice.substitute is None:
+        solution = solved_constraints(original.rows, [q for q in old if q not in choice.coordinates])
+        expressed, signs = solution.expressed, solution.signs
+        through_rates = tuple(q for q in old if q not in choice.coordinates and q not in expressed)
+    else:
+        expressed, signs, through_rates = choice.substitute, (), ()
+    coordinates = (*choice.coordinates, *through_rates)
+    slots = Slots(coordinates, original.slots.prescribed)
+    jacobian = sp.ImmutableMatrix([[expressed.get(q, q).diff(s) for s in coordinates] for q in old])
+    satisfied: list[str] = []
+    kept: list[Row] = []
+    rule = dict(expressed)
+    for row in original.rows:
+        pulled = _pulled_back(row, old, expressed, jacobian, slots)
+        if (row.finite is not None and row.finite.xreplace(rule) == 0) or _holds(choice, row, pulled, through_rates):
+            satisfied.append(row.name)
+        else:
+            kept.append(pulled)
+    configuration = substituted_configuration(original, choice.name, coordinates, expressed, tuple(kept))
+    radicands = _radicands(expressed.values()) if signs else ()
+    result = GeneralizedCoordinates(choice, configuration, tuple(satisfied), signs, through_rates, radicands, jacobian)
+    _check_independent(result, original)
+    return result
+
+
+def _radicands(expressions: Iterable[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """What stands under the square roots, each once."""
+    roots = (p for e in expressions for p in e.atoms(sp.Pow) if p.exp == sp.S.Half and p.base.free_symbols)
+    return tuple(dict.fromkeys(p.base for p in sorted(roots, key=lambda p: p.sort_key())))
+
+
+def _pulled_back(
+    row: Row,
+    old: Sequence[sp.Symbol],
+    expressed: Mapping[sp.Symbol, sp.Expr],
+    jacobian: sp.Matrix,
+    slots: Slots,
+) -> Row:
+    """The row in the new coordinates."""
+    rule: dict[sp.Basic, sp.Basic] = dict(expressed)
+    if row.nonlinear is not None:
+        rates = {prime(q): slots.time_derivative(e) for q, e in expressed.items()}
+        return Row.by_chetaev(row.name, textbook_form(row.nonlinear.xreplace(rule | rates)), slots)
+    a = [c.xreplace(rule) for c in row.coefficients]
+    coefficients = tuple(
+        textbook_form(sp.Add(*(a[k] * jacobian[k, s] for k in range(len(old)) if jacobian[k, s] != 0)))
+        for s in range(len(slots.coordinates))
+    )
+    moved = sp.Add(*(a[k] * slots.frozen_derivative(expressed[q]) for k, q in enumerate(old) if q in expressed))
+    finite = None if row.finite is None else row.finite.xreplace(rule)
+    return Row(row.name, coefficients, textbook_form(row.drift.xreplace(rule) + moved), finite)
+
+
+def _holds(choice: Choice, row: Row, pulled: Row, through_rates: Sequence[sp.Symbol]) -> bool:
+    """Whether the choice satisfies a constraint identically; a geometric one must be."""
+    if row.finite is not None:
+        if any(q in pulled.finite.free_symbols for q in through_rates):  # type: ignore[union-attr]
+            return False
+        verdict = is_zero(pulled.finite)
+        if verdict is None:
+            raise UndecidedError(
+                f"whether the choice `{choice.name}` satisfies the constraint `{row.name}`", choice.span
+            )
+        if verdict is False:
+            message = f"the choice `{choice.name}` does not satisfy the constraint `{row.name}`"
+            help_ = f"put into it, the substitution must make `{row.name}` true for all values of its coordinates"
+            if _holds_for_positive(pulled):
+                help_ = (
+                    "it is satisfied for positive coordinates only: sqrt(r^2) is |r|; write the constraint in squares"
+                )
+            raise ProblemError(Diagnostic("choice-against-constraint", message, choice.span, help=help_))
+        return True
+    verdicts = [is_zero(e) for e in (*pulled.coefficients, pulled.drift)]
+    if None in verdicts and False not in verdicts:
+        raise UndecidedError(f"whether the choice `{choice.name}` satisfies the constraint `{row.name}`", choice.span)
+    return all(verdicts)
+
+
+def _holds_for_positive(row: Row) -> bool:
+    """Whether the constraint would hold if all coordinates were positive."""
+    assert row.finite is not None
+    positive = {s: sp.Symbol(s.name, positive=True) for s in row.finite.free_symbols if not s.is_positive}
+    return is_zero(row.finite.xreplace(positive)) is True
+
+
+def _check_independent(result: GeneralizedCoordinates, original: Configuration) -> None:
+    choice = result.choice
+    chosen = len(choice.coordinates) + len(result.through_rates)
+    found = result.configuration.surface.rank(result.jacobian)
+    names = ", ".join(f"`{q}`" for q in choice.coordinates)
+    if found is None:
+        raise UndecidedError(f"whether the coordinates {names} of `{choice.name}` are independent", choice.span)
+    if found < chosen:
+        message = f"the coordinates {names} of `{choice.name}` are not independent"
+        spare = chosen - found
+        help_ = f"when these {chosen} change, the old coordinates change in {found} directions only; leave {spare} out"
+        raise ProblemError(Diagnostic("dependent-coordinates", message, choice.span, help=help_))
+    rows = [list(r.coefficients) for r in original.rows if r.name in result.satisfied]
+    satisfied = original.states.rank(rows)
+    if satisfied is None:
+        raise UndecidedError("the rank of the constraints", choice.span)
+    needed = len(original.slots.coordinates) - satisfied
+    if chosen < needed:
+        message = (
+            f"the choice `{choice.name}` has {chosen} coordinates, and the positions it must describe have {needed}"
+        )
+        help_ = "it would add a constraint that the file does not have; choose more coordinates"
+        raise ProblemError(Diagnostic("too-few-coordinates", message, choice.span, help=help_))
+
+
+@record
+class SolvedConstraints:
+    """Coordinates in terms of the others, and the signs of the square roots in them."""
+
+    expressed: Mapping[sp.Symbol, sp.Expr]
+    signs: tuple[Sign, ...]
+
+
+def solved_constraints(rows: Sequence[Row], unknown: Sequence[sp.Symbol]) -> SolvedConstraints:
+    """Solves the geometric constraints for the unknown coordinates, one after the other, linear ones first.
+
+    A linear difference of two constraints is tried before their roots. Where it leads to an equation that is not
+    solved (of a crank and a slider it gives x by s, and s by y is a root of degree four), the constraints are solved
+    as they stand. What roots of roots have made too long to be solved once more stays unsolved.
+    """
+    finite = [r.finite for r in rows if r.finite is not None]
+    solution, left = _solved_in_turn(finite, unknown, differences=True)
+    unsolved = [q for q in unknown if q not in solution.expressed]
+    if any(not f.free_symbols.isdisjoint(unsolved) for f in left):
+        return _solved_in_turn(finite, unknown, differences=False)[0]
+    return solution
+
+
+def _solved_in_turn(
+    finite: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], differences: bool
+) -> tuple[SolvedConstraints, list[sp.Expr]]:
+    """What can be solved, with or without differences of two constraints, and the constraints that are left."""
+    waiting, expressed = list(finite), dict[sp.Symbol, sp.Expr]()
+    roots: list[Sign] = []
+    solving = True
+    while solving and unknown:
+        solving = False
+        for degree in (1, 2):
+            for used, f in _candidates(waiting, unknown, differences and degree == 1):
+                solved = solved_for_one(f.xreplace(expressed), unknown, degree, len(roots) + 1)
+                if solved is None:
+                    continue
+                q, value, sign = solved
+                expressed = {p: e.xreplace({q: value}) for p, e in expressed.items()} | {q: value}
+                roots.extend(sign)
+                unknown = [u for u in unknown if u != q]
+                waiting = [g for n, g in enumerate(waiting) if n != used]
+                solving = True
+                break
+    return SolvedConstraints(expressed, tuple(roots)), [f.xreplace(expressed) for f in waiting]
+
+
+def _candidates(
+    waiting: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], differences: bool
+) -> Iterator[tuple[int, sp.Expr]]:
+    """What may be solved next, with the place of the constraint that it uses up.
+
+    Two circles or spheres have a linear difference: x² + y² = a² and (x − b)² + y² = c² give x.
+    """
+    yield from enumerate(waiting)
+    if not differences:
+        return
+    squares = [_squares(f, unknown) for f in waiting]
+    for (m, f), (n, g) in combinations(enumerate(waiting), 2):
+        for q in squares[m]:
+            if q in squares[n]:
+                yield n, sp.expand(g * squares[m][q] - f * squares[n][q])
+
+
+def _squares(f: sp.Expr, unknown: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """The unknowns of which f has the square times a number, and the number; none where f is long."""
+    if _is_long(f):
+        return {}
+    expanded, symbols = sp.expand(f), f.free_symbols
+    found = {q: expanded.coeff(q, 2) for q in unknown if q in symbols}
+    return {q: a for q, a in found.items() if a.is_number and a != 0}
+
+
+def solved_for_one(
+    f: sp.Expr, unknown: Sequence[sp.Symbol], degree: int, number: int
+) -> tuple[sp.Symbol, sp.Expr, tuple[Sign, ...]] | None:
+    """q, its value and the sign of its root, for the first unknown in which f = 0 has the given degree.
+
+    None where there is none, or the equation is too long.
+    """
+    if _is_long(f):
+        return None
+    for q in unknown:
+        if q not in f.free_symbols:
+            continue
+        coefficients = _polynomial(f, q, degree)
+        if coefficients is None:
+            continue
+        if degree == 1:
+            c, b = coefficients
+            return q, sp.expand(-c / b), ()
+        c, b, a = coefficients
+        sign = Sign(f"sigma_{number}")
+        half = sp.expand(b / (2 * a))
+        radicand = half**2 - c / a
+        if Measures().of(radicand).widest > MOST_TERMS:
+            continue
+        return q, sign * sp.sqrt(sp.expand(radicand)) - half, (sign,)
+    return None
+
+
+def _is_long(f: sp.Expr) -> bool:
+    """Whether an equation is too long to be solved: differentiating and multiplying out would not end soon."""
+    found = Measures().of(f)
+    return found.size > LONGEST_SOLVED or found.widest > MOST_TERMS
+
+
+def _polynomial(f: sp.Expr, q: sp.Symbol, degree: int) -> list[sp.Expr] | None:
+    """The coefficients of f as a polynomial of exactly this degree in q, lowest first; None where it is none.
+
+    What is short may be a polynomial once it is multiplied out; of what is long it is asked to be one as it stands.
+    """
+    if Measures().of(f).size > MULTIPLIED_OUT and not f.is_polynomial(q):
+        return None
+    coefficients = []
+    derivative = f
+    for order in range(degree + 1):
+        coefficients.append(sp.expand(derivative.xreplace({q: sp.S.Zero})) / sp.factorial(order))
+        derivative = derivative.diff(q)
+    if sp.expand(derivative) != 0 or coefficients[-1] == 0 or any(c.has(sp.zoo, sp.nan) for c in coefficients):
+        return None
+    return coefficients

@@ -1,0 +1,240 @@
+"""Possible and virtual displacements.
+
+The constraints in differential form, A dq + a_t dt = 0, are what a possible displacement satisfies. Two of them in the
+same dt differ by a virtual displacement, A δq = 0: time is frozen and a_t has dropped out. So with any w for which
+A w + a_t = 0, the possible displacements are
+
+    dq = δq + w dt ,     dr = δr + (Σ (∂r/∂q_k) w_k + ∂r/∂t) dt :
+
+w dt is what the moving constraints force on the system. Solving A δq = 0 for m of the δq leaves n − m independent
+ones; each pivot that is divided by must not vanish, and is stated. Where a constraint φ = 0 is not linear in the
+velocities, the difference of two possible displacements satisfies nothing linear, and Σ ∂φ/∂q' δq = 0 is Chetaev's
+rule, a postulate (N. G. Chetaev, On Gauss's principle, 1932).
+
+Shapes: A (m, n), a_t (m,), w (n,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from functools import lru_cache
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import Surface
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short
+from lagrange.core.expression_size import Measures
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign, Slots, differential, t, variation
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Load, MassPoint, Row, is_pfaffian
+
+MOST_FACTORED = 8
+"""Symbols of a minor that is still factored."""
+MOST_DRIFTS = 8
+"""Eliminations that are tried for a simple drift."""
+LONGEST_FACTORED = 20
+"""Operations of a quotient that is still factored."""
+
+MOST_TERMS = 200
+"""Terms, all multiplied out, of an expression that is still reduced or factored."""
+
+
+@record
+class Elimination:
+    """A δq = 0 solved for the dependent ones.
+
+    independent  indices of the coordinates whose δq are free
+    dependent    indices of the coordinates whose δq are given, in the order of the rows used
+    solution     shape (number dependent, number independent): δq_D = solution · δq_I
+    drift        shape (number dependent,): dq_D = solution · dq_I + drift dt
+    pivots       the factors of the minor that was divided by, constants left out: must not vanish
+    unused       indices of rows that follow from the others
+    """
+
+    independent: tuple[int, ...]
+    dependent: tuple[int, ...]
+    solution: tuple[tuple[sp.Expr, ...], ...]
+    drift: tuple[sp.Expr, ...]
+    pivots: tuple[sp.Expr, ...]
+    unused: tuple[int, ...]
+
+    def solved(self, slots: Slots) -> Mapping[sp.Symbol, sp.Expr]:
+        """Each dependent δq in terms of the independent ones."""
+        free = [variation(slots.coordinates[k]) for k in self.independent]
+        return {
+            variation(slots.coordinates[d]): sp.Add(*(c * v for c, v in zip(row, free, strict=True)))
+            for d, row in zip(self.dependent, self.solution, strict=True)
+        }
+
+    def shape(self, size: int) -> tuple[tuple[sp.Expr, ...], ...]:
+        """N with δq = N δq_I, shape (size, number independent), `size` being the number of coordinates."""
+        rows = dict(zip(self.dependent, self.solution, strict=True))
+        unit = {k: tuple(sp.Integer(j == k) for j in self.independent) for k in self.independent}
+        return tuple((rows | unit)[k] for k in range(size))
+
+
+def possible_displacement(row: Row, slots: Slots) -> sp.Expr:
+    """Σ a_i dq_i + a_t dt; of a constraint that is not linear in the velocities φ, with dq_i = q_i' dt."""
+    if row.nonlinear is not None:
+        return row.nonlinear
+    terms = (a * differential(q) for a, q in zip(row.coefficients, slots.coordinates, strict=True))
+    return sp.Add(*terms, row.drift * differential(t))
+
+
+def virtual_displacement(row: Row, slots: Slots) -> sp.Expr:
+    """Σ a_i δq_i."""
+    return sp.Add(*(a * variation(q) for a, q in zip(row.coefficients, slots.coordinates, strict=True)))
+
+
+def displaced(point: MassPoint, slots: Slots) -> Vector:
+    """δr = Σ (∂r/∂q_k) δq_k."""
+    return _moved(point, [variation(q) for q in slots.coordinates])
+
+
+def carried_along(point: MassPoint, slots: Slots, rates: Sequence[sp.Expr]) -> Vector:
+    """What the moving constraints force on a particle: Σ (∂r/∂q_k) w_k + ∂r/∂t."""
+    return (_moved(point, rates) + point.position.frozen_derivative(slots)).map(textbook_form)
+
+
+def _moved(point: MassPoint, by: Sequence[sp.Expr]) -> Vector:
+    """Σ (∂r/∂q_k) s_k, for s of shape (n,)."""
+    total = Vector.zero(point.position.triad)
+    for partial, step in zip(point.partials, by, strict=True):
+        if step != 0:
+            total = total + partial * step
+    return total
+
+
+def displaced_force(load: Load, slots: Slots) -> Vector:
+    """δr of the point where a force acts."""
+    total = Vector.zero(load.point.triad)
+    for q in slots.coordinates:
+        total = total + load.point.partial(q) * variation(q)
+    return total
+
+
+def carrying_rates(rows: Sequence[Row], elimination: Elimination, size: int, surface: Surface) -> tuple[sp.Expr, ...]:
+    """The simplest w found with A w + a_t = 0, shape (n,): all zero where no constraint moves.
+
+    w is not unique; of those that set all coordinates but m to rest, the one written most simply is taken. There is no
+    w where a constraint is not linear in the velocities.
+    """
+    if not is_pfaffian(rows) or not any(elimination.drift):
+        return (sp.S.Zero,) * size
+    moving = {k for row in rows if row.drift != 0 for k, a in enumerate(row.coefficients) if a != 0}
+    others = sorted(moving - set(elimination.dependent))[:MOST_DRIFTS]
+    found = [elimination, *(eliminate(rows, size, surface, (k,)) for k in others)]
+    return min((_rates(e, size) for e in found), key=lambda w: sum(1 + r.count_ops() for r in w if r != 0))
+
+
+def _rates(elimination: Elimination, size: int) -> tuple[sp.Expr, ...]:
+    rates = [sp.S.Zero] * size
+    for k, rate in zip(elimination.dependent, elimination.drift, strict=True):
+        rates[k] = rate
+    return tuple(rates)
+
+
+class TooLongError(Exception):
+    """The elimination has more operations in it than were allowed."""
+
+
+def eliminate(
+    rows: Sequence[Row], size: int, surface: Surface, first: Collection[int] = (), most: int | None = None
+) -> Elimination:
+    """Solves A δq = 0, and with it A dq + a_t dt = 0, by Gauss-Jordan elimination.
+
+    rows   the forms, m of them, with `size` coefficients each
+    first  indices of coordinates to be eliminated before any others
+    most   operations that all entries together may have on the way; beyond them it raises TooLongError
+
+    A pivot is nonzero at generic points of the constraint surface; constants are preferred, then short expressions.
+    """
+    matrix = [[*row.coefficients, row.drift] for row in rows]
+    pivot_of: dict[int, int] = {}
+    pivots: list[sp.Expr] = []
+    unused: list[int] = []
+    for r, row in enumerate(matrix):
+        column = _pivot_column(row[:size], surface, first)
+        if column is None:
+            unused.append(r)
+            continue
+        pivot = row[column]
+        pivots.append(pivot)
+        matrix[r] = [_tidy(entry / pivot) for entry in row]
+        for other in range(len(matrix)):
+            factor = matrix[other][column]
+            if other != r and factor != 0:
+                matrix[other] = [
+                    _tidy(a - factor * b) if b != 0 else a for a, b in zip(matrix[other], matrix[r], strict=True)
+                ]
+        pivot_of[r] = column
+        if most is not None and sum(int(e.count_ops()) for entries in matrix for e in entries) > most:
+            raise TooLongError
+    dependent = tuple(pivot_of.values())
+    independent = tuple(k for k in range(size) if k not in dependent)
+    solution = tuple(tuple(_factored(-matrix[r][k]) for k in independent) for r in pivot_of)
+    drift = tuple(_factored(-matrix[r][size]) for r in pivot_of)
+    return Elimination(independent, dependent, solution, drift, _varying_factors(_minor(pivots)), tuple(unused))
+
+
+def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[int]) -> int | None:
+    """The column to divide by, or None where the row vanishes on the constraint surface."""
+    ranked = sorted((k not in first, not e.is_number, e.count_ops(), k) for k, e in enumerate(row) if e != 0)
+    for *_, k in ranked:
+        if surface.is_zero(row[k]) is False:
+            return k
+    return None
+
+
+def _minor(pivots: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """Factors of the minor that was divided by: the pivots themselves, where none has a denominator to cancel."""
+    if all(sp.fraction(p)[1].is_number for p in pivots):
+        return [_tidy(p) for p in pivots]
+    minor = sp.S.One
+    for p in pivots:
+        minor = _cancelled(minor * p)
+    return [_tidy(minor)]
+
+
+def _varying_factors(minor: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """What can vanish of the factors of a minor, each once, constants dropped: of 2 l x² it is x."""
+    numerators = (sp.fraction(p)[0] for p in minor)
+    parts = (sp.factor(p) if len(p.free_symbols) <= MOST_FACTORED and _is_short(p) else p for p in numerators)
+    bases = (f.as_base_exp()[0] for p in parts for f in sp.Mul.make_args(p))
+    varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
+    return tuple(dict.fromkeys(varying))
+
+
+@lru_cache(maxsize=256)
+def _factored(quotient: sp.Expr) -> sp.Expr:
+    """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
+    if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
+        return quotient
+    if not is_short(quotient) or quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
+        return quotient
+    factors = sp.factor(quotient)
+    shorter = factors if factors.count_ops() < quotient.count_ops() else quotient
+    return in_differences(shorter, sorted(shorter.free_symbols, key=lambda s: str(s.name)))
+
+
+def _is_short(expression: sp.Expr) -> bool:
+    """Whether multiplying out takes little time: (x + y + z + w)^20 has 1771 terms."""
+    return Measures().of(expression).widest <= MOST_TERMS
+
+
+def _cancelled(expression: sp.Expr) -> sp.Expr:
+    return sp.cancel(expression) if _is_short(expression) else expression
+
+
+@lru_cache(maxsize=256)
+def _tidy(entry: sp.Expr) -> sp.Expr:
+    """A quotient in lowest terms, and with sin² + cos² put together."""
+    if entry.is_number or entry.is_Symbol:
+        return entry
+    reduced = _cancelled(entry)
+    if not reduced.has(sp.sin, sp.cos, sp.tan) or not _is_short(reduced):
+        return reduced
+    tidied = textbook_form(reduced)
+    return tidied if tidied.count_ops() <= reduced.count_ops() else reduced

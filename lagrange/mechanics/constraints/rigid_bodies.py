@@ -1,0 +1,98 @@
+"""How a rigid body turns in a configuration: ω, the virtual rotation δπ, the angular momentum H and dH/dt.
+
+    ω = Σ ω_k q_k' + ω_t ,    δπ = Σ ω_k δq_k ,    H = A ω_1 e_1 + B ω_2 e_2 + C ω_3 e_3 ,
+
+about the mass centre, in a triad e_1, e_2, e_3 in which the moments of inertia are constant. The triad turns with an
+angular velocity Ω of its own, Ω = ω where it is fixed in the body, and
+
+    dH/dt = A ω_1' e_1 + B ω_2' e_2 + C ω_3' e_3 + Ω × H .
+
+δπ is not the variation of anything: the ω_k need not be derivatives, and the q_k may be quasi-coordinates.
+Reference: Whittaker, Analytical Dynamics, §§ 62-64.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.core.rotation import Axes, triad_in, turning_rate
+from lagrange.core.symbols import Slots, prime
+from lagrange.core.vectors import Components, Vector
+from lagrange.problem.model import Body
+from lagrange.problem.orientation import orientation
+
+
+@record
+class Rotation:
+    """How one body turns.
+
+    axes              to which the moments of inertia refer, in i, j, k
+    inertia           the moments about the axes of the triad that vectors here are in components of
+    angular_velocity  ω
+    partials          shape (n,): ω_k
+    momentum          H, about the mass centre
+    momentum_rate     dH/dt
+    given             whether the file gives ω and the axes apart from one another
+    """
+
+    name: str
+    axes: Axes
+    inertia: Components
+    angular_velocity: Vector
+    partials: tuple[Vector, ...]
+    momentum: Vector
+    momentum_rate: Vector
+    given: bool
+
+    @property
+    def has_inertia(self) -> bool:
+        """Whether any moment of inertia is not 0."""
+        return any(moment != 0 for moment in self.inertia)
+
+    def virtual(self, steps: Sequence[sp.Expr]) -> Vector:
+        """Σ ω_k s_k, for s of shape (n,)."""
+        total = Vector.zero(self.angular_velocity.triad)
+        for partial, step in zip(self.partials, steps, strict=True):
+            total = total + partial * step
+        return total
+
+
+def rotation_of(body: Body, slots: Slots) -> Rotation:
+    """The rotation of a body in the coordinates of the file."""
+    found = orientation(body, slots)
+    given = body.angular_velocity is not None
+    return _rotation(body.name, found.axes, found.inertia, found.angular_velocity, given, slots)
+
+
+def rotation_in(
+    rotation: Rotation, expressed: dict[sp.Symbol, sp.Expr], rule: dict[sp.Basic, sp.Basic], slots: Slots
+) -> Rotation:
+    """The rotation in other coordinates; `expressed` gives each that is replaced, `rule` its derivatives too."""
+    triad = triad_in(rotation.angular_velocity.triad, expressed, slots)
+    spin = Vector(rotation.angular_velocity.components, triad).map(lambda c: c.xreplace(rule))
+    first, second, third = (axis.xreplace(rule) for axis in rotation.axes)
+    return _rotation(rotation.name, (first, second, third), rotation.inertia, spin, rotation.given, slots)
+
+
+def _rotation(name: str, axes: Axes, inertia: Components, spin: Vector, given: bool, slots: Slots) -> Rotation:
+    partials = tuple(spin.map(lambda c, q=q: c.diff(prime(q))) for q in slots.coordinates)  # type: ignore[misc]
+    a, b, c = (moment * w for moment, w in zip(inertia, spin.components, strict=True))
+    momentum = Vector((a, b, c), spin.triad)
+    return Rotation(name, axes, inertia, spin, partials, momentum, momentum.time_derivative(slots), given)
+
+
+def relative_to_triad(rotation: Rotation, slots: Slots) -> tuple[sp.Expr, ...]:
+    """What must vanish so that the moments of inertia are constant in the triad: (A − B) (ω − Ω)·e_3, and so on.
+
+    Only where the file gives ω and the axes apart from one another is there anything to ask.
+    """
+    if not rotation.given:
+        return ()
+    spin = rotation.angular_velocity
+    relative = (spin - turning_rate(spin.triad, slots)).components
+    a, b, c = rotation.inertia
+    pairs = ((b - c, relative[0]), (c - a, relative[1]), (a - b, relative[2]))
+    return tuple(difference * w for difference, w in pairs if difference != 0 and w != 0)

@@ -1,0 +1,171 @@
+"""Springs and dampers between two points, by their distance d.
+
+    spring   V = k (d − l)²/2 ,  a pull k (d − l) on both ends
+    damper   a pull c d' on both ends, with the power −c d'²
+
+On a straight line d is |s|. There the file may say which sign s has (`sense`: of r_2 − r_1), as a drawing does;
+otherwise |s| stays, as does sign s in the force. A damper does not need to know: −c d' along the line is −c s' along s.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots
+from lagrange.core.vectors import Vector
+from lagrange.problem.model import Damper, Problem, Spring
+
+MOST_TERMS = 20
+"""Terms of a squared distance that is still looked at for being a square."""
+
+
+class Link:
+    """What springs and dampers have in common."""
+
+    name: str
+
+    @property
+    def length_symbol(self) -> sp.Symbol:
+        """What the distance of the ends is called: d_tie."""
+        return sp.Symbol(f"d_{self.name}", real=True)
+
+
+@record
+class Stretched(Link):
+    """A spring in a configuration.
+
+    ends      names of what it is fastened to, where they have one, and vectors
+    apart     from the second end to the first
+    distance  d
+    """
+
+    name: str
+    stiffness: sp.Expr
+    length: sp.Expr
+    ends: tuple[str | Vector, str | Vector]
+    apart: Vector
+    distance: sp.Expr
+
+    @property
+    def energy(self) -> sp.Expr:
+        """k (d − l)²/2, written so that no root is left where l = 0, and no |s|² anywhere."""
+        d, l = self.distance, self.length
+        if d.has(sp.Abs):
+            return self.stiffness * (d**2 - 2 * l * d + l**2) / 2
+        stretch = d - l
+        return self.stiffness * (-stretch if stretch.could_extract_minus_sign() else stretch) ** 2 / 2
+
+    @property
+    def pull(self) -> sp.Expr:
+        """The force with which it pulls its ends together."""
+        return self.stiffness * (self.distance - self.length)
+
+
+@record
+class Damped(Link):
+    """A damper in a configuration; fields as of a spring. On a straight line `distance` is s, whatever its sign.
+
+    rate  d'
+    """
+
+    name: str
+    coefficient: sp.Expr
+    ends: tuple[str | Vector, str | Vector]
+    apart: Vector
+    distance: sp.Expr
+    rate: sp.Expr
+
+    @property
+    def pull(self) -> sp.Expr:
+        """The force with which it pulls its ends together."""
+        return self.coefficient * self.rate
+
+
+def stretched_springs(problem: Problem) -> tuple[Stretched, ...]:
+    """The springs in the coordinates of the file."""
+    found = []
+    for f in problem.forces:
+        if isinstance(f, Spring):
+            apart = f.ends[0] - f.ends[1]
+            length = _distance(apart) if f.sense is None else -f.sense * sp.Add(*apart.components)
+            found.append(Stretched(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
+    return tuple(found)
+
+
+def dampers_in(problem: Problem) -> tuple[Damped, ...]:
+    """The dampers in the coordinates of the file."""
+    found = []
+    for f in problem.forces:
+        if isinstance(f, Damper):
+            apart = f.ends[0] - f.ends[1]
+            parts = [c for c in apart.components if c != 0]
+            length = -parts[0] if len(parts) == 1 else _unsigned(_root(textbook_form(apart.dot(apart))))
+            rate = textbook_form(problem.slots.time_derivative(length))
+            found.append(Damped(f.name, f.coefficient, _named(f.ends, problem), apart, length, rate))
+    return tuple(found)
+
+
+def spring_in(spring: Stretched, rule: dict[sp.Basic, sp.Basic]) -> Stretched:
+    """The spring in other coordinates."""
+    return replace(
+        spring,
+        stiffness=spring.stiffness.xreplace(rule),
+        length=spring.length.xreplace(rule),
+        ends=_rewritten(spring.ends, rule),
+        apart=spring.apart.xreplace(rule),
+        distance=_root(textbook_form(spring.distance.xreplace(rule) ** 2))
+        if spring.distance.is_Pow
+        else spring.distance.xreplace(rule),
+    )
+
+
+def damper_in(damper: Damped, rule: dict[sp.Basic, sp.Basic], slots: Slots) -> Damped:
+    """The damper in other coordinates."""
+    squared = textbook_form(damper.distance.xreplace(rule) ** 2) if damper.distance.is_Pow else None
+    length = damper.distance.xreplace(rule) if squared is None else _unsigned(_root(squared))
+    return replace(
+        damper,
+        coefficient=damper.coefficient.xreplace(rule),
+        ends=_rewritten(damper.ends, rule),
+        apart=damper.apart.xreplace(rule),
+        distance=length,
+        rate=textbook_form(slots.time_derivative(length)),
+    )
+
+
+def _rewritten(
+    ends: tuple[str | Vector, str | Vector], rule: dict[sp.Basic, sp.Basic]
+) -> tuple[str | Vector, str | Vector]:
+    first, second = (e if isinstance(e, str) else e.xreplace(rule) for e in ends)
+    return first, second
+
+
+def _named(ends: tuple[Vector, Vector], problem: Problem) -> tuple[str | Vector, str | Vector]:
+    """The ends, those that are particles or mass centres by name; what is pinned at the origin is the origin."""
+    places: Mapping[Vector, str] = {p.position: p.name for p in problem.masses if not p.position.is_zero}
+    first, second = (places.get(e, e) for e in ends)
+    return first, second
+
+
+def _distance(apart: Vector) -> sp.Expr:
+    parts = [c for c in apart.components if c != 0]
+    if len(parts) == 1:
+        return sp.Abs(parts[0])
+    return _root(textbook_form(apart.dot(apart)))
+
+
+def _root(squared: sp.Expr) -> sp.Expr:
+    """The square root; |s| where s² is multiplied out."""
+    if squared.is_Add and len(squared.args) <= MOST_TERMS and squared.is_polynomial(*squared.free_symbols):
+        squared = sp.factor(squared)
+    return sp.sqrt(squared)
+
+
+def _unsigned(length: sp.Expr) -> sp.Expr:
+    """s for |s|."""
+    return length.args[0] if isinstance(length, sp.Abs) else length

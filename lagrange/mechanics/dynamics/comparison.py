@@ -1,0 +1,231 @@
+"""Do two systems of equations have the same solutions?
+
+Equations of motion are affine in the unknowns (accelerations, multipliers). At a random state on the constraint
+surface, with velocities that satisfy the constraints, each becomes a row [A | b]. An equation follows from a system
+when its row lies in the row space of the system's rows and of the second derivatives of the constraints, and two
+systems agree when their row spaces do. Any rearrangement, any nonzero factor and any linear combination is taken in.
+Multipliers are columns like the others; where they may be eliminated, their columns are projected out.
+
+Rows are taken exactly at random points. That an equation contradicts is certain, where there are no branches; how sure
+it is that one follows is said in `exact`: it hangs on the prime that all points of a question share, and little on
+their number. A result that differs from point to point is "undecided".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from enum import Enum, auto
+from typing import Any, TypeVar
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import Point
+from lagrange.algebra.exact.linear_algebra import Row, RowSpace
+from lagrange.algebra.exact.sampling import agreed
+from lagrange.core.records import record
+from lagrange.mechanics.constraints.kinematics import Configuration, is_pfaffian
+
+T = TypeVar("T")
+
+
+class Standing(Enum):
+    """How one equation stands to a system."""
+
+    FOLLOWS = auto()
+    CONSTRAINT = auto()  # it holds by the constraints alone, or is an identity
+    REDUNDANT = auto()  # it follows, and from the equations before it
+    CONTRADICTS = auto()
+    NOT_LINEAR = auto()  # in the accelerations
+
+
+@record
+class Comparison:
+    """How each equation stands to the system, and how many independent ones are missing."""
+
+    standings: tuple[Standing, ...]
+    missing: int
+
+    @property
+    def agree(self) -> bool:
+        """Whether the two systems have the same solutions."""
+        bad = {Standing.CONTRADICTS, Standing.NOT_LINEAR}
+        return self.missing == 0 and not bad & set(self.standings)
+
+
+@record
+class System:
+    """A system of equations of motion: each of `equations` is zero.
+
+    multipliers  unknowns beside the accelerations: λ_j of the constraints, unknown forces
+    """
+
+    configuration: Configuration
+    equations: tuple[sp.Expr, ...]
+    multipliers: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def accelerated_constraints(self) -> tuple[sp.Expr, ...]:
+        """d/dt of the velocity form of each constraint."""
+        return self.configuration.accelerated_constraints
+
+
+def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol] = ()) -> Comparison | None:
+    """How the equations `answer` (each zero) stand to a system. None: undecided.
+
+    free  unknown forces that only the answer knows; they are eliminated from it
+
+    Raises DivisionByZero where the answer divides by what is exactly zero.
+    """
+    return agreed_in_motion(
+        system.configuration,
+        lambda moving: _compared(moving, answer, system, free),
+        (*answer, *system.equations, *system.accelerated_constraints),
+        settles=lambda comparison: Standing.CONTRADICTS in comparison.standings,
+    )
+
+
+def agreed_in_motion(
+    configuration: Configuration,
+    evaluate: Callable[[Point], T],
+    expressions: Sequence[sp.Expr],
+    settles: Callable[[T], bool] = lambda _: False,
+) -> T | None:
+    """What `evaluate` returns at random states of motion, if all agree (`agreed`). Raises DivisionByZeroError."""
+    symbols = symbols_of(expressions)
+    states = configuration.states
+    return agreed(states, evaluate, expressions, settles, lambda p: state(p, configuration, symbols))
+
+
+def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
+    """The symbols of several expressions, in a fixed order."""
+    return tuple(sorted(set().union(*(e.free_symbols for e in expressions)), key=lambda s: s.name))
+
+
+def state(point: Point, configuration: Configuration, symbols: Iterable[sp.Symbol]) -> Point:
+    """The point of `configuration.states` with velocities that satisfy A q' + a_t = 0 and are random otherwise.
+
+    All `symbols` have their values afterwards, so that points made from it share them.
+    """
+    slots, rows = configuration.slots, configuration.rows
+    for s in symbols:
+        point.input(s)
+    if not is_pfaffian(rows):
+        return point  # its velocities satisfy the constraints already
+    velocities: list[Any] = [point.random() for _ in slots.velocities]
+    if rows:
+        a = [point.values(r.coefficients) for r in rows]
+        minus = [point.arithmetic.reduce(-point.value(r.drift)) for r in rows]
+        found = point.solution(a, minus, velocities)
+        if found is None:
+            raise ContradictionError
+        velocities = found
+    return point.with_values(dict(zip(slots.velocities, velocities, strict=True)))
+
+
+class ContradictionError(Exception):
+    """No velocity satisfies the constraints. `classify` refuses such systems before."""
+
+
+def affine_rows(point: Point, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[list[Any]]:
+    """The coefficients of the unknowns and the constant of each expression, shape (m, len(unknowns) + 1).
+
+    The expressions are derived equations, which are affine in accelerations and multipliers.
+    """
+    rows = point.affine(expressions, unknowns)
+    assert rows is not None
+    return rows
+
+
+def follow(
+    configuration: Configuration,
+    claims: Sequence[sp.Expr],
+    known: Sequence[sp.Expr],
+    unknowns: Sequence[sp.Symbol],
+) -> bool | None:
+    """Whether expressions that vanish follow from others, all affine in the unknowns. None: undecided.
+
+    Raises DivisionByZeroError.
+    """
+
+    def at(moving: Point) -> bool:
+        rows = affine_rows(moving, (*known, *claims), unknowns)
+        return bool(moving.rank(rows) == moving.rank(rows[: len(known)]))
+
+    return agreed_in_motion(configuration, at, (*known, *claims))
+
+
+def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]) -> Comparison:
+    eliminated = len(free) + len(system.multipliers)
+    unknowns = (*free, *system.multipliers, *system.configuration.slots.accelerations)
+    derived = (*system.accelerated_constraints, *system.equations)
+    found = moving.affine_each((*derived, *answer), unknowns)
+    zero = [moving.number(0)] * (len(unknowns) + 1)
+    whole = [zero if row is None else row for row in found]
+    known, rows = whole[: len(derived)], whole[len(derived) :]
+    constraints = known[: len(system.accelerated_constraints)]
+    spaces = _Spaces(moving, constraints, known)
+    standings = [
+        Standing.NOT_LINEAR if linear is None else spaces.standing(row, len(free))
+        for row, linear in zip(rows, found[len(derived) :], strict=True)
+    ]
+    _judge_free(moving, standings, rows, spaces.known, len(free))
+    good = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]
+    wanted = _rank_without(moving, known, eliminated)
+    reached = _rank_without(moving, [*constraints, *good], eliminated)
+    return Comparison(tuple(standings), max(0, wanted - reached))
+
+
+_COUNTED = (Standing.FOLLOWS, Standing.CONSTRAINT, Standing.REDUNDANT)
+
+
+class _Spaces:
+    """What the derived rows span, what the constraints do, and these with the rows of the answer so far."""
+
+    def __init__(self, point: Point, constraints: Sequence[Row], known: Sequence[Row]) -> None:
+        self._vanishes = point.arithmetic.vanishes
+        self.known = RowSpace(point.arithmetic, known)
+        self._constraints = RowSpace(point.arithmetic, constraints)
+        self._said = RowSpace(point.arithmetic, constraints)
+
+    def standing(self, row: Row, free: int) -> Standing:
+        """Of one row of an answer, and what it adds to those before."""
+        adds = self._said.add(row)
+        if any(not self._vanishes(x) for x in row[:free]):
+            return Standing.FOLLOWS  # judged together with the others, once the free unknowns are eliminated
+        if row not in self.known:
+            return Standing.CONTRADICTS
+        if row in self._constraints:
+            return Standing.CONSTRAINT
+        return Standing.FOLLOWS if adds else Standing.REDUNDANT
+
+
+def _rank_without(point: Point, rows: list[list[Any]], eliminated: int) -> int:
+    """The number of independent equations that are left when the first unknowns are eliminated."""
+    head = [row[:eliminated] for row in rows]
+    return point.rank(rows) - (point.rank(head) if eliminated else 0)
+
+
+def _judge_free(
+    point: Point,
+    standings: list[Standing],
+    rows: list[list[Any]],
+    known: RowSpace,
+    free: int,
+) -> None:
+    """Equations with free unknowns contradict the system where what is left after eliminating them does."""
+    if not free:
+        return
+    using = [n for n, row in enumerate(rows) if any(not point.arithmetic.vanishes(x) for x in row[:free])]
+    chosen = [rows[n] for n in using]
+    if not chosen:
+        return
+    transposed = [list(column) for column in zip(*(row[:free] for row in chosen), strict=True)]
+    for combination in point.nullspace(transposed, len(chosen)):
+        row = [
+            point.arithmetic.reduce(sum(c * r[k] for c, r in zip(combination, chosen, strict=True)))
+            for k in range(len(chosen[0]))
+        ]
+        if row not in known:
+            for n, c in zip(using, combination, strict=True):
+                if not point.arithmetic.vanishes(c):
+                    standings[n] = Standing.CONTRADICTS

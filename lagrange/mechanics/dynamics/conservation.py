@@ -1,0 +1,378 @@
+"""What the equations of motion conserve, with the proof; and how fast energy changes where it is not conserved.
+
+    p_φ = m l² φ' sin² θ = const         φ is cyclic, and no reaction works in its displacement
+    h = T2 − T0 + V = const              time does not occur, although positions may contain it
+    dE/dt = Σ Q'_k q_k' − ∂L/∂t + d(T1 + 2 T0)/dt − Σ λ_j a_jt
+
+An integral I that a symmetry with the multipliers μ gives (`noether`) is proved by an identity: the equations of
+motion E_k = 0, multiplied by ν_k and added, are its rate, Σ ν_k E_k = dI/dt, where ν_k is μ_k times what was divided
+out of E_k. It is an identity in the accelerations, verified at random states that the constraints admit. Apart from
+that, dI/dt must vanish with the accelerations that d'Alembert's equations give. That something is not conserved is
+decided in the same way, and may be undecided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import field, replace
+from enum import StrEnum
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import DivisionByZeroError, Point
+from lagrange.algebra.fourier.common_factor import normalised
+from lagrange.algebra.fourier.textbook import Textbook
+from lagrange.algebra.fourier.trigonometry import Element
+from lagrange.core.records import record
+from lagrange.core.symbols import partial
+from lagrange.mechanics.constraints.kinematics import Configuration, Row
+from lagrange.mechanics.dynamics.admitted import admitted_displacements
+from lagrange.mechanics.dynamics.comparison import System, agreed_in_motion, follow
+from lagrange.mechanics.dynamics.energy_functions import EnergyFunctions, energy_functions, in_one_term
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.gauges import gauged
+from lagrange.mechanics.dynamics.motion import Motion
+from lagrange.mechanics.dynamics.noether import Candidate, Kind, Symmetry, candidates, symmetries
+from lagrange.mechanics.dynamics.verification import Check, certainty, with_accelerations
+
+
+class Quantity(StrEnum):
+    """What is conserved."""
+
+    MOMENTUM = "momentum"
+    ANGULAR_MOMENTUM = "angular-momentum"
+    ENERGY = "energy"
+    JACOBI = "jacobi"
+
+
+_ENERGIES = (Quantity.ENERGY, Quantity.JACOBI)
+
+
+class Because(StrEnum):
+    """Why. Stable: programs rely on these words."""
+
+    CYCLIC = "cyclic"  # the coordinate occurs nowhere, and no reaction works in its displacement
+    TRANSLATION = "translation"  # a displacement of several coordinates changes nothing
+    ROTATION = "rotation"  # a rotation of Cartesian coordinates changes nothing
+    ADMITTED = "admitted"  # a virtual displacement, in which no reaction works
+    GAUGE = "gauge"  # the force along the coordinate is the rate of something
+    RATE = "rate"  # what a displacement changes in L, with the work of the forces, is the rate of something
+    NO_REACTION = "no-reaction"  # a cyclic coordinate whose reaction turns out to vanish
+    CONSERVATIVE = "conservative"  # forces have a potential, and nothing depends on time
+    TIME_FREE = "time-free"  # time does not occur in L, although it does in the positions
+    DEPENDENT = "dependent"  # it follows from the other integrals
+    TIME_RATE = "time-rate"  # what time changes in L, with the power of the forces, is the rate of something
+    CARRIED = "carried"  # a shift of time together with a displacement changes nothing
+
+
+@record
+class Integral:
+    """expression = const along every motion.
+
+    coordinate    the cyclic one, where it is one
+    displacement  each coordinate that a symmetry displaces, with its δq
+    multipliers   ν_k of the equations of motion; empty where no identity was found
+    constant      whether its rate vanishes with the accelerations of d'Alembert's equations; None: undecided
+    """
+
+    quantity: Quantity
+    because: Because
+    expression: sp.Expr
+    coordinate: sp.Symbol | None = None
+    displacement: Mapping[sp.Symbol, sp.Expr] | None = None
+    multipliers: tuple[sp.Expr, ...] = ()
+    constant: bool | None = None
+
+
+@record
+class EnergyRate:
+    """d(expression)/dt = rate, which does not vanish. `rate` None: whether the energy is conserved is undecided.
+
+    driven  the constraints whose motion has a part in it
+    hidden  whether forces have a potential that was not found, and is not in the expression
+    """
+
+    expression: sp.Expr
+    rate: sp.Expr | None
+    driven: tuple[str, ...] = ()
+    hidden: bool = False
+
+
+@record
+class Conserved:
+    """What one set of equations conserves.
+
+    energy     its rate, where it is not conserved
+    bound      momenta of cyclic coordinates that are not conserved, because constraints on velocities bind these
+    undecided  cyclic coordinates of which that could not be decided
+    potential  whether there is a potential energy
+    """
+
+    motion: EquationsOfMotion
+    integrals: tuple[Integral, ...]
+    energy: EnergyRate | None = None
+    bound: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    undecided: tuple[sp.Symbol, ...] = ()
+    potential: bool = True
+
+
+def first_integral(motion: EquationsOfMotion, expression: sp.Expr) -> bool | None:
+    """Whether an expression in q, q', t is constant along every motion; None: undecided.
+
+    Its rate must vanish with the accelerations that the equations give, at random admitted states. What is constant by
+    the constraints alone is so too.
+    """
+    return _vanish_along(motion, [motion.configuration.slots.time_derivative(expression)])[0]
+
+
+def _vanish_along(motion: EquationsOfMotion, rates: Sequence[sp.Expr]) -> list[bool | None]:
+    """Which of several rates are zero along every motion: at states whose accelerations are found once for all."""
+    if not rates:
+        return []
+    system = System(motion.configuration, motion.expressions)
+    expressions = (*rates, *system.equations, *system.accelerated_constraints)
+
+    def hold(moving: Point) -> list[bool | None]:
+        accelerated = with_accelerations(moving, system)
+        return [None if accelerated is None else accelerated.is_zero(r) for r in rates]
+
+    try:
+        together = agreed_in_motion(motion.configuration, hold, expressions)
+    except DivisionByZeroError:
+        together = None
+    if together is not None:
+        return together
+    return [_vanish_along(motion, [r])[0] for r in rates] if len(rates) > 1 else [None]
+
+
+def conserved(motion: Motion, multipliers: Mapping[str, sp.Symbol], frictions: Collection[str] = ()) -> Conserved:
+    """The integrals of a motion, and the rate of its energy.
+
+    multipliers  λ of the constraints, by name
+    frictions    the names of the friction forces
+    """
+    solved = motion.equations
+    driven = tuple(r for r in solved.configuration.rows if not _is_still(r, solved.configuration))
+    equations = solved if driven else motion.written
+    return _Search(equations, multipliers, driven, frozenset(frictions)).all()
+
+
+def _is_still(row: Row, configuration: Configuration) -> bool:
+    """Whether a_t is zero where the constraint holds."""
+    return row.drift == 0 or configuration.states.is_zero(row.drift) is True
+
+
+class _Search:
+    """What is known of one set of equations."""
+
+    def __init__(
+        self,
+        motion: EquationsOfMotion,
+        multipliers: Mapping[str, sp.Symbol],
+        driven: tuple[Row, ...],
+        frictions: frozenset[str],
+    ) -> None:
+        self.motion = motion
+        self.configuration = motion.configuration
+        self.slots = motion.configuration.slots
+        self.multipliers = multipliers
+        self.driven = driven
+        self._rates: dict[sp.Expr, sp.Expr] = {}
+        self.system = System(self.configuration, motion.expressions)
+        textbook = Textbook(motion.principle.ring, multipliers.values())
+        self.energies: EnergyFunctions = energy_functions(self.configuration, textbook, frictions)
+
+    def all(self) -> Conserved:
+        """The integrals, momenta first; the rate of the energy; what is cyclic and not conserved."""
+        found = candidates(self.energies, admitted_displacements(self.motion.elimination, self.configuration))
+        integrals = self._independent([self._integral(s) for s in self._symmetries(found)])
+        verdicts = self._are_constant([i.expression for i in integrals])
+        integrals = [replace(i, constant=v) for i, v in zip(integrals, verdicts, strict=True)]
+        reached = {i.coordinate for i in integrals}
+        bound: dict[sp.Symbol, sp.Expr] = {}
+        undecided: list[sp.Symbol] = []
+        cyclic = {k: q for k in self._cyclic() if (q := self.slots.coordinates[k]) not in reached}
+        momenta = [self.energies.form(self.energies.momenta[k]) for k in cyclic]
+        verdicts = self._are_constant(momenta)
+        for (k, coordinate), momentum, verdict in zip(cyclic.items(), momenta, verdicts, strict=True):
+            if verdict is True:
+                new = Integral(Quantity.MOMENTUM, Because.NO_REACTION, momentum, coordinate, constant=True)
+                integrals += self._independent([new], [i for i in integrals if i.quantity not in _ENERGIES])
+            elif not self.energies.are_quasi and any(
+                r.coefficients[k] != 0 for r in self.configuration.rows if r.finite is None
+            ):
+                if verdict is None:
+                    undecided.append(coordinate)
+                else:
+                    bound[coordinate] = momentum
+        energy, rate = self._energy(integrals)
+        ordered = sorted([*integrals, *energy], key=lambda i: i.quantity in _ENERGIES)
+        return Conserved(self.motion, tuple(ordered), rate, bound, tuple(undecided), self.energies.has_potential)
+
+    def _cyclic(self) -> list[int]:
+        """The coordinates on which nothing depends but perhaps a constraint."""
+        return [k for k, force in enumerate(self.energies.lagrangian_forces) if not force]
+
+    # -- symmetries ----------------------------------------------------------------------------------------------------
+
+    def _symmetries(self, found: Sequence[Candidate]) -> list[Symmetry]:
+        """Those with R = 0, then those where R is a rate; δt in one way only, last."""
+        plain = symmetries(found, self.configuration)
+        rates = gauged(found, self.energies)
+        timed = [s for s in plain if s.kind is Kind.TIME] or [s for s in rates if s.kind is Kind.TIME]
+        return [s for s in (*plain, *rates) if s.kind is not Kind.TIME] + timed
+
+    def _integral(self, symmetry: Symmetry) -> Integral:
+        coordinates = self.slots.coordinates
+        moved = {q: x for q, x in zip(coordinates, symmetry.displacement, strict=True) if x != 0} if (
+            any(k.kind is not Kind.TIME for k, _ in symmetry.terms)
+        ) else {}  # fmt: skip
+        ring = self.energies.ring
+        momentum = ring.total(
+            ring.from_sympy(x) * p for x, p in zip(moved.values(), (self._momentum(q) for q in moved), strict=True)
+        )
+        multipliers = self._proof(symmetry.multipliers)
+        gauge = sp.Add(*(c * k.gauge for k, c in symmetry.terms))
+        if symmetry.kind is Kind.TIME:
+            own = self.energies.has_motion_of_its_own
+            quantity = Quantity.JACOBI if own or moved or gauge != 0 else Quantity.ENERGY
+            because = Because.CARRIED if moved else Because.TIME_FREE if own else Because.CONSERVATIVE
+            because = Because.TIME_RATE if gauge != 0 else because
+            expression = self.energies.jacobi_less(gauge) if own or gauge != 0 else self.energies.energy
+            expression = sp.Add(expression, self.energies.changing(momentum)) if moved else expression
+            if own and expression == self.energies.energy:
+                quantity = Quantity.ENERGY
+            carried = {q: -x for q, x in moved.items()}
+            return self._proved(Integral(quantity, because, expression, None, carried or None, multipliers))
+        expression = self.energies.form(momentum - ring.from_sympy(gauge))
+        turned = any(not x.free_symbols.isdisjoint(coordinates) for x in moved.values())
+        if symmetry.kind is Kind.GAUGE and (len(moved) > 1 or not self._is_cyclic(next(iter(moved)))):
+            quantity = Quantity.ANGULAR_MOMENTUM if turned else Quantity.MOMENTUM
+            return self._proved(Integral(quantity, Because.RATE, expression, None, moved, multipliers))
+        quantity = Quantity.ANGULAR_MOMENTUM if symmetry.kind is Kind.ROTATION else Quantity.MOMENTUM
+        if symmetry.kind in (Kind.TRANSLATION, Kind.GAUGE) and len(moved) == 1:
+            because = Because.GAUGE if symmetry.kind is Kind.GAUGE else Because.CYCLIC
+            return self._proved(Integral(quantity, because, expression, next(iter(moved)), moved, multipliers))
+        because = {Kind.ROTATION: Because.ROTATION, Kind.ADMITTED: Because.ADMITTED}.get(
+            symmetry.kind, Because.TRANSLATION
+        )
+        if normalised(expression) != expression:
+            expression = normalised(expression)
+            moved = {q: -x for q, x in moved.items()}
+            multipliers = tuple(-m for m in multipliers)
+        return self._proved(Integral(quantity, because, expression, None, moved, multipliers))
+
+    def _is_cyclic(self, coordinate: sp.Symbol) -> bool:
+        """Whether a coordinate does not occur in the energies."""
+        ring = self.energies.ring
+        return bool(ring.is_zero(ring.partial(coordinate)(self.energies.lagrangian)))
+
+    def _momentum(self, coordinate: sp.Symbol) -> Element:
+        return self.energies.momenta[self.slots.coordinates.index(coordinate)]
+
+    def _proof(self, multipliers: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+        """ν_k: the multipliers of the independent displacements, times what was divided out of the equations."""
+        pairs = zip(self.motion.elimination.independent, self.motion.equations, strict=True)
+        return tuple(
+            multipliers[k] * e.factor.expression * (-1 if e.reversed else 1) if multipliers[k] != 0 else sp.S.Zero
+            for k, e in pairs
+        )
+
+    def _proved(self, integral: Integral) -> Integral:
+        """The integral, without its multipliers where the identity does not hold."""
+        sides = (m * e for m, e in zip(integral.multipliers, self.motion.expressions, strict=True) if m != 0)
+        difference = sp.Add(self._rate(integral.expression), *(-s for s in sides))
+
+        def holds(moving: Point) -> bool:
+            return moving.is_zero(difference)
+
+        try:
+            proved = agreed_in_motion(self.configuration, holds, [difference]) is True
+        except DivisionByZeroError:
+            proved = False
+        return integral if proved else replace(integral, multipliers=())
+
+    def _independent(self, found: Sequence[Integral], before: Sequence[Integral] = ()) -> list[Integral]:
+        """Those that are no functions of the constraints; of momenta, those that are not functions of others either."""
+        rows = self.configuration.rows
+        if not rows and all(i.because is not Because.RATE for i in found):
+            return list(found)
+        variables = [*self.slots.coordinates, *self.slots.velocities]
+        relations = [r.velocity_form(self.slots) for r in rows] + [r.finite for r in rows if r.finite is not None]
+        known = [[partial(f, v) for v in variables] for f in relations]
+        kept: list[Integral] = []
+        gradients = [[partial(i.expression, v) for v in variables] for i in before]
+        for i in found:
+            gradient = [partial(i.expression, v) for v in variables]
+            others = [] if i.quantity in _ENERGIES else gradients
+            if self._adds([*known, *others], gradient):
+                kept.append(i)
+                if others is gradients:
+                    gradients.append(gradient)
+        return kept
+
+    def _adds(self, known: Sequence[Sequence[sp.Expr]], gradient: Sequence[sp.Expr]) -> bool:
+        """Whether a gradient is independent of others, each of shape (2n,), at admitted states."""
+
+        def adds(there: Point) -> bool:
+            values = there.matrix(known)
+            return bool(there.rank([*values, there.values(gradient)]) > there.rank(values))
+
+        return agreed_in_motion(self.configuration, adds, [e for row in (*known, gradient) for e in row]) is True
+
+    # -- along the motion ----------------------------------------------------------------------------------------------
+
+    def _are_constant(self, expressions: Sequence[sp.Expr]) -> list[bool | None]:
+        """Whether the rates of expressions vanish with the accelerations that the equations give."""
+        return _vanish_along(self.motion, [self._rate(e) for e in expressions])
+
+    def _rate(self, expression: sp.Expr) -> sp.Expr:
+        """The time derivative, found once."""
+        if expression not in self._rates:
+            self._rates[expression] = self.slots.time_derivative(expression)
+        return self._rates[expression]
+
+    def _energy(self, integrals: Sequence[Integral]) -> tuple[list[Integral], EnergyRate | None]:
+        """The energy where no symmetry has given it: conserved after all, or its rate."""
+        if any(i.quantity is Quantity.ENERGY for i in integrals):
+            return [], None
+        found = self.energies
+        if found.has_motion_of_its_own and self.energies.are_quasi:
+            return [], EnergyRate(found.energy, None)
+        ring = found.ring
+        work = ring.total(
+            ring.from_sympy(self.multipliers[row.name]) * ring.from_sympy(row.drift) for row in self.driven
+        )
+        rest = found.energy_rate - work + ring.from_sympy(found.damping)
+        rate = in_one_term(sp.Add(found.form(rest), -found.damping))
+        if rate == 0 or self._are_constant([found.energy]) == [True]:
+            return [Integral(Quantity.ENERGY, Because.DEPENDENT, found.energy, constant=True)], None
+        holds = self._rate_holds(found.energy, rate)
+        return [], EnergyRate(found.energy, rate if holds else None, tuple(r.name for r in self.driven), found.hidden)
+
+    def _rate_holds(self, expression: sp.Expr, rate: sp.Expr) -> bool | None:
+        """Whether a rate is that of an expression, with the accelerations and multipliers of d'Alembert's principle."""
+        difference = self._rate(expression) - rate
+        if not self.driven:
+            return _vanish_along(self.motion, [difference])[0]
+        rows = self.configuration.rows
+        multipliers = tuple(self.multipliers[r.name] for r in rows)
+        equations = [
+            d.to_sympy() - sp.Add(*(m * r.coefficients[k] for m, r in zip(multipliers, rows, strict=True)))
+            for k, d in enumerate(self.motion.principle.coefficients)
+        ]
+        equations += self.system.accelerated_constraints
+        unknowns = (*self.slots.accelerations, *multipliers)
+        return follow(self.configuration, [difference], equations, unknowns)
+
+
+def check_conserved(found: Conserved) -> list[Check]:
+    """The printed integrals, differentiated, with the accelerations that d'Alembert's equations give."""
+    if not found.integrals:
+        return []
+    verdicts = [i.constant for i in found.integrals]
+    passed = False if False in verdicts else None if None in verdicts else True
+    configuration = found.motion.configuration
+    whose = "its rate" if len(verdicts) == 1 else "their rates"
+    how = f"{certainty(configuration.states)}: {whose} along the motion"
+    return [Check("what is conserved is constant along the motion", passed, how, configuration.name)]

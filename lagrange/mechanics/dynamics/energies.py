@@ -1,0 +1,185 @@
+"""Lagrange's equations as they are written down: T, V, the generalized forces, the generalized momenta.
+
+    p_k = ∂T/∂q_k' ,      d/dt p_k − ∂L/∂q_k = Q_k + Σ_j λ_j a_jk ,      L = T − V .
+
+V is the potential energy of weights, springs and given potentials; Q_k is made of everything else by its virtual
+work, δW = Σ Q_k δq_k. A damper adds −∂F/∂q_k' of Rayleigh's function F = c d'²/2. Velocities and angular velocities are
+those of `lagrangian.py`, which has no step in common with d'Alembert's principle; here they are put into the ring,
+where T comes out tidy. A body whose ω the file gives may move in quasi-coordinates; N_k = H·(ω_k' − ∂ω/∂q_k) is then
+what Lagrange's expression has too much (Boltzmann, Hamel), and d/dt p_k − ∂L/∂q_k − N_k takes its place.
+
+Every velocity of the configuration is free in T: no constraint on velocities has been put in. With y' = x' tan θ put
+into the T of a sleigh before differentiating, ∂T/∂x' would be made of what the reaction balances too, and the equations
+would be wrong; they are not where the constraint comes to a finite relation. Reference: Whittaker, Analytical Dynamics,
+§§ 26, 30, 87.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from lagrange.algebra.fourier.textbook import Textbook, common_factor
+from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.core.records import record
+from lagrange.core.symbols import partial
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.dynamics.balance import Balance
+from lagrange.mechanics.dynamics.lagrangian import (
+    is_constant,
+    kinetic_energy,
+    quasi_term,
+    share_of_load,
+    share_of_moments,
+    velocity_of,
+)
+
+WEIGHT = "weight"
+
+
+@record
+class Energies(Balance):
+    """T, V and Lagrange's equations in the coordinates of a configuration, all in textbook form.
+
+    velocities  of the particles and mass centres that have mass, by name
+    squares     v² of each
+    kinetic     T
+    potential   V
+    momenta     shape (n,): p_k
+    rates       shape (n,): d/dt p_k
+    partials    shape (n,): ∂L/∂q_k
+    applied     shape (n,): Q_k of the forces that are not in V
+    quasi       shape (n,): N_k; 0 in true coordinates
+    left        shape (n,): d/dt p_k − ∂L/∂q_k − N_k
+    """
+
+    velocities: Mapping[str, Vector]
+    squares: Mapping[str, sp.Expr]
+    kinetic: sp.Expr
+    potential: sp.Expr
+    momenta: tuple[sp.Expr, ...]
+    rates: tuple[sp.Expr, ...]
+    partials: tuple[sp.Expr, ...]
+    applied: tuple[sp.Expr, ...]
+    quasi: tuple[sp.Expr, ...]
+    left: tuple[sp.Expr, ...]
+
+    @property
+    def has_quasi_coordinates(self) -> bool:
+        """Whether some N_k is not zero."""
+        return any(n != 0 for n in self.quasi)
+
+
+def energies(configuration: Configuration) -> Energies:
+    """T, V and Lagrange's equations of a configuration, written out."""
+    ring = Ring()
+    textbook = Textbook(ring)
+    slots = configuration.slots
+    kinetic = ring.from_sympy(kinetic_energy(configuration))
+    potential = ring.from_sympy(potential_energy(configuration))
+    rate_of = ring.time_derivative(slots)
+    momenta = [ring.partial(v)(kinetic) for v in slots.velocities]
+    rates = [rate_of(p) for p in momenta]
+    slopes = [ring.partial(q)(potential) for q in slots.coordinates]
+    partials = [ring.partial(q)(kinetic) - s for q, s in zip(slots.coordinates, slopes, strict=True)]
+    applied = [_applied(configuration, v, ring) for v in slots.velocities]
+    quasi = [_quasi(configuration, k, ring) for k in range(len(slots.coordinates))]
+    left = [r - p - n for r, p, n in zip(rates, partials, quasi, strict=True)]
+    moving = [p for p in configuration.points if p.mass != 0 and not configuration.is_pinned(p)]
+
+    def forms(elements: list[Element]) -> tuple[sp.Expr, ...]:
+        return tuple(textbook.form(e) for e in elements)
+
+    return Energies(
+        configuration=configuration,
+        coefficients=tuple(a - q for a, q in zip(left, applied, strict=True)),
+        forces=forms([q - s for q, s in zip(applied, slopes, strict=True)]),
+        textbook=textbook,
+        velocities={p.name: p.velocity.map(textbook.form) for p in moving},
+        squares={p.name: textbook.form(_square(p, configuration)) for p in moving},
+        kinetic=_written_kinetic(configuration, kinetic, ring),
+        potential=_written_potential(configuration, textbook),
+        momenta=forms(momenta),
+        rates=forms(rates),
+        partials=forms(partials),
+        applied=tuple(Textbook(ring, merge=True).form(q) for q in applied),
+        quasi=forms(quasi),
+        left=forms(left),
+    )
+
+
+def potential_energy(configuration: Configuration) -> sp.Expr:
+    """V of the weights, the springs and the given potentials."""
+    weights = (f.vector.fixed().dot(f.point.fixed()) for f in configuration.loads if is_weight(f, configuration))
+    return configuration.potential - sp.Add(*weights)
+
+
+def is_weight(load: Load, configuration: Configuration) -> bool:
+    """Whether a force is a weight whose potential is −m g·r. Other constant forces are left among the Q_k."""
+    return load.name == WEIGHT and is_constant(load, configuration)
+
+
+def _square(point: MassPoint, configuration: Configuration) -> sp.Expr:
+    velocity = velocity_of(point, configuration.slots)
+    return velocity.dot(velocity)
+
+
+def _applied(configuration: Configuration, velocity: sp.Symbol, ring: Ring) -> Element:
+    """Q_k = Σ F·∂v/∂q_k' + Σ M·∂ω/∂q_k' − Σ c d' ∂d'/∂q_k'."""
+    loads = (f for f in configuration.loads if not is_weight(f, configuration))
+    terms = [ring.from_sympy(share_of_load(f, velocity, configuration)) for f in loads]
+    terms.append(ring.from_sympy(share_of_moments(configuration, velocity)))
+    for d in configuration.dampers:
+        terms.append(-(ring.from_sympy(d.pull) * ring.from_sympy(partial(d.rate, velocity))))
+    return ring.total(terms)
+
+
+def _quasi(configuration: Configuration, k: int, ring: Ring) -> Element:
+    """N_k, where bodies have an ω of their own."""
+    slots = configuration.slots
+    q, v = slots.coordinates[k], slots.velocities[k]
+    found = ring.total(ring.from_sympy(quasi_term(r, q, v, slots)) for r in configuration.rotations if r.given)
+    return ring.zero if ring.is_zero(found) else found
+
+
+def _written_kinetic(configuration: Configuration, kinetic: Element, ring: Ring) -> sp.Expr:
+    """T in textbook form, what all its terms have in common in front: m (r'² + r² φ'²)/2.
+
+    Squares of a body's ω_1, ... that are sums are kept where that is shorter, C (φ' cos θ + ψ')²/2; they are of ω in
+    the triad in which it is shortest.
+    """
+    textbook = Textbook(ring, merge=True)
+    whole = _in_front(textbook.form(kinetic))
+    squares = sp.Add(*(s for r in configuration.rotations for s in _squares_of_sums(r, textbook)))
+    if squares == 0:
+        return whole
+    parts = _in_front(textbook.form(kinetic - ring.from_sympy(squares))) + squares
+    return parts if parts.count_ops() < whole.count_ops() else whole
+
+
+def _in_front(total: sp.Expr) -> sp.Expr:
+    """A sum with what all its terms have in common before a bracket: as m/2 or m, but not as m/10."""
+    factor = common_factor(total)
+    if not total.is_Add or not factor.powers or any(e < 0 for _, e in factor.powers):
+        return total
+    rest = factor.divide(total)
+    numbers = (abs(term.as_coeff_Mul()[0]) for term in sp.Add.make_args(rest))
+    return factor.expression * rest if sp.Rational(factor.number).q <= 2 and max(numbers) <= 2 else total
+
+
+def _squares_of_sums(rotation: Rotation, textbook: Textbook) -> list[sp.Expr]:
+    """A ω_1²/2, ..., of components that are sums."""
+    spins = [textbook.form(w) for w in rotation.angular_velocity.components]
+    return [moment * w**2 / 2 for moment, w in zip(rotation.inertia, spins, strict=True) if w.is_Add]
+
+
+def _written_potential(configuration: Configuration, textbook: Textbook) -> sp.Expr:
+    """V as the sum of what it is made of; a spring's as k (d − l)²/2 where that is shorter."""
+    springs = [s.energy for s in configuration.springs]
+    fields = configuration.potential - sp.Add(*springs)
+    written = (min(textbook.form(e), e, key=lambda form: form.count_ops()) for e in springs)
+    weights = potential_energy(configuration) - configuration.potential
+    return sp.Add(textbook.form(weights), textbook.form(fields), *written)

@@ -1,0 +1,292 @@
+"""Coulomb friction while a particle slides: μ |R| against the slip.
+
+    F = −μ |R| v_s/|v_s| ,      v_s = v_P − (velocity of the surface) ,      R = λ g  the reaction on P .
+
+It is an applied force: it does virtual work. It needs |R| = |λ| |g|, which Newton's law gives. While that is being
+solved, |λ| is σ λ with σ = ±1 the sign of λ, so that the equations stay linear in λ even where λ depends on the
+friction; a λ that comes out without σ gives |λ| at once, otherwise σ stays, on the condition that it is the sign of λ.
+Where P slides along a line, v_s = s w with a speed s that may have either sign, and v_s/|v_s| = sign(s) w/|w|. The
+file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from itertools import combinations
+
+import sympy as sp
+
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.algebra.fourier.textbook import Factor, common_factor, textbook_form
+from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.reactions import Reactions
+from lagrange.problem.model import Friction
+
+
+@record
+class Rubbing:
+    """One friction force in the coordinates of a configuration.
+
+    normal   |g|: |R| = |λ| · normal
+    slip     v_s
+    speed    s, where the slip is along a line; None otherwise
+    sense    the sign of s as far as it is known: ±1, sign(s); 1 where there is no line
+    along    the unit vector of the slip, w/|w| or v_s/|v_s|
+    contact  the sign of λ: ±1 where the file says it, otherwise a `Sign`
+    """
+
+    friction: Friction
+    reaction: Reaction
+    normal: sp.Expr
+    slip: Vector
+    speed: sp.Expr | None
+    sense: sp.Expr
+    along: Vector
+    contact: sp.Expr
+
+    def load(self, magnitude: sp.Expr, point: Vector) -> Load:
+        """The force, for a given |R|."""
+        size: sp.Expr = -self.friction.coefficient * magnitude * self.sense
+        return Load(self.friction.name, self.friction.on, (self.along * size).map(textbook_form), point)
+
+    @property
+    def share(self) -> Vector:
+        """The force for λ = 1, σ being its sign."""
+        size: sp.Expr = -self.friction.coefficient * self.contact * self.normal * self.sense
+        share: Vector = self.along * size
+        return share
+
+    @property
+    def magnitude(self) -> sp.Expr:
+        """|R| with λ in it, and with the sign of λ where that is known."""
+        multiplier = self.reaction.multiplier
+        return self.normal * (sp.Abs(multiplier) if isinstance(self.contact, Sign) else self.contact * multiplier)
+
+
+def rubbings(
+    frictions: Sequence[Friction], newton: Newton, original: Configuration, configuration: Configuration
+) -> tuple[Rubbing, ...]:
+    """The friction forces in a configuration; `newton` and `original` are of the file's coordinates.
+
+    Raises ProblemError where a constraint does not act on the particle that the friction is said to be on.
+    """
+    return tuple(_rubbing(f, newton, original, configuration) for f in frictions)
+
+
+def symbolic_loads(found: Sequence[Rubbing], configuration: Configuration) -> tuple[Load, ...]:
+    """The forces with |λ| in them."""
+    return tuple(r.load(r.magnitude, _point(configuration, r.friction.on).position) for r in found)
+
+
+def solved_loads(
+    found: Sequence[Rubbing], reactions: Reactions, configuration: Configuration
+) -> tuple[tuple[Load, ...], dict[Sign, sp.Expr]]:
+    """The forces with |λ| as a function of position and velocity; and the signs that stay, each with its λ.
+
+    Raises NotCoveredError where λ is too large, ProblemError where it is not determined.
+    """
+    loads, signs = [], {}
+    for r in found:
+        name = r.reaction.name
+        if name not in reactions.multipliers:
+            message = f"the friction `{r.friction.name}` needs the reaction of `{name}`, which is not determined"
+            help_ = "other constraints keep the same; remove those that follow from the others"
+            raise ProblemError(Diagnostic("friction-undetermined", message, r.friction.span, help=help_))
+        value = reactions.multipliers[name]
+        if value is None:
+            raise NotCoveredError(f"the friction `{r.friction.name}`, whose reaction is too large,", r.friction.span)
+        size = textbook_form(value * r.normal)
+        magnitude = r.contact * size
+        if isinstance(r.contact, Sign):
+            if r.contact in value.free_symbols:
+                signs[r.contact] = value
+            else:
+                magnitude = _absolute(size)
+        loads.append(r.load(magnitude, _point(configuration, r.friction.on).position))
+    return tuple(loads), signs
+
+
+def _point(configuration: Configuration, name: str) -> MassPoint:
+    return next(p for p in configuration.points if p.name == name)
+
+
+def _rubbing(friction: Friction, newton: Newton, original: Configuration, configuration: Configuration) -> Rubbing:
+    named = [r for r in newton.reactions if r.name == friction.constraint]
+    if not named:
+        message = f"`{friction.constraint}` is a vector equation, and the friction `{friction.name}` needs one reaction"
+        help_ = f"name a component, as `{friction.constraint}.1`, or write the constraint as a scalar equation"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    [reaction] = named
+    if reaction.directions is None:
+        raise NotCoveredError(
+            f"the friction `{friction.name}`: the coordinates do not place the particles one by one, and its reaction",
+            friction.span,
+        )
+    direction = reaction.on(friction.on)
+    if direction is None:
+        message = f"the constraint `{friction.constraint}` does not act on `{friction.on}`"
+        listed = " or ".join(f"`{name}`" for name in reaction.directions)
+        help_ = f"it holds {listed}" if listed else "it holds no particle"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    if not _is_placed_freely(_point(original, friction.on)):
+        message = (
+            f"the coordinates keep `{friction.on}` on a line or surface by themselves, and so a part of its reaction"
+        )
+        help_ = f"give `{friction.on}` all its coordinates, and write what keeps it there as a constraint"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    direction = direction.xreplace(configuration.substitution)
+    slip = _slip(friction, reaction, direction, configuration)
+    speed, along = _line(slip, friction, configuration) or (None, None)
+    if along is None:
+        if friction.slip is not None:
+            message = f"`slip` of the friction `{friction.name}` is a sense along a line, and there is no line"
+            help_ = f"`{friction.on}` may slide in more directions than one; leave `slip` out"
+            raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
+        along, sense = slip / textbook_form(slip.norm()), sp.S.One
+    else:
+        sense = sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
+    along = _without_moduli(along, configuration)
+    contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
+    return Rubbing(friction, reaction, _size(direction, reaction, configuration), slip, speed, sense, along, contact)
+
+
+def _is_placed_freely(point: MassPoint) -> bool:
+    """Whether the coordinates place a particle freely in space, or in a plane that does not turn."""
+    partials = [p.fixed() for p in point.partials if not p.is_zero]
+    if any(textbook_form(a.dot(b.cross(c))) != 0 for a, b, c in combinations(partials, 3)):
+        return True
+    normals = (a.cross(b).map(textbook_form) for a, b in combinations(partials, 2))
+    normal = next((n for n in normals if not n.is_zero), None)
+    if normal is None:
+        return False
+    symbols = sorted(_symbols(normal), key=str)
+    return all(normal.cross(normal.map(lambda c, s=s: c.diff(s))).map(textbook_form).is_zero for s in symbols)  # type: ignore[misc]
+
+
+def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
+    """|g|; where a distance is kept, |factor|, if that is shorter: of x² + y² = R² it is 2R."""
+    if reaction.rough is not None:
+        size = textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))
+        if size.free_symbols.isdisjoint(configuration.slots.coordinates):
+            return size
+    square = textbook_form(direction.dot(direction))
+    return textbook_form(sp.sqrt(_where_it_holds(square, reaction, configuration)))
+
+
+def _where_it_holds(square: sp.Expr, reaction: Reaction, configuration: Configuration) -> sp.Expr:
+    """|g|² with the constraint put in, where that leaves no coordinates: of x² + y² = R² in space it is 4R²."""
+    coordinates = configuration.slots.coordinates
+    finite = (reaction.row.finite or sp.S.Zero).xreplace(configuration.substitution)
+    if not (finite.is_polynomial(*coordinates) and square.is_polynomial(*coordinates)):
+        return square
+    poly, wanted = sp.Poly(finite, *coordinates), sp.Poly(square, *coordinates)
+    if poly.is_ground or wanted.is_ground:
+        return square
+    left = wanted - poly * (wanted.coeff_monomial(poly.monoms()[0]) / poly.LC())
+    return sp.factor(left.as_expr()) if left.is_ground else square
+
+
+def _slip(friction: Friction, reaction: Reaction, direction: Vector, configuration: Configuration) -> Vector:
+    """The velocity relative to the surface, with the dependent velocities put in where that makes it shorter.
+
+    A surface that moves, and whose velocity is not given, moves along its normal: the slip is the velocity along it.
+    """
+    rule = configuration.substitution
+    velocity = _point(configuration, friction.on).velocity
+    if friction.surface_velocity is not None:
+        velocity = velocity - friction.surface_velocity.xreplace(rule)
+    elif reaction.row.drift != 0:
+        normal_speed = -reaction.row.drift.xreplace(rule) / textbook_form(direction.dot(direction))
+        velocity = velocity - direction * normal_speed
+    velocity = velocity.map(textbook_form)
+    put_in = velocity.map(lambda c: textbook_form(c.xreplace(_dependent(configuration))))
+    return put_in if _operations(put_in) <= _operations(velocity) else velocity
+
+
+def _operations(vector: Vector) -> int:
+    return sum(int(c.count_ops()) for c in vector.components)
+
+
+def _dependent(configuration: Configuration) -> Mapping[sp.Symbol, sp.Expr]:
+    """The dependent velocities, from A q' + a_t = 0; empty where they are not found."""
+    slots, rows = configuration.slots, configuration.rows
+    if not rows:
+        return {}
+    at_first = sorted(range(len(slots.velocities)), key=lambda k: -k)
+    matrix = [[r.coefficients[k] for k in at_first] for r in rows]
+    chosen: list[int] = []
+    for k in at_first:
+        if configuration.states.rank([[r.coefficients[c] for c in (*chosen, k)] for r in rows]) == len(chosen) + 1:
+            chosen.append(k)
+    matrix = [[r.coefficients[k] for k in chosen] for r in rows]
+    right = [
+        sp.Add(
+            -r.drift,
+            *(-a * v for k, (a, v) in enumerate(zip(r.coefficients, slots.velocities, strict=True)) if k not in chosen),
+        )
+        for r in rows
+    ]
+    found = solved_linear(matrix, right, configuration.states)
+    if found is None or None in found:
+        return {}
+    return {slots.velocities[k]: v for k, v in zip(chosen, found, strict=True) if v is not None}
+
+
+def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tuple[sp.Expr, Vector] | None:
+    """s and w/|w| with v_s = s w, w not depending on velocities; None where the slip is along no line.
+
+    w belongs to the first velocity that the surface has not, so that s is positive where that coordinate increases. A
+    direction that turns with the coordinates is not split off, unless the file says which sense the slip has.
+    """
+    put_in = slip.map(lambda c: textbook_form(c.xreplace(_dependent(configuration))))
+    carried = set() if friction.surface_velocity is None else _symbols(friction.surface_velocity)
+    velocities = [v for v in configuration.slots.velocities if v in _symbols(put_in)]
+    velocities.sort(key=lambda v: v in carried)
+    if not velocities:
+        return None
+    partials = [put_in.map(lambda c, v=v: textbook_form(c.diff(v))) for v in velocities]  # type: ignore[misc]
+    rest = put_in.map(lambda c: textbook_form(c.xreplace(dict.fromkeys(velocities, sp.S.Zero))))
+    w = partials[0]
+    if any(_symbols(p) & set(velocities) for p in partials):
+        return None
+    if not all(w.cross(p).map(textbook_form).is_zero for p in (*partials, rest)):
+        return None
+    square = textbook_form(w.dot(w))
+    if friction.slip is None and square.free_symbols & set(configuration.slots.coordinates):
+        return None
+    speed = sp.Add(*(v * textbook_form(p.dot(w) / square) for v, p in zip(velocities, partials, strict=True)))
+    return speed + textbook_form(rest.dot(w) / square), (w / textbook_form(sp.sqrt(square))).map(textbook_form)
+
+
+def _without_moduli(vector: Vector, configuration: Configuration) -> Vector:
+    """|r| is r where a constraint says r = R, which is positive."""
+    moduli = {a for c in vector.components for a in c.atoms(sp.Abs)}
+    if not moduli:
+        return vector
+    coordinates = set(configuration.slots.coordinates)
+    known: dict[sp.Basic, sp.Basic] = {}
+    for f in configuration.finite_constraints:
+        moving = f.free_symbols & coordinates
+        slope = f.diff(*moving) if len(moving) == 1 else sp.S.Zero
+        if slope.is_number and slope != 0:
+            [q] = moving
+            known[q] = -f.xreplace({q: sp.S.Zero}) / slope
+    there = {a: a.args[0].xreplace(known) for a in moduli}
+    signed = {a: a.args[0] * (1 if v.is_positive else -1) for a, v in there.items() if v.is_positive or v.is_negative}
+    return vector.map(lambda c: textbook_form(c.xreplace(signed))) if signed else vector
+
+
+def _symbols(vector: Vector) -> set[sp.Basic]:
+    return set().union(*(c.free_symbols for c in vector.components))
+
+
+def _absolute(value: sp.Expr) -> sp.Expr:
+    """|value|, with what is positive in front: m |g + u''|."""
+    factor = common_factor(value)
+    positive = Factor(factor.number, tuple((f, e) for f, e in factor.powers if f.is_positive))
+    return positive.expression * sp.Abs(positive.divide(value))

@@ -1,0 +1,179 @@
+"""Lagrange's equations, the second route to the equations of motion.
+
+    d/dt ∂T/∂q_k' − ∂T/∂q_k = Q_k + Σ_j λ_j a_jk ,      T = Σ m v·v / 2 + Σ (A ω_1² + B ω_2² + C ω_3²)/2
+
+Nothing here is taken from d'Alembert's principle: velocities come from positions in i, j, k, angular velocities from
+the axes of the body, ω_1 = e_2'·e_3, and dH/dt is not needed. Constant forces enter by their potential −F·r, the others
+by Q_k = Σ F·∂v/∂q_k' + M·∂ω/∂q_k', springs by the vector between their ends, dampers by −∂/∂q_k' of c d'²/2.
+
+Where the file gives ω, it may be in quasi-coordinates. Then T is no function of coordinates alone, and
+
+    dH/dt·ω_k = d/dt (H·ω_k) − H·ω_k'
+
+takes the place of Lagrange's expression: the two differ by H·(ω_k' − ∂ω/∂q_k), components differentiated (Boltzmann,
+Hamel).
+
+A constraint on velocities is never put into T before differentiating: T must know every velocity that the constraint
+excludes, or ∂T/∂q' loses the terms that its reaction balances.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots, base, partial, t
+from lagrange.core.vectors import Components, Vector
+from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+
+
+@record
+class Lagrangian:
+    """Lagrange's equations of a configuration.
+
+    kinetic    T
+    potential  V of the constant forces and of the given potentials
+    left       shape (n,): d/dt ∂T/∂q_k' − ∂T/∂q_k − Q_k, which equals Σ_j λ_j a_jk
+    """
+
+    kinetic: sp.Expr
+    potential: sp.Expr
+    left: tuple[sp.Expr, ...]
+
+
+def lagrange_equations(configuration: Configuration) -> Lagrangian:
+    """T, V and the left sides of Lagrange's equations."""
+    slots = configuration.slots
+    kinetic = kinetic_energy(configuration)
+    constant = [f for f in configuration.loads if is_constant(f, configuration)]
+    varying = [f for f in configuration.loads if f not in constant]
+    fields = configuration.potential - sp.Add(*(s.energy for s in configuration.springs))
+    potential = fields - sp.Add(*(f.vector.fixed().dot(f.point.fixed()) for f in constant))
+    left = []
+    for q, v in zip(slots.coordinates, slots.velocities, strict=True):
+        force = sp.Add(*(share_of_load(f, v, configuration) for f in varying)) - partial(potential, q)
+        force += share_of_moments(configuration, v) + _of_springs(configuration, q) + _of_dampers(configuration, v)
+        quasi = sp.Add(*(quasi_term(r, q, v, slots) for r in configuration.rotations if r.given))
+        left.append(slots.time_derivative(partial(kinetic, v)) - partial(kinetic, q) - force - quasi)
+    return Lagrangian(kinetic, potential, tuple(left))
+
+
+def kinetic_energy(configuration: Configuration) -> sp.Expr:
+    """T, with v from the position in i, j, k, and ω from the axes of the body."""
+    slots = configuration.slots
+    terms = []
+    for p in configuration.points:
+        velocity = velocity_of(p, slots)
+        terms.append(p.mass * velocity.dot(velocity) / 2)
+    for r in configuration.rotations:
+        terms += [
+            moment * w**2 / 2 for moment, w in zip(r.inertia, spin_along_axes(r, slots), strict=True) if moment != 0
+        ]
+    return sp.Add(*terms)
+
+
+def velocity_of(point: MassPoint, slots: Slots) -> Vector:
+    """v of a particle or mass centre, from its position in i, j, k."""
+    return point.position.fixed().time_derivative(slots)
+
+
+def spin_along_axes(rotation: Rotation, slots: Slots) -> Components:
+    """The components of ω along the axes of the body."""
+    e1, e2, e3 = rotation.axes
+    if rotation.given:
+        spin = rotation.angular_velocity.fixed()
+        return spin.dot(e1), spin.dot(e2), spin.dot(e3)
+    d1, d2, d3 = (e.time_derivative(slots) for e in rotation.axes)
+    return d2.dot(e3), d3.dot(e1), d1.dot(e2)
+
+
+def angular_velocity(rotation: Rotation, slots: Slots) -> Vector:
+    """ω in i, j, k, from the axes of the body."""
+    return sum((e * w for e, w in zip(rotation.axes, spin_along_axes(rotation, slots), strict=True)), Vector.zero())
+
+
+def quasi_term(rotation: Rotation, coordinate: sp.Symbol, velocity: sp.Symbol, slots: Slots) -> sp.Expr:
+    """H·(ω_k' − ∂ω/∂q_k): what quasi-coordinates add to Lagrange's expression. Zero for true coordinates."""
+    e1, e2, e3 = rotation.axes
+    components = spin_along_axes(rotation, slots)
+    spin = rotation.angular_velocity.fixed()
+    part = spin.map(lambda c: partial(c, velocity)).time_derivative(slots)
+    bending = zip(rotation.inertia, components, (e1, e2, e3), strict=True)
+    return sp.Add(*(moment * w * (part.dot(e) - partial(w, coordinate)) for moment, w, e in bending))
+
+
+def is_constant(load: Load, configuration: Configuration) -> bool:
+    """Whether a force has the potential −F·r: it is constant, and acts at a particle or mass centre."""
+    slots = configuration.slots
+    moving = {*slots.coordinates, *slots.prescribed, t}
+    vector = load.vector.fixed()
+    if any(base(s) in moving for c in vector.components for s in c.free_symbols):
+        return False
+    return all(load.on != r.name for r in configuration.rotations) or _arm(load, configuration).is_zero
+
+
+def _arm(load: Load, configuration: Configuration) -> Vector:
+    """From the mass centre to where a force acts on a body."""
+    [centre] = (p.position for p in configuration.points if p.name == load.on)
+    return (load.point - centre).fixed()
+
+
+def share_of_load(load: Load, velocity: sp.Symbol, configuration: Configuration) -> sp.Expr:
+    """F·∂v/∂q_k', the force's share of Q_k."""
+    return load.vector.fixed().dot(_rate_at(load, configuration).map(lambda c: partial(c, velocity)))
+
+
+def _rate_at(load: Load, configuration: Configuration) -> Vector:
+    """The velocity of what a force acts on: v = v_G + ω × arm on a body."""
+    slots = configuration.slots
+    turning = next((r for r in configuration.rotations if r.name == load.on), None)
+    if turning is None:
+        return load.point.fixed().time_derivative(slots)
+    [centre] = (p.position for p in configuration.points if p.name == load.on)
+    arm = _arm(load, configuration)
+    rate = centre.fixed().time_derivative(slots)
+    return rate if arm.is_zero else rate + angular_velocity(turning, slots).cross(arm)
+
+
+def share_of_moments(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
+    """M·∂ω/∂q_k'."""
+    spins = {r.name: angular_velocity(r, configuration.slots) for r in configuration.rotations}
+    return sp.Add(
+        *(m.vector.fixed().dot(spins[m.on].map(lambda c: partial(c, velocity))) for m in configuration.torques)
+    )
+
+
+def _of_springs(configuration: Configuration, coordinate: sp.Symbol) -> sp.Expr:
+    """−k (d − l) (r/d)·∂r/∂q_k, r being the vector between the ends."""
+    found = []
+    for s in configuration.springs:
+        apart = s.apart.fixed()
+        pulled = apart.dot(apart.map(lambda c: partial(c, coordinate)))
+        found.append(-s.stiffness * pulled * (1 if s.length == 0 else 1 - s.length / s.distance))
+    return sp.Add(*found)
+
+
+def _of_dampers(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
+    """−∂/∂q_k' of Rayleigh's function c d'²/2, d' = r·r'/d."""
+    found = []
+    for d in configuration.dampers:
+        apart = d.apart.fixed()
+        closing = apart.dot(apart.time_derivative(configuration.slots))
+        squared = apart.dot(apart)
+        found.append(-d.coefficient * closing * partial(closing, velocity) / squared)
+    return sp.Add(*found)
+
+
+def applied_power(configuration: Configuration) -> sp.Expr:
+    """Σ F·v + Σ M·ω − Σ c d'²: the power of what has no potential. An end that moves by itself takes its part of d'."""
+    slots = configuration.slots
+    terms = [f.vector.fixed().dot(_rate_at(f, configuration)) for f in configuration.loads]
+    spins = {r.name: angular_velocity(r, slots) for r in configuration.rotations}
+    terms += [m.vector.fixed().dot(spins[m.on]) for m in configuration.torques]
+    for d in configuration.dampers:
+        apart = d.apart.fixed()
+        rate = apart.time_derivative(slots)
+        own = rate - apart.frozen_derivative(slots)
+        terms.append(-d.coefficient * apart.dot(rate) * apart.dot(own) / apart.dot(apart))
+    return sp.Add(*terms)

@@ -1,0 +1,69 @@
+"""The equations of motion in matrix form, and solved for the accelerations.
+
+D'Alembert's principle gives for each coordinate an expression D_k that is linear in the accelerations, so that with the
+constraints, differentiated until accelerations occur,
+
+    M q'' = f + Aᵀ λ ,      A q'' = b .
+
+M is the matrix of the kinetic energy T = ½ q'ᵀ M q' + ..., symmetric; f has the applied forces and the terms of the
+inertia with velocities. Where the coordinates are independent there is no A, and q'' = M⁻¹ f.
+
+Shapes: M (n, n), f (n,), A (m, n), b (m,).
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.core.records import record
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.reactions import over_one_denominator
+
+MOST_SOLVED = 3
+"""Coordinates of a system whose accelerations are still solved for."""
+
+
+@record
+class MatrixForm:
+    """M, f, A, b; A and b are empty where the coordinates are independent."""
+
+    configuration: Configuration
+    mass: tuple[tuple[sp.Expr, ...], ...]
+    force: tuple[sp.Expr, ...]
+    constraint_matrix: tuple[tuple[sp.Expr, ...], ...]
+    constraint_vector: tuple[sp.Expr, ...]
+
+
+def matrix_form(motion: EquationsOfMotion) -> MatrixForm:
+    """The matrices of the equations of motion, before anything is divided out."""
+    configuration, principle = motion.configuration, motion.principle
+    slots = configuration.slots
+    form = principle.textbook.form
+    mass, force = [], []
+    for element in principle.coefficients:
+        coefficients, rest = principle.ring.linear(element, slots.accelerations)
+        mass.append(tuple(form(c) for c in coefficients))
+        force.append(form(-rest))
+    still = dict.fromkeys(slots.accelerations, sp.S.Zero)
+    rates = (slots.time_derivative(r.velocity_form(slots)).xreplace(still) for r in configuration.rows)
+    return MatrixForm(
+        configuration,
+        tuple(mass),
+        tuple(force),
+        tuple(r.coefficients for r in configuration.rows),
+        tuple(form(-rate) for rate in rates),
+    )
+
+
+def solved_accelerations(form: MatrixForm) -> dict[sp.Symbol, sp.Expr]:
+    """q'' = M⁻¹ f of independent coordinates; empty where there are constraints, or where it is too large."""
+    slots = form.configuration.slots
+    if form.constraint_matrix or len(slots.coordinates) > MOST_SOLVED:
+        return {}
+    found = solved_linear(form.mass, form.force, form.configuration.states)
+    if found is None or None in found:
+        return {}
+    pairs = zip(slots.accelerations, found, strict=True)
+    return {a: over_one_denominator(e) for a, e in pairs if e is not None}

@@ -1,0 +1,106 @@
+"""D'Alembert's principle: the reactions do no virtual work, so that
+
+    Σ (m r'' − F)·δr = 0        for every virtual displacement,
+
+which, with δr = Σ (∂r/∂q_k) δq_k, is Σ D_k δq_k = 0. D_k is the inertia Σ m r''·∂r/∂q_k less the generalized force
+Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k. A rigid body, whose r is that of its mass centre, adds (dH/dt − M)·δπ to the sum, and to
+D_k (dH/dt − M)·ω_k; a damper adds c d' ∂d/∂q_k. The δq_k are free only where the coordinates are independent;
+otherwise A δq = 0 binds them. Everything is built in the ring of Fourier sums, where it comes out reduced.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.algebra.fourier.textbook import Textbook
+from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.core.records import record
+from lagrange.core.symbols import partial, variation
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.balance import Balance
+
+
+@record
+class Principle(Balance):
+    """D'Alembert's principle in the coordinates of a configuration; what is only shown is written when asked for."""
+
+    @cached_property
+    def statement(self) -> sp.Expr:
+        """Σ D_k δq_k, in textbook form."""
+        return self.written([variation(q) for q in self.configuration.slots.coordinates], self.coefficients)
+
+    @cached_property
+    def accelerations(self) -> Mapping[str, Vector]:
+        """Of the particles and mass centres, by name, in textbook form."""
+        moving = (p for p in self.configuration.points if p.mass != 0 and not self.configuration.is_pinned(p))
+        return {p.name: p.acceleration.map(self.textbook.form) for p in moving}
+
+    @cached_property
+    def momentum_rates(self) -> Mapping[str, Vector]:
+        """dH/dt of the bodies, by name, in textbook form."""
+        turning = (r for r in self.configuration.rotations if r.has_inertia)
+        return {r.name: r.momentum_rate.map(self.textbook.form) for r in turning}
+
+    def written(self, displacements: Iterable[sp.Symbol], coefficients: Iterable[Element]) -> sp.Expr:
+        """Σ coefficient · δq, in textbook form."""
+        ring = self.ring
+        terms = (d * ring.from_sympy(v) for d, v in zip(coefficients, displacements, strict=True))
+        return self.textbook.form(ring.total(terms))
+
+
+def dalembert(configuration: Configuration) -> Principle:
+    """D'Alembert's principle, written out."""
+    ring = Ring()
+    textbook = Textbook(ring)
+    forces = generalized_forces(configuration, ring)
+    inertia = _inertia(configuration, ring)
+    return Principle(
+        configuration=configuration,
+        coefficients=tuple(i - q for i, q in zip(inertia, forces, strict=True)),
+        forces=tuple(textbook.form(q) for q in forces),
+        textbook=textbook,
+    )
+
+
+def generalized_forces(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
+    """Q_k = Σ F·∂r/∂q_k + Σ M·ω_k − ∂V/∂q_k − Σ c d' ∂d/∂q_k, shape (n,)."""
+    centres = {p.name: p for p in configuration.points}
+    turning = {r.name: r for r in configuration.rotations}
+    moments = {name: configuration.moment_on(name) for name in turning}
+    found = []
+    for k, q in enumerate(configuration.slots.coordinates):
+        work = []
+        for load in configuration.loads:
+            moved = centres[load.on].partials[k] if load.on in turning else load.point.partial(q)
+            work.append(_dot(load.vector, moved, ring))
+        work += [_dot(moments[name], r.partials[k], ring) for name, r in turning.items()]
+        resistance = [ring.from_sympy(d.pull) * ring.from_sympy(partial(d.distance, q)) for d in configuration.dampers]
+        found.append(ring.total(work) - ring.total(resistance) - ring.from_sympy(partial(configuration.potential, q)))
+    return tuple(found)
+
+
+def _inertia(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
+    """Σ m r''·∂r/∂q_k + Σ dH/dt·ω_k, shape (n,)."""
+    total = [ring.zero] * len(configuration.slots.coordinates)
+    for p in configuration.points:
+        if p.mass == 0:
+            continue
+        mass = ring.from_sympy(p.mass)
+        for k, moved in enumerate(p.partials):
+            if not moved.is_zero:
+                total[k] = total[k] + mass * _dot(p.acceleration, moved, ring)
+    for r in configuration.rotations:
+        for k, turned in enumerate(r.partials):
+            if not turned.is_zero:
+                total[k] = total[k] + _dot(r.momentum_rate, turned, ring)
+    return tuple(total)
+
+
+def _dot(a: Vector, b: Vector, ring: Ring) -> Element:
+    """a·b in the ring, in the triad of b."""
+    a = a.along(b.triad)
+    return ring.dot([ring.from_sympy(c) for c in a.components], [ring.from_sympy(c) for c in b.components])

@@ -1,0 +1,246 @@
+"""D'Alembert's principle in quasi-velocities.
+
+With δr = Σ (∂v/∂u_s) δπ_s and δπ = Σ (∂ω/∂u_s) δπ_s, velocities written by the u_s, the principle is Σ E_s δπ_s = 0,
+
+    E_s = Σ (m a − F)·∂v/∂u_s + Σ (dH/dt − M)·∂ω/∂u_s + Σ (∂V/∂q_k) B_ks = 0 ,     q_k' = Σ B_ks u_s + b_k :
+
+one equation for each u_s, and the δπ_s are free, so that no constraint is left to be eliminated (Gibbs 1879, Appell
+1899, Jourdain 1909, Kane 1961). Where the u_s are the components of ω along the axes of a body, they are Euler's.
+
+Everything is differentiated after the velocities are written by the u_s, along q' = B u + b, and each vector in the
+triad in which it is shortest: so ω = p e_1 + q e_2 + r e_3 has no angles in it, and no angles have to cancel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import Surface
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.algebra.fourier.textbook import Factor, Textbook, textbook_form
+from lagrange.algebra.fourier.trigonometry import Derivation, Element, Ring
+from lagrange.core.records import record
+from lagrange.core.rotation import triad_along
+from lagrange.core.symbols import base, prime, t, variation
+from lagrange.core.vectors import FIXED, Triad, Vector
+from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.dynamics.equations import EquationOfMotion, divided, excluded
+from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities
+from lagrange.problem.orientation import axis_names
+
+MOST_SOLVED = 6
+"""Quasi-velocities whose rates are still solved for."""
+LONGEST_SOLVED = 300
+"""Operations of equations that are still solved for the rates."""
+
+
+@record
+class Moving:
+    """A vector that is written by the u_s, and its time derivative, in one triad: v and a, or H and dH/dt.
+
+    partials  of the velocity or angular velocity by each u_s
+    """
+
+    rate: Vector
+    partials: tuple[Vector, ...]
+    changed: Vector
+    vector: Vector
+
+
+@record
+class QuasiEquations:
+    """The equations of motion in quasi-velocities; the kinematic equations complete them.
+
+    velocities, spins       v of the points and ω of the bodies that move, by name
+    momenta                 H of the bodies
+    accelerations           a of the points with mass
+    momentum_rates          dH/dt of the bodies with inertia
+    statement               Σ E_s δπ_s
+    equations               one for each u_s; `coordinate` is u_s, or the coordinate whose velocity completes them
+    rates                   u_s' solved for; None where that is too large
+    """
+
+    quasi: QuasiVelocities
+    velocities: Mapping[str, Vector]
+    spins: Mapping[str, Vector]
+    momenta: Mapping[str, Vector]
+    accelerations: Mapping[str, Vector]
+    momentum_rates: Mapping[str, Vector]
+    statement: sp.Expr
+    equations: tuple[EquationOfMotion, ...]
+    rates: Mapping[sp.Symbol, sp.Expr] | None
+
+    @property
+    def expressions(self) -> tuple[sp.Expr, ...]:
+        """Each of these is zero."""
+        return tuple(e.expression for e in self.equations)
+
+    @property
+    def conditions(self) -> tuple[sp.Expr, ...]:
+        """What has been divided by and may vanish."""
+        return excluded(self.quasi.pivots, self.equations)
+
+
+class _Motion:
+    """What moves, written by the quasi-velocities, and differentiated along q' = B u + b."""
+
+    def __init__(self, quasi: QuasiVelocities) -> None:
+        self.quasi = quasi
+        self.configuration = quasi.configuration
+        self.ring = Ring()
+        self.textbook = Textbook(self.ring)
+        self.rule: dict[sp.Basic, sp.Basic] = dict(quasi.rates)
+        self._along = Derivation(self.ring, self._rate)
+        self._triads = [
+            triad for r in self.configuration.rotations for triad in (r.angular_velocity.triad, self._axes(r))
+        ]
+
+    def _rate(self, symbol: sp.Symbol) -> Element | None:
+        slots = self.configuration.slots
+        if symbol == t:
+            return self.ring.one
+        if symbol in slots.coordinates:
+            return self.ring.from_sympy(self.quasi.rates[prime(symbol)])
+        if symbol in self.quasi.slots.velocities or base(symbol) in slots.prescribed:
+            return self.ring.from_sympy(prime(symbol))
+        return None
+
+    def form(self, expression: sp.Expr) -> sp.Expr:
+        """An expression of q and q' in q and u, in textbook form."""
+        return self.textbook.form(expression.xreplace(self.rule))
+
+    def moving(self, v: Vector, triads: Sequence[Triad], inertia: Sequence[sp.Expr] | None = None) -> Moving:
+        """A velocity in the first of the triads in which it is shortest; with moments of inertia, H and dH/dt."""
+        written = (v.along(triad).map(self.form) for triad in dict.fromkeys(triads))
+        rate = min(written, key=lambda w: sum(1 + c.count_ops() for c in w.components if c != 0))
+        partials = tuple(rate.map(lambda c, u=u: c.diff(u)) for u in self.quasi.slots.velocities)  # type: ignore[misc]
+        vector = rate
+        if inertia is not None:
+            a, b, c = (moment * w for moment, w in zip(inertia, rate.components, strict=True))
+            vector = Vector((a, b, c), rate.triad)
+        return Moving(rate, partials, self._differentiated(vector), vector)
+
+    def _differentiated(self, v: Vector) -> Vector:
+        changed = v.map(lambda c: self.textbook.form(self._along(self.ring.from_sympy(c))))
+        spin = Vector.zero(v.triad)
+        for q, w in v.triad.turning:
+            rate = sp.S.One if q == t else self.rule.get(prime(q), prime(q))
+            spin = spin + Vector(w, v.triad) * rate
+        return (changed + spin.map(self.textbook.form).cross(v)).map(self.textbook.form)
+
+    def of_point(self, point: MassPoint) -> Moving:
+        """v and a."""
+        return self.moving(point.velocity, (point.velocity.triad, FIXED, *self._triads))
+
+    def of_rotation(self, rotation: Rotation) -> Moving:
+        """ω, H and dH/dt in the triad of the file's derivation, or where ω is shorter there, in the axes of the body.
+
+        If all moments of inertia are equal, i, j, k are another triad in which they are constant.
+        """
+        own = rotation.angular_velocity.triad
+        triads = [own]
+        if own.directions is not None:
+            triads += [] if rotation.given else [self._axes(rotation)]
+            triads += [FIXED] if len(set(rotation.inertia)) == 1 else []
+        return self.moving(rotation.angular_velocity, triads, rotation.inertia)
+
+    def _axes(self, rotation: Rotation) -> Triad:
+        """The axes of the body; those that the file gives, where it gives ω."""
+        first, second, third = axis_names(rotation.name)
+        own = rotation.angular_velocity.triad
+        names = (first, second, "k" if own.directions is None else third)
+        if rotation.given or own.names == names:
+            return own
+        return triad_along(names, rotation.axes, self.configuration.slots, textbook_form)
+
+    def dot(self, a: Vector, b: Vector) -> Element:
+        """a·b, in the triad of b."""
+        a, read = a.xreplace(self.rule).along(b.triad), self.ring.from_sympy
+        return self.ring.dot([read(c) for c in a.components], [read(c) for c in b.components])
+
+    def pulled(self, partials: Sequence[sp.Expr], column: int) -> Element:
+        """Σ_k (∂/∂q_k) B_ks of something with the derivatives ∂/∂q_k."""
+        read = self.ring.from_sympy
+        pairs = zip(partials, self.quasi.partials, strict=True)
+        return self.ring.total(read(p.xreplace(self.rule)) * read(row[column]) for p, row in pairs if p != 0)
+
+
+def quasi_equations(quasi: QuasiVelocities, configuration: Configuration) -> QuasiEquations:
+    """The equations of motion in quasi-velocities; `configuration` is theirs, with friction where that acts."""
+    motion = _Motion(replace(quasi, configuration=configuration))
+    ring, textbook = motion.ring, motion.textbook
+    points = {p.name: motion.of_point(p) for p in configuration.points if not configuration.is_pinned(p)}
+    turning = {r.name: motion.of_rotation(r) for r in configuration.rotations}
+    elements = []
+    for s in range(len(quasi.symbols)):
+        inertia = [
+            ring.from_sympy(p.mass) * motion.dot(points[p.name].changed, points[p.name].partials[s])
+            for p in configuration.points
+            if p.mass != 0 and p.name in points
+        ]
+        inertia += [motion.dot(m.changed, m.partials[s]) for m in turning.values()]
+        elements.append(ring.total(inertia) - _force(motion, points, turning, s))
+    moved = [variation(q) for q in quasi.slots.coordinates]
+    statement = ring.total(e * ring.from_sympy(v) for e, v in zip(elements, moved, strict=True))
+    found = [divided(textbook, q, e) for q, e in zip(quasi.slots.coordinates, elements, strict=True)]
+    names = {r.name for r in configuration.rotations if r.has_inertia}
+    heavy = {p.name for p in configuration.points if p.mass != 0}
+    return QuasiEquations(
+        quasi=quasi,
+        velocities={name: quasi.shown(m.rate) for name, m in points.items()},
+        spins={name: quasi.shown(m.rate) for name, m in turning.items()},
+        momenta={name: quasi.shown(m.vector) for name, m in turning.items() if name in names},
+        accelerations={name: quasi.shown(m.changed) for name, m in points.items() if name in heavy},
+        momentum_rates={name: quasi.shown(m.changed) for name, m in turning.items() if name in names},
+        statement=quasi.shown(textbook.form(statement)),
+        equations=tuple(_shown(e, quasi) for e in found),
+        rates=_solved(found, quasi, configuration.surface),
+    )
+
+
+def _force(motion: _Motion, points: Mapping[str, Moving], turning: Mapping[str, Moving], s: int) -> Element:
+    """Σ F·∂v/∂u_s + Σ M·∂ω/∂u_s − Σ (∂V/∂q_k + c d' ∂d/∂q_k) B_ks."""
+    configuration, ring = motion.configuration, motion.ring
+    coordinates = configuration.slots.coordinates
+    work = [_work(motion, load, points, s) for load in configuration.loads]
+    work += [motion.dot(configuration.moment_on(name), m.partials[s]) for name, m in turning.items()]
+    slopes = [-configuration.potential.diff(q) for q in coordinates]
+    work.append(motion.pulled(slopes, s))
+    work += [motion.pulled([-d.pull * d.distance.diff(q) for q in coordinates], s) for d in configuration.dampers]
+    return ring.total(work)
+
+
+def _work(motion: _Motion, load: Load, points: Mapping[str, Moving], s: int) -> Element:
+    """F·∂v/∂u_s of what the force acts on."""
+    if load.elsewhere:
+        slots = motion.configuration.slots
+        partials = (load.point.partial(q) for q in slots.coordinates)
+        return motion.pulled([load.vector.dot(p) for p in partials], s)
+    if load.on not in points:
+        return motion.ring.zero
+    return motion.dot(load.vector, points[load.on].partials[s])
+
+
+def _shown(equation: EquationOfMotion, quasi: QuasiVelocities) -> EquationOfMotion:
+    powers = tuple((quasi.shown(f), e) for f, e in equation.factor.powers)
+    factor = Factor(equation.factor.number, powers)
+    return replace(equation, expression=quasi.shown(equation.expression), factor=factor)
+
+
+def _solved(
+    equations: Sequence[EquationOfMotion], quasi: QuasiVelocities, surface: Surface
+) -> dict[sp.Symbol, sp.Expr] | None:
+    """u' -> its value."""
+    unknowns = quasi.slots.accelerations
+    if len(unknowns) > MOST_SOLVED or sum(int(e.expression.count_ops()) for e in equations) > LONGEST_SOLVED:
+        return None
+    at_rest = dict.fromkeys(unknowns, sp.S.Zero)
+    rows = [[e.expression.diff(a) for a in unknowns] for e in equations]
+    found = solved_linear(rows, [-e.expression.xreplace(at_rest) for e in equations], surface)
+    if found is None or None in found:
+        return None
+    return {quasi.shown(a): quasi.shown(value) for a, value in zip(unknowns, found, strict=True)}

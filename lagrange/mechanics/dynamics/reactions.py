@@ -1,0 +1,390 @@
+"""Reactions as functions of position, velocity and time.
+
+The equations with multipliers and the constraints, differentiated until accelerations occur, are linear in both:
+
+    M q'' − Aᵀ λ = h ,      A q'' = β ,
+
+n + m equations for q'' and λ. They are solved by elimination, in the coordinates of the file, or with these rewritten
+in a choice, where the geometric constraints hold identically and the result is shorter: T = m g cos θ + m l θ'².
+Applied forces may be proportional to a multiplier (friction). Where the constraints are dependent, only some
+combinations of multipliers are determined. The work is bounded (`linear`); what is too large is left unsolved.
+
+Shapes: M (n, n), A (m, n), h (n,), β (m,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import field
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.algebra.exact.exact import DivisionByZeroError
+from lagrange.algebra.fourier.fractions import as_one_quotient
+from lagrange.algebra.fourier.linear_systems import (
+    MOST_CANCELLED,
+    Decides,
+    Tidy,
+    solved_in_blocks,
+    solved_linear,
+    tidy_quotient,
+)
+from lagrange.algebra.fourier.textbook import common_factor, textbook_form
+from lagrange.core.records import record
+from lagrange.core.symbols import Unspecified, t
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration, admitted_states
+from lagrange.mechanics.dynamics.balance import Balance
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
+
+Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
+"""A multiplier λ, and the generalized forces for the file's coordinates for λ = 1, shape (n,)."""
+
+
+@record
+class Determined:
+    """A combination Σ c_j λ_j of multipliers that is determined where they are not: `terms` are pairs (c_j, λ_j).
+
+    written  both sides with the tensions that the file has names for, the first force with the factor 1
+    """
+
+    terms: tuple[tuple[sp.Expr, sp.Symbol], ...]
+    value: sp.Expr | None
+    written: tuple[sp.Expr, sp.Expr] | None = None
+
+
+@record
+class Reactions:
+    """The reactions in one set of coordinates. What is None is too large to be written down.
+
+    multipliers    by name of the constraint; without those that are not determined
+    tensions       of the rods, by name of the constraint
+    directions     of the reaction of each constraint on each particle, for a multiplier of 1
+    couples        the same of its moment on each body, about the mass centre
+    accelerations  q'' of the file's coordinates
+    values         what was found: multipliers and accelerations, by symbol
+    combinations   of the multipliers that are not determined one by one
+    """
+
+    configuration: Configuration
+    multipliers: Mapping[str, sp.Expr | None]
+    tensions: Mapping[str, sp.Expr] = field(default_factory=dict)
+    directions: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
+    couples: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
+    accelerations: Mapping[sp.Symbol, sp.Expr | None] = field(default_factory=dict)
+    values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    combinations: tuple[Determined, ...] = ()
+    tidy: Tidy = tidy_quotient
+
+    @cached_property
+    def forces(self) -> Mapping[str, Mapping[str, Vector]]:
+        """The reaction of each constraint on each particle."""
+        return self._valued(self.directions)
+
+    @cached_property
+    def moments(self) -> Mapping[str, Mapping[str, Vector]]:
+        """The moment of each constraint's reaction on each body."""
+        return self._valued(self.couples)
+
+    def _valued(self, per_unit: Mapping[str, Mapping[str, Vector]]) -> Mapping[str, Mapping[str, Vector]]:
+        return {
+            name: {p: _force(g, value, self.tidy) for p, g in directions.items()}
+            for name, directions in per_unit.items()
+            if (value := self.multipliers.get(name)) is not None
+        }
+
+    @property
+    def complete(self) -> bool:
+        """Whether every multiplier was found."""
+        return None not in self.multipliers.values()
+
+
+@record
+class LinearSystem:
+    """The equations rows · (unknowns) = right, in the file's coordinates."""
+
+    rows: tuple[tuple[sp.Expr, ...], ...]
+    right: tuple[sp.Expr, ...]
+    unknowns: tuple[sp.Symbol, ...]
+
+
+@record
+class Place:
+    """Where a system is solved: on the constraint surface, in the coordinates of a choice, at an equilibrium.
+
+    write    an expression of the file's coordinates as it is there
+    surface  says what is zero there
+    states   says what is zero with the velocities that the system may have there
+    tidy     for what arises on the way
+    show     for results
+    """
+
+    write: Callable[[sp.Expr], sp.Expr]
+    surface: Decides
+    states: Decides
+    tidy: Tidy
+    show: Tidy
+
+    def shown(self, value: sp.Expr | None) -> sp.Expr | None:
+        """A result as it is written: 0 where the velocities make it zero, 2 m (x x' + y y') z' on a cylinder."""
+        if value is None:
+            return None
+        try:
+            vanishes = self.states.is_zero(value) is True
+        except DivisionByZeroError:
+            vanishes = False
+        return sp.S.Zero if vanishes else self.show(value)
+
+
+def motion_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
+    """The equations with the multipliers of `used`, for accelerations and multipliers."""
+    configuration = principle.configuration
+    slots = configuration.slots
+    multipliers = tuple(r.multiplier for r in used)
+    unknowns = (*slots.accelerations, *multipliers)
+    rows, right = equations_with_multipliers(principle, used, unknowns)
+    for r in used:
+        rate = slots.time_derivative(r.row.velocity_form(slots))
+        at_rest = dict.fromkeys(slots.accelerations, sp.S.Zero)
+        rows.append((*r.row.coefficients, *(sp.S.Zero for _ in multipliers)))
+        right.append(-rate.xreplace(at_rest))
+    return LinearSystem(tuple(rows), tuple(right), unknowns)
+
+
+def equilibrium_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
+    """The same at rest: n equations for the multipliers, velocities and accelerations being zero."""
+    slots = principle.configuration.slots
+    multipliers = tuple(r.multiplier for r in used)
+    still = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+    rows, right = equations_with_multipliers(principle, used, multipliers)
+    return LinearSystem(
+        tuple(tuple(e.xreplace(still) for e in row) for row in rows),
+        tuple(e.xreplace(still) for e in right),
+        multipliers,
+    )
+
+
+def equations_with_multipliers(
+    principle: Balance, used: Sequence[Reaction], unknowns: Sequence[sp.Symbol]
+) -> tuple[list[tuple[sp.Expr, ...]], list[sp.Expr]]:
+    """D_k − Σ λ_j a_jk = 0 for each coordinate, as rows and right sides."""
+    rows, right = [], []
+    for k, element in enumerate(principle.coefficients):
+        coefficients, rest = principle.ring.linear(element, unknowns)
+        row = [principle.textbook.form(c) for c in coefficients]
+        for r in used:
+            row[unknowns.index(r.multiplier)] -= r.row.coefficients[k]
+        rows.append(tuple(row))
+        right.append(principle.textbook.form(-rest))
+    return rows, right
+
+
+def solved_reactions(
+    system: LinearSystem,
+    newton: Newton,
+    used: Sequence[Reaction],
+    configuration: Configuration,
+    dragging: Sequence[Dragging] = (),
+    applied: Sequence[sp.Expr] = (),
+    resting: Collection[sp.Symbol] = (),
+) -> Reactions:
+    """The unknowns of a system, in the coordinates of a configuration: the file's own, or those of a choice.
+
+    dragging  applied forces that are proportional to a multiplier
+    applied   further generalized forces for the file's coordinates, shape (n,)
+    resting   velocities that the constraints keep zero
+
+    Forces are written in the coordinates of the configuration.
+    """
+    tidy = tidy_quotient if configuration.expressed else _on_surface(configuration)
+    rows, right = _in_coordinates(system, configuration, dragging)
+    for k, force in enumerate(applied):
+        right[k] = right[k] + force
+    inside = {s for b in right for f in b.atoms(Unspecified) for s in f.free_symbols}  # F(x, x') stays as it is written
+    still = dict.fromkeys([v for v in resting if v not in inside], sp.S.Zero)
+    right = [b.xreplace(still) for b in right]
+    rule = _positions_and_velocities(configuration)
+    states = admitted_states(configuration.rows, configuration.slots)
+    place = Place(lambda e: e.xreplace(rule), configuration.states, states, tidy, over_one_denominator)
+    there = LinearSystem(tuple(tuple(row) for row in rows), tuple(right), system.unknowns)
+    return reactions_at(place, there, newton, used, configuration)
+
+
+def reactions_at(
+    place: Place, system: LinearSystem, newton: Newton, used: Sequence[Reaction], configuration: Configuration
+) -> Reactions:
+    """The unknowns of a system that is written as it is at a place."""
+    accelerations = sum(s.name.endswith("''") for s in system.unknowns)
+    moving = {*configuration.slots.coordinates, *configuration.slots.velocities, *configuration.slots.prescribed, t}
+    found = solved_in_blocks(
+        system.rows,
+        system.right,
+        accelerations,
+        place.surface,
+        place.tidy,
+        constant=lambda e: e.free_symbols.isdisjoint(moving) and not e.has(Unspecified),
+        leading=not configuration.expressed,
+    )
+    found = found or [None] * len(system.unknowns)
+    values = dict(zip(system.unknowns, map(place.shown, found), strict=True))
+    unused = [r for r in newton.reactions if r not in used]
+    combinations = _combinations(used, unused, values, place) if unused else ()
+    loose = {symbol for c in combinations if len(c.terms) > 1 for _, symbol in c.terms}
+    sole = [r for r in used if r.multiplier not in loose]
+    multipliers = {r.name: values[r.multiplier] for r in sole}
+    return Reactions(
+        configuration=configuration,
+        multipliers=multipliers,
+        tensions={
+            r.name: place.show(textbook_form(place.write(r.rod.factor) * v))
+            for r in sole
+            if r.rod is not None and (v := values[r.multiplier]) is not None
+        },
+        directions={r.name: {p: g.map(place.write) for p, g in r.directions.items()} for r in sole if r.directions},
+        couples={r.name: {b: g.map(place.write) for b, g in r.moments.items()} for r in sole if r.moments},
+        accelerations={s: values[s] for s in system.unknowns if s.name.endswith("''")},
+        values={s: v for s, v in values.items() if v is not None and s not in loose},
+        combinations=tuple(c for c in combinations if len(c.terms) > 1),
+        tidy=place.tidy,
+    )
+
+
+def _in_coordinates(
+    system: LinearSystem, configuration: Configuration, dragging: Sequence[Dragging]
+) -> tuple[list[list[sp.Expr]], list[sp.Expr]]:
+    """Rows and right sides in the coordinates of a configuration, with forces proportional to multipliers."""
+    rule = _positions_and_velocities(configuration)
+    rows = [[e.xreplace(rule) for e in row] for row in system.rows]
+    for multiplier, shares in dragging:
+        if multiplier in system.unknowns:
+            for k, share in enumerate(shares):
+                rows[k][system.unknowns.index(multiplier)] -= share
+    return rows, [e.xreplace(rule) for e in system.right]
+
+
+def written_out(system: LinearSystem, configuration: Configuration, dragging: Sequence[Dragging]) -> list[sp.Expr]:
+    """The equations of a system, each zero, in the coordinates of a configuration."""
+    rows, right = _in_coordinates(system, configuration, dragging)
+    return [
+        sp.Add(*(e * u for e, u in zip(row, system.unknowns, strict=True)), -b)
+        for row, b in zip(rows, right, strict=True)
+    ]
+
+
+def over_one_denominator(value: sp.Expr) -> sp.Expr:
+    """A sum whose terms have a denominator in common as one quotient, or one product: (m/l) (x'² + y'² + g y)."""
+    return as_one_quotient(_joined(value))
+
+
+def _joined(value: sp.Expr) -> sp.Expr:
+    if not value.is_Add:
+        return _unnested(value)
+    common = common_factor(value)
+    if not any(e < 0 for _, e in common.powers):
+        return value
+    rest = common.divide(value)
+    terms = sp.Add.make_args(rest)
+    if all(term.could_extract_minus_sign() for term in terms):
+        return -(common.expression * sp.Add(*(-term for term in terms)))
+    return common.expression * rest
+
+
+def _unnested(value: sp.Expr) -> sp.Expr:
+    """A quotient without quotients in the sums above its line: g (l² − y²), not g l² (1 − y²/l²)."""
+    numerator, _ = sp.fraction(value)
+    sums = (s for s in numerator.atoms(sp.Add) if s.count_ops() <= MOST_CANCELLED)
+    if numerator.count_ops() > MOST_CANCELLED or all(sp.fraction(term)[1].is_number for s in sums for term in s.args):
+        return value
+    above, below = sp.fraction(sp.together(value))
+    formed = textbook_form(above) / textbook_form(below)
+    return formed if formed.count_ops() < value.count_ops() else value
+
+
+def _force(direction: Vector, value: sp.Expr, tidy: Tidy) -> Vector:
+    force: Vector = direction * value
+    return force.map(lambda c: tidy(c) if c.count_ops() < MOST_CANCELLED else c)
+
+
+def _positions_and_velocities(configuration: Configuration) -> dict[sp.Basic, sp.Basic]:
+    """The substitution of a choice, accelerations left out."""
+    return {s: e for s, e in configuration.substitution.items() if not str(s).endswith("''")}
+
+
+def _combinations(
+    used: Sequence[Reaction],
+    unused: Sequence[Reaction],
+    values: Mapping[sp.Symbol, sp.Expr | None],
+    place: Place,
+) -> tuple[Determined, ...]:
+    """With a_u = Σ c_uj a_j for each dependent form, λ_j + Σ_u c_uj λ_u is what the equations determine."""
+    columns = range(len(used[0].row.coefficients)) if used else range(0)
+    terms: dict[sp.Symbol, list[tuple[sp.Expr, sp.Symbol]]] = {r.multiplier: [(sp.S.One, r.multiplier)] for r in used}
+    for u in unused:
+        matrix = [[place.write(r.row.coefficients[k]) for r in used] for k in columns]
+        target = [place.write(u.row.coefficients[k]) for k in columns]
+        shares = solved_linear(matrix, target, place.surface)
+        for r, c in zip(used, shares or [None] * len(used), strict=True):
+            if c is None:
+                return ()
+            if c != 0:
+                terms[r.multiplier].append((c, u.multiplier))
+    reactions = {r.multiplier: r for r in (*used, *unused)}
+    return tuple(
+        Determined(tuple(t), value, None if value is None else _with_tensions(t, value, reactions, place))
+        for symbol, t in terms.items()
+        for value in [values[symbol]]
+    )
+
+
+def _with_tensions(
+    terms: Sequence[tuple[sp.Expr, sp.Symbol]], value: sp.Expr, reactions: Mapping[sp.Symbol, Reaction], place: Place
+) -> tuple[sp.Expr, sp.Expr]:
+    """Σ c_j λ_j = value with T/factor for the λ of rods that the file names, times the factor of the first."""
+    scale = 1 / place.write(reactions[terms[0][1]].per_force)
+    left = (textbook_form(scale * c * place.write(reactions[s].per_force)) * reactions[s].force for c, s in terms)
+    return sp.Add(*left), place.show(textbook_form(scale * value))
+
+
+def _on_surface(configuration: Configuration) -> Tidy:
+    """Quotients in lowest terms, and shortened by the finite constraints: x² + y² becomes l²."""
+    coordinates = configuration.slots.coordinates
+    relations = [
+        sp.expand(f)
+        for f in configuration.finite_constraints
+        if f.is_polynomial(*coordinates) and f.count_ops() <= MOST_CANCELLED
+    ]
+    lowest = min((_degree(f, coordinates) for f in relations), default=0)
+
+    def tidy(entry: sp.Expr) -> sp.Expr:
+        formed = tidy_quotient(entry)
+        moving = formed.free_symbols & set(coordinates)
+        if not relations or not moving or formed.count_ops() > MOST_CANCELLED:
+            return formed
+        numerator, denominator = sp.fraction(sp.together(formed))
+        reduced = [
+            e if _degree(e, coordinates) < lowest else _reduced(e, relations, coordinates)
+            for e in (numerator, denominator)
+        ]
+        if reduced == [numerator, denominator] or reduced[1] == 0:
+            return formed
+        shorter = tidy_quotient(reduced[0] / reduced[1])
+        return shorter if shorter.count_ops() < formed.count_ops() else formed
+
+    return tidy
+
+
+def _degree(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> int:
+    """The degree in those of the coordinates that occur; as if it were large, where it is no polynomial."""
+    own = sorted(e.free_symbols.intersection(coordinates), key=lambda s: s.name)
+    if not own:
+        return 0
+    return int(sp.Poly(e, *own).total_degree()) if e.is_polynomial(*own) else MOST_CANCELLED
+
+
+def _reduced(e: sp.Expr, relations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> sp.Expr:
+    """The remainder of a polynomial by the relations; the polynomial itself where that is longer."""
+    if not e.is_polynomial(*coordinates) or e.free_symbols.isdisjoint(coordinates):
+        return e
+    _, remainder = sp.reduced(e, relations, *coordinates, order="grevlex")
+    return remainder if remainder.count_ops() < e.count_ops() else e

@@ -1,0 +1,246 @@
+"""One numerical value of the equations of motion, to be checked on a pocket calculator.
+
+Simple numbers go in for parameters, positions and velocities; the equations, which are linear in the accelerations,
+give those as numbers. Where constraints bind the coordinates, the dependent ones and their velocities follow from them,
+so that the state is possible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from itertools import combinations, count, islice
+from random import Random
+from typing import Any
+
+import sympy as sp
+from sympy.functions.elementary.trigonometric import TrigonometricFunction
+
+from lagrange.algebra.exact.evaluation import Graph
+from lagrange.algebra.exact.exact import InadmissibleError, ZeroDivisorError
+from lagrange.algebra.exact.linear_algebra import row_reduced
+from lagrange.algebra.exact.reals import RealPoint, Reals
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign, Unspecified, counting, t
+from lagrange.mechanics.constraints.coordinates import solved_for_one
+from lagrange.mechanics.constraints.kinematics import Configuration, is_pfaffian
+from lagrange.mechanics.dynamics.comparison import System, affine_rows
+
+DIGITS = 30
+TRIALS = 8
+ITERATIONS = 30
+TOLERANCE = sp.Float(10) ** -20
+RECOGNISED = 60
+LARGEST_DENOMINATOR = 1000
+MOST_ATTEMPTS = 24
+"""Sets of dependent coordinates for which Newton's iteration is tried."""
+
+
+@record
+class Spot:
+    """Numbers in, accelerations out (to six figures)."""
+
+    values: Mapping[sp.Symbol, sp.Expr]
+    accelerations: Mapping[sp.Symbol, sp.Expr]
+
+
+def spot_value(system: System, given: Mapping[sp.Symbol, sp.Rational]) -> Spot | None:
+    """A spot value of a system; `given` are the numbers that the file gives to parameters. None if none was found."""
+    if any(e.has(Unspecified) for e in system.equations):
+        return None
+    for trial in range(TRIALS):
+        try:
+            found = _at(system, given, trial)
+        except (ValueError, ZeroDivisionError, TypeError, InadmissibleError, ZeroDivisorError):
+            found = None
+        if found is not None:
+            return found
+    return None
+
+
+def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> Spot | None:
+    configuration = system.configuration
+    slots = configuration.slots
+    used = set().union(*(e.free_symbols for e in _all_expressions(system)))
+    values: dict[sp.Basic, sp.Expr] = {}
+    moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
+    fixed = sorted(used - moving, key=lambda s: counting(s.name))
+    signs, others = ([s for s in fixed if isinstance(s, Sign) is sign] for sign in (True, False))
+    numbers = count(1 + trial)
+    angles = _angles(system.equations)
+    turn = reversed if trial % 2 == 0 else iter  # √(l² − c²) may want the later letter to be the larger one
+    parameters = {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in turn(others)}
+    values |= dict.fromkeys(signs, sp.S.One)
+    values |= {s: parameters[s] for s in others}
+    positions = _positions(configuration, values, trial)
+    if positions is None:
+        return None
+    values |= positions
+    values |= _velocities(configuration, values, trial)
+    accelerations = _solved(system, values)
+    if accelerations is None:
+        return None
+    shown = {s: v for s, v in values.items() if s in used or s in slots.coordinates}
+    return Spot({s: _rounded(v) for s, v in shown.items()}, accelerations)
+
+
+def _positions(
+    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
+) -> dict[sp.Basic, sp.Expr] | None:
+    """Simple numbers for the free coordinates, and what the finite constraints give for the others."""
+    slots = configuration.slots
+    chosen = {q: sp.Rational(n + 1, n + 2 + trial) for n, q in enumerate(slots.coordinates)}
+    finite = configuration.finite_constraints
+    if not finite:
+        return dict(chosen)
+    equations = [f.xreplace(dict(values)) for f in finite]
+    return _in_turn(equations, chosen) or _by_newton(equations, chosen)
+
+
+def _in_turn(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Basic, sp.Expr] | None:
+    """Each equation solved for a coordinate that occurs in none before it, linear ones first; None where one is not."""
+    steps: list[tuple[sp.Symbol, sp.Expr, int]] = []
+    waiting, seen = list(equations), set[sp.Basic]()
+    while waiting:
+        step = _next_step(waiting, start, seen)
+        if step is None:
+            return None
+        steps.append(step)
+        waiting.remove(step[1])
+        seen |= step[1].free_symbols
+    dependent = {q for q, _, _ in steps}
+    found: dict[sp.Basic, sp.Expr] = {q: v for q, v in start.items() if q not in dependent}
+    for q, f, degree in steps:
+        solved = solved_for_one(f.xreplace(found), [q], degree, 1)
+        if solved is None:
+            return None
+        value = solved[1].xreplace(dict.fromkeys(solved[2], sp.S.One))
+        if not value.is_Rational:
+            value = value.evalf(RECOGNISED + DIGITS)
+        if not value.is_real:
+            return None
+        found[q] = value
+    return found
+
+
+def _next_step(
+    waiting: Sequence[sp.Expr], coordinates: Iterable[sp.Symbol], seen: Collection[sp.Basic]
+) -> tuple[sp.Symbol, sp.Expr, int] | None:
+    for degree in (1, 2):
+        for f in waiting:
+            for q in coordinates:
+                if q in f.free_symbols and q not in seen and solved_for_one(f, [q], degree, 1):
+                    return q, f, degree
+    return None
+
+
+def _by_newton(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Basic, sp.Expr] | None:
+    """A solution near the start in which only as many coordinates differ from it as there are equations."""
+    for dependent in islice(combinations(reversed(start), len(equations)), MOST_ATTEMPTS):
+        place = {q: sp.Float(v, DIGITS) for q, v in start.items()}
+        jacobian = sp.Matrix([[f.diff(q) for q in dependent] for f in equations])
+        for _ in range(ITERATIONS):
+            residual = sp.Matrix([f.xreplace(place).evalf(DIGITS) for f in equations])
+            if all(r.is_Float or r == 0 for r in residual) and max(map(abs, residual)) < TOLERANCE:
+                return {q: place[q] if q in dependent else start[q] for q in start}
+            slope = jacobian.xreplace(place).evalf(DIGITS)
+            if not all(x.is_number and x.is_real for x in (*slope, *residual)) or abs(slope.det()) < TOLERANCE:
+                break
+            step = slope.LUsolve(residual)
+            place |= {q: place[q] - d for q, d in zip(dependent, step, strict=True)}
+    return None
+
+
+def _all_expressions(system: System) -> Iterator[sp.Expr]:
+    yield from (*system.equations, *system.accelerated_constraints)
+    for row in system.configuration.rows:
+        yield from (*row.coefficients, row.drift, row.finite or sp.S.Zero)
+
+
+def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], angle: bool) -> sp.Expr:
+    """The next number; the last name has the smallest, because a + b cos ωt is a length where a > b.
+
+    An angle is less than a right one: the normal force on an incline is m g cos α.
+    """
+    if symbol.name == "g":
+        return sp.Integer(10)
+    if symbol == t:
+        return sp.S.One
+    number = sp.Integer(next(numbers))
+    return 1 / (1 + number) if angle else number
+
+
+def _angles(expressions: Iterable[sp.Expr]) -> set[sp.Expr]:
+    """The symbols that stand by themselves in the argument of a sine or cosine: α, and not ω in ω t."""
+    functions = (f for e in expressions for f in e.atoms(TrigonometricFunction))
+    terms = (term for f in functions for term in sp.Add.make_args(f.args[0]))
+    return {symbol for term in terms for number, symbol in [term.as_coeff_Mul()] if symbol.is_Symbol}
+
+
+def _velocities(
+    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
+) -> dict[sp.Basic, sp.Expr]:
+    """Velocities 1, 2, ... for as many as are free, and those that the constraints give."""
+    velocities = configuration.slots.velocities
+    if not is_pfaffian(configuration.rows):
+        return _admitted(configuration, values, trial)
+    point = _point(values)
+    rows = [point.values((*row.coefficients, row.drift)) for row in configuration.rows]
+    reduced, pivots = row_reduced(point.arithmetic, rows)
+    if len(velocities) in pivots:
+        raise ValueError("no velocities")
+    free = [k for k in range(len(velocities)) if k not in pivots]
+    chosen = {k: n + trial for n, k in enumerate(free, start=1)}
+    found: dict[sp.Basic, sp.Expr] = {velocities[k]: sp.Integer(n) for k, n in chosen.items()}
+    for k, row in zip(pivots, reduced, strict=True):
+        found[velocities[k]] = _recognised(-row[-1] - sum(row[i] * n for i, n in chosen.items()))
+    return found
+
+
+def _admitted(configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int) -> dict[sp.Basic, sp.Expr]:
+    """Velocities that satisfy constraints not linear in them."""
+    slots = configuration.slots
+    rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
+    start = {v: sp.Rational(3, 5) * (n + trial) for n, v in enumerate(slots.velocities, start=1)}
+    found = _by_newton(rows, start)
+    if found is None:
+        raise ValueError("no velocities")
+    return found
+
+
+def _solved(system: System, values: Mapping[sp.Basic, sp.Expr]) -> Mapping[sp.Symbol, sp.Expr] | None:
+    accelerations = system.configuration.slots.accelerations
+    point = _point(values)
+    rows = affine_rows(point, [*system.equations, *system.accelerated_constraints], accelerations)
+    matrix = [row[:-1] for row in rows]
+    if len(matrix) != len(accelerations) or point.rank(matrix) < len(accelerations):
+        return None
+    found = point.solution(matrix, [-row[-1] for row in rows])
+    assert found is not None
+    numbers = [_recognised(x) for x in found]
+    return {
+        a: x if x.is_Integer else _rounded(sp.Float(x, DIGITS)) for a, x in zip(accelerations, numbers, strict=True)
+    }
+
+
+def _point(values: Mapping[sp.Basic, sp.Expr]) -> RealPoint:
+    """The point with these values."""
+    point = RealPoint(Graph(), Reals(Random(0)))
+    point.move({s: point.reals.float(v) if v.is_Float else point.value(v) for s, v in values.items()})
+    return point
+
+
+def _recognised(number: Any) -> sp.Expr:
+    """A number of eighty digits; as a fraction, where it is one of a small denominator to sixty digits."""
+    value = sp.Float(number, DIGITS)
+    fraction = Fraction(int(number * 10**RECOGNISED), 10**RECOGNISED).limit_denominator(LARGEST_DENOMINATOR)
+    difference = abs(number * fraction.denominator - fraction.numerator)
+    return sp.Rational(fraction) if difference * 10**RECOGNISED < 1 else value
+
+
+def _rounded(value: sp.Expr) -> sp.Expr:
+    """Simple numbers as they are, others to six figures; what is left of a zero by rounding is 0."""
+    if value.is_Rational:
+        return value
+    number = value.evalf(DIGITS)
+    return sp.S.Zero if abs(number) < TOLERANCE else sp.Float(number, 6)

@@ -1,0 +1,111 @@
+"""What T, V, L, p_k, Q_k and v are called where the problem has these letters for something else.
+
+A pendulum of length L has the Lagrangian Λ, one whose rod has the tension T the kinetic energy K. The names are text of
+the language of problem files, so that what is printed with them can be read back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.mechanics.dynamics.energies import Energies
+from lagrange.mechanics.solution import Solution
+
+
+@record
+class Letters:
+    """The symbols of one derivation; those of coordinates and points by their first letters."""
+
+    kinetic: sp.Symbol
+    potential: sp.Symbol
+    lagrangian: sp.Symbol
+    momenta: str
+    forces: str
+    quasi: str
+    speeds: str
+    index: str
+
+    @property
+    def coordinate(self) -> sp.Symbol:
+        """q_k, any coordinate."""
+        return _symbol(f"q_{self.index}")
+
+    @property
+    def any(self) -> tuple[sp.Symbol, sp.Symbol, sp.Symbol]:
+        """p_k, Q_k and N_k of any coordinate."""
+        k = _symbol(self.index)
+        return self.momentum(k), self.force(k), self.addition(k)
+
+    def momentum(self, coordinate: sp.Symbol) -> sp.Symbol:
+        """p_k."""
+        return _symbol(f"{self.momenta}_{coordinate.name}")
+
+    def force(self, coordinate: sp.Symbol) -> sp.Symbol:
+        """Q_k."""
+        return _symbol(f"{self.forces}_{coordinate.name}")
+
+    def addition(self, coordinate: sp.Symbol) -> sp.Symbol:
+        """N_k, of quasi-coordinates."""
+        return _symbol(f"{self.quasi}_{coordinate.name}")
+
+    def speed(self, point: str) -> sp.Symbol:
+        """v of a particle or mass centre."""
+        return _symbol(f"{self.speeds}_{point}")
+
+    def meanings(self, found: Energies) -> dict[sp.Symbol, sp.Expr]:
+        """What each letter stands for in one set of coordinates."""
+        known = {
+            self.kinetic: found.kinetic,
+            self.potential: found.potential,
+            self.lagrangian: found.kinetic - found.potential,
+        }
+        known |= {s: s for s in self.any}
+        known |= {self.speed(name): sp.sqrt(square) for name, square in found.squares.items()}
+        for k, q in enumerate(found.configuration.slots.coordinates):
+            known |= {self.momentum(q): found.momenta[k], self.force(q): found.applied[k]}
+            known[self.addition(q)] = found.quasi[k]
+        return known
+
+
+def letters(solution: Solution) -> Letters:
+    """The letters that a problem leaves free."""
+    problem = solution.problem
+    chosen = [q.name for c in solution.choices for q in c.coordinates.configuration.slots.coordinates]
+    forces = {c.reaction.name for c in problem.constraints}
+    if solution.law is not None:
+        forces |= {s.name for s in solution.law.newton.tensions}
+    taken = {*problem.scope.names(), *chosen, *forces}
+    if states_potential(solution):
+        taken.add("V")
+    coordinates = [*(q.name for q in problem.slots.coordinates), *chosen]
+    points = [p.name for p in solution.configuration.points]
+    return Letters(
+        kinetic=_symbol(_free("T", "K", "T_kin", taken=taken)),
+        potential=_symbol(_free("V", "U", "V_pot", taken=taken)),
+        lagrangian=_symbol(_free("L", "Lambda", "L_agr", taken=taken)),
+        momenta=_free("p", "P", "p_gen", taken=taken, of=coordinates),
+        forces=_free("Q", "K", "Q_gen", taken=taken, of=coordinates),
+        quasi=_free("N", "B", "N_gen", taken=taken, of=coordinates),
+        speeds=_free("v", "u", "v_abs", taken=taken, of=points),
+        index=next(k for k in ("k", "n", "s", "gen") if k not in coordinates and f"q_{k}" not in taken),
+    )
+
+
+def states_potential(solution: Solution) -> bool:
+    """Whether the derivation has a V of its own, that of statics, in which the weights are not."""
+    return solution.equilibrium is not None and solution.configuration.potential != 0
+
+
+def _free(*candidates: str, taken: Collection[str], of: Sequence[str] = ()) -> str:
+    """The first letter that is free, with each of the subscripts `of` if there are any."""
+    for letter in candidates:
+        if not any(name in taken for name in ([f"{letter}_{s}" for s in of] or [letter])):
+            return letter
+    return candidates[-1] + "_"
+
+
+def _symbol(name: str) -> sp.Symbol:
+    return sp.Symbol(name, real=True)

@@ -1,0 +1,287 @@
+"""Statics: the principle of virtual work.
+
+A system with ideal constraints is in equilibrium where the virtual work of the applied forces vanishes for every
+virtual displacement,
+
+    δW = Σ F·δr − δV = Σ Q_k δq_k = 0 .
+
+Where the δq_k are independent, each Q_k vanishes; where constraints bind them, A δq = 0 is put in first:
+Q_k + Σ_d B_dk Q_d = 0, together with the constraints. These conditions are solved in closed form as far as that goes.
+There, instead of dividing by pivots, multipliers stand for the reactions, Q + Aᵀ λ = 0, so that no position is lost.
+Unknown forces are solved for first: as many of them as there are conditions are found for every position.
+
+Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechanics, ch. 3.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.closed_form import Values
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
+from lagrange.algebra.exact.exact import is_zero, rank
+from lagrange.algebra.fourier.common_factor import Factor, common_factor, normalised
+from lagrange.algebra.fourier.textbook import Textbook
+from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.core.records import record
+from lagrange.core.symbols import multiplier, variation
+from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.constraints.kinematics import Configuration, Row
+from lagrange.mechanics.dynamics.equations import of_independent
+from lagrange.mechanics.dynamics.principle import generalized_forces
+
+
+@record
+class VirtualWork:
+    """δW in the coordinates of a configuration.
+
+    coefficients  shape (n,): Q_k, as ring elements
+    forces        shape (n,): Q_k, in textbook form
+    statement     Σ Q_k δq_k, in textbook form
+    """
+
+    coefficients: tuple[Element, ...]
+    forces: tuple[sp.Expr, ...]
+    statement: sp.Expr
+    textbook: Textbook
+
+    @property
+    def ring(self) -> Ring:
+        """The ring of the coefficients."""
+        return self.textbook.ring
+
+
+@record
+class ConditionOfEquilibrium:
+    """expression = 0, which multiplies the virtual displacement of `coordinate`.
+
+    factor    what has been divided out; it cannot vanish
+    below     the denominator that it has been multiplied by; solutions are looked for where it vanishes as well
+    reversed  whether the sign has been changed too
+    """
+
+    coordinate: sp.Symbol
+    expression: sp.Expr
+    factor: Factor
+    below: Factor
+    reversed: bool
+
+
+@record
+class Equilibrium:
+    """The equilibria of one configuration.
+
+    independent_forces  what multiplies each independent δq once the dependent ones are put in: Q_k + Σ B_dk Q_d
+    reduced      Σ over the independent δq, the dependent ones put in
+    conditions   each is zero; the finite constraints complete them
+    forces       the unknown forces that occur
+    given        whether the position is taken as given, because the forces alone are determined
+    solution     all solutions
+    branches     those of the solution, without multipliers
+    multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
+    """
+
+    configuration: Configuration
+    work: VirtualWork
+    elimination: Elimination
+    independent_forces: tuple[sp.Expr, ...]
+    reduced: sp.Expr
+    conditions: tuple[ConditionOfEquilibrium, ...]
+    forces: tuple[sp.Symbol, ...]
+    given: bool
+    solution: SolutionSet
+    branches: tuple[Branch, ...]
+    multipliers: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def expressions(self) -> tuple[sp.Expr, ...]:
+        """Each of these is zero: the conditions, and the finite constraints."""
+        return (*(c.expression for c in self.conditions), *self.configuration.finite_constraints)
+
+    @property
+    def binding(self) -> tuple[Row, ...]:
+        """The constraints that are no identities."""
+        return tuple(r for r in self.configuration.rows if not r.is_identity)
+
+    def balance(self, multipliers: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
+        """Q + Aᵀ λ, shape (n,), one λ for each binding constraint."""
+        pairs = tuple(zip(multipliers, self.binding, strict=True))
+        return tuple(sp.Add(q, *(m * row.coefficients[k] for m, row in pairs)) for k, q in enumerate(self.work.forces))
+
+    @cached_property
+    def needs_multipliers(self) -> bool:
+        """Whether dividing by pivots may lose equilibria: one of them vanishes there, or no other was found."""
+        pivots = self.elimination.pivots
+        if not self.multipliers or not pivots or not self.elimination.independent:
+            return False
+        points = [p for b in self.branches for p in b.points]
+        if not points:
+            coordinates = set(self.configuration.slots.coordinates)
+            return any(p.free_symbols & coordinates for p in pivots)
+        return any(is_zero(pivot.xreplace(at)) is not False for pivot in pivots for at in points)
+
+    @property
+    def exists(self) -> bool | None:
+        """Whether there is an equilibrium in these coordinates; None where that is not known."""
+        if self.solution.solved:
+            return bool(self.branches)
+        return True if any(not b.left for b in self.branches) else None
+
+    @property
+    def undetermined(self) -> tuple[sp.Symbol, ...]:
+        """The unknown forces of which only combinations are determined."""
+        used = {s for b in self.branches for r in b.relations for s in r.rhs.free_symbols}
+        return tuple(f for f in self.forces if f in used) if self.given else ()
+
+    @property
+    def presupposed(self) -> tuple[sp.Expr, ...]:
+        """What must not vanish at a given position for the forces to be determined there: factors of conditions."""
+        if not self.given or self.needs_multipliers:
+            return ()
+        coordinates = set(self.configuration.slots.coordinates)
+        factors = (f for c in self.conditions for f in common_factor(c.expression).nonzero)
+        return tuple(dict.fromkeys(f for f in factors if f.free_symbols & coordinates and f not in self.forces))
+
+
+def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None:
+    """Whether there is equilibrium at a point; `at` gives the value of an expression there. None: undecided.
+
+    With constraints the generalized forces must be a combination of their rows, Q = −Aᵀ λ; nothing is divided by.
+    Finite constraints must hold. Raises what `at` raises.
+    """
+    rows = e.binding
+    verdicts: list[bool | None] = [is_zero(at(f)) for f in e.configuration.finite_constraints]
+    if not rows:
+        verdicts += [is_zero(at(c.expression)) for c in e.conditions]
+    else:
+        matrix = [[at(a) for a in row.coefficients] for row in rows]
+        ranks = rank(matrix), rank([*matrix, [at(q) for q in e.work.forces]])
+        verdicts.append(None if None in ranks else ranks[0] == ranks[1])
+    return False if False in verdicts else None if None in verdicts else True
+
+
+def virtual_work(configuration: Configuration) -> VirtualWork:
+    """δW of the applied forces."""
+    ring = Ring()
+    textbook = Textbook(ring)
+    coefficients = generalized_forces(configuration, ring)
+    displacements = [ring.from_sympy(variation(q)) for q in configuration.slots.coordinates]
+    statement = ring.total(q * v for q, v in zip(coefficients, displacements, strict=True))
+    return VirtualWork(coefficients, tuple(textbook.form(q) for q in coefficients), textbook.form(statement), textbook)
+
+
+def equilibrium(
+    configuration: Configuration,
+    elimination: Elimination,
+    unknown_forces: tuple[sp.Symbol, ...] = (),
+    work: VirtualWork | None = None,
+) -> Equilibrium:
+    """The equilibria of a configuration, in closed form as far as possible.
+
+    unknown_forces  the symbols to be found beside the coordinates
+    work            of the forces at rest, if that is not the work of the applied forces
+    """
+    work = work or virtual_work(configuration)
+    coordinates = configuration.slots.coordinates
+    left = of_independent(work.coefficients, work.ring, elimination)
+    displacements = [work.ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
+    reduced = work.textbook.form(work.ring.total(q * v for q, v in zip(left, displacements, strict=True)))
+    conditions = tuple(
+        condition
+        for k, q in zip(elimination.independent, left, strict=True)
+        if (condition := _condition(work, coordinates[k], q)).expression != 0
+    )
+    used = {s for c in conditions for s in c.expression.free_symbols}
+    forces = tuple(f for f in unknown_forces if f in used)
+    blank = Equilibrium(
+        configuration,
+        work,
+        elimination,
+        tuple(map(work.textbook.form, left)),
+        reduced,
+        conditions,
+        forces,
+        False,
+        solutions((), ()),
+        (),
+    )
+    return _for_forces(blank) or _for_all(blank)
+
+
+def _condition(work: VirtualWork, coordinate: sp.Symbol, force: Element) -> ConditionOfEquilibrium:
+    """The condition without common denominators and without common factors that cannot vanish."""
+    expression = work.textbook.form(force)
+    common = common_factor(expression)
+    factor = common.only(lambda f: bool(f.is_nonzero))
+    below = Factor(sp.S.One, common.denominator.only(lambda f: not f.is_nonzero).powers)
+    kept = below.multiply(factor.divide(expression))
+    if below.powers:
+        kept = work.textbook.form(kept)
+        kept = common_factor(kept).only(lambda f: bool(f.is_nonzero)).divide(kept)
+    leading = normalised(kept)
+    return ConditionOfEquilibrium(coordinate, leading, factor, below, leading != kept)
+
+
+def _for_forces(e: Equilibrium) -> Equilibrium | None:
+    """The unknown forces for every position, where they can be found so."""
+    if not e.forces or len(e.forces) < len(e.conditions):
+        return None
+    solution = solutions([c.expression for c in e.conditions], e.forces)
+    generic = tuple(b for b in solution.branches if not b.special)
+    if not generic or not solution.solved:
+        return None
+    return replace(e, given=True, solution=replace(solution, branches=generic), branches=generic)
+
+
+def _for_all(e: Equilibrium) -> Equilibrium:
+    """Positions, and the forces that go with them."""
+    multipliers = [multiplier(f"of_equilibrium_{n}") for n, _ in enumerate(e.binding)]
+    if multipliers:
+        equations = [*e.balance(multipliers), *e.configuration.finite_constraints]
+    else:
+        equations = [c.expression for c in e.conditions]
+    coordinates = e.configuration.slots.coordinates
+    solution = solutions(equations, (*coordinates, *e.forces, *multipliers), (*multipliers, *e.forces))
+    return replace(
+        e, solution=solution, branches=_without(solution.branches, multipliers), multipliers=tuple(multipliers)
+    )
+
+
+def _without(branches: tuple[Branch, ...], multipliers: list[sp.Symbol]) -> tuple[Branch, ...]:
+    """The branches without what they say of multipliers; those that say the same are one."""
+    found: dict[object, Branch] = {}
+    for b in (_turned(b, multipliers) for b in branches):
+        relations = tuple(r for r in b.relations if r.lhs not in multipliers)
+        key = (relations, b.conditions, b.left)
+        known = found.get(key)
+        found[key] = replace(b, relations=relations, points=(*(known.points if known else ()), *b.points))
+    return tuple(found.values())
+
+
+def _turned(b: Branch, multipliers: list[sp.Symbol]) -> Branch:
+    """The branch with a relation y = c λ that gives a coordinate by a free multiplier read as λ = y/c, y being free."""
+    for m in multipliers:
+        for r in b.relations:
+            rate = sp.expand(r.rhs).diff(m)
+            if r.lhs in multipliers or not r.lhs.is_Symbol or rate == 0 or m in rate.free_symbols or b.left:
+                continue
+            rule = {m: sp.cancel((r.lhs - r.rhs.xreplace({m: sp.S.Zero})) / rate)}
+            relations = tuple(
+                replace(o, rhs=sp.factor(o.rhs.xreplace(rule)) if m in o.rhs.free_symbols else o.rhs)
+                for o in b.relations
+                if o is not r
+            )
+            points = tuple(_given_by(p, r.lhs, rule) for p in b.points)
+            b = replace(b, relations=relations, points=points, common=_given_by(b.common, r.lhs, rule))
+            break
+    return b
+
+
+def _given_by(values: Values, free: sp.Symbol, rule: dict[sp.Symbol, sp.Expr]) -> Values:
+    """The values of letters with a multiplier given by a coordinate, which is free."""
+    return {u: v.xreplace(rule) for u, v in values.items() if u != free} | rule

@@ -1,0 +1,214 @@
+"""Are small motions stable? M ξ'' + D ξ' + K ξ = 0, from the signs of what its matrices make.
+
+D is symmetric where it damps and antisymmetric where it is gyroscopic. For symmetric K:
+
+    K positive definite, D takes no energy in          stable (Dirichlet, Thomson and Tait); dies away if D reaches all
+    D = 0 or damping fully, K takes negative values    unstable (Thomson, Tait, Chetaev)
+
+and for any K:
+
+    det K < 0, or some ω² < 0                          unstable: there is a real root p > 0
+    otherwise                                          Hurwitz' conditions (n ≤ 2), or all ω² positive and different
+
+A sign that the parameters leave open becomes a condition. What hangs on a root p = 0 is undecided: the terms left out
+would have to be looked at.
+
+Reference: N. G. Chetaev, The Stability of Motion, 1961.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from enum import StrEnum
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
+from lagrange.algebra.closed_forms.signs import MOST_OPERATIONS, different_from_zero
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.exact.exact import is_zero
+from lagrange.core.records import record
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.stability import (
+    Stability,
+    Verdict,
+    conditions_for,
+    definiteness,
+    known_positive,
+    on_branch,
+    sign_on,
+    where_positive,
+)
+
+
+class Kind(StrEnum):
+    """What the terms with ξ' are."""
+
+    NONE = "none"
+    GYROSCOPIC = "gyroscopic"
+    DAMPED = "damped"
+
+
+class Ground(StrEnum):
+    """What the verdict rests on."""
+
+    POTENTIAL = "potential"  # the signs of K
+    DETERMINANT = "determinant"  # det K < 0
+    HURWITZ = "hurwitz"  # Hurwitz' conditions on the characteristic polynomial
+    ROOTS = "roots"  # the signs of the ω²
+
+
+@record
+class Judgement:
+    """The verdict, what it rests on (None: on nothing), and whether, where it is stable, the motion dies away."""
+
+    stability: Stability
+    ground: Ground | None
+    asymptotic: bool = False
+
+
+@record
+class LinearSystem:
+    """M, D, K, shape (f, f); `roots`: the coefficients of the characteristic polynomial, in ω² or in p, or None."""
+
+    mass: Matrix
+    damping: Matrix
+    stiffness: Matrix
+    kind: Kind
+    symmetric: bool
+    roots: Sequence[sp.Expr] | None
+    frequencies: tuple[Frequency, ...]
+
+
+def judged(s: LinearSystem, b: Branch, found: Equilibrium) -> Judgement:
+    """The verdict on stability at one equilibrium; of what is undecided, where some ω² is negative."""
+    judgement = _judged(s, b, found)
+    if judgement.stability.verdict is not Verdict.UNDECIDED:
+        return judgement
+    known = known_positive(b)
+    opposite = [-f.square for f in s.frequencies if f.square is not None and not _has_root(f.square)]
+    unstable = where_positive([w for w in opposite if sign_on(w, known) is None], known)
+    return replace(judgement, stability=replace(judgement.stability, unstable=unstable))
+
+
+def _judged(s: LinearSystem, b: Branch, found: Equilibrium) -> Judgement:
+    known = known_positive(b)
+    squares = [f.square for f in s.frequencies]
+    negative = tuple(w for w in squares if w is not None and sign_on(w, known) == -1)
+    if negative:
+        return Judgement(Stability(Verdict.UNSTABLE, negative), Ground.ROOTS)
+    if s.symmetric:
+        by_potential = _by_potential(s, b, found, known)
+        if by_potential is not None:
+            return by_potential
+    constant = on_branch(b, sp.Matrix(s.stiffness).det(method="berkowitz"), found)
+    if constant is not None and sign_on(constant, known) == -1:
+        return Judgement(Stability(Verdict.UNSTABLE, (constant,)), Ground.DETERMINANT)
+    if s.roots is None:
+        return UNKNOWN
+    return _by_hurwitz(s.roots, known) if s.kind is Kind.DAMPED else _by_roots(s.roots, known)
+
+
+UNKNOWN = Judgement(Stability(Verdict.UNDECIDED), None)
+
+
+def _by_potential(s: LinearSystem, b: Branch, found: Equilibrium, known: Sequence[sp.Expr]) -> Judgement | None:
+    """The verdict from the signs of K; None where D leaves it open."""
+    of_stiffness = definiteness(s.stiffness, b, found)
+    if s.kind is Kind.NONE:
+        squares = [f.square for f in s.frequencies if f.square is not None]
+        if of_stiffness.verdict is Verdict.CONDITIONAL and len(squares) == len(s.frequencies):
+            simple = conditions_for(squares, known) if not any(map(_has_root, squares)) else None
+            if simple is not None:
+                return Judgement(Stability(Verdict.CONDITIONAL, of_stiffness.minors, simple), Ground.POTENTIAL)
+        return Judgement(of_stiffness, Ground.POTENTIAL)
+    size = len(s.damping)
+    loss = tuple(tuple((s.damping[i][j] + s.damping[j][i]) / 2 for j in range(size)) for i in range(size))
+    full = s.kind is Kind.DAMPED and definiteness(loss, b, found).verdict is Verdict.STABLE
+    if full:
+        return Judgement(of_stiffness, Ground.POTENTIAL, asymptotic=True)
+    passive = s.kind is Kind.GYROSCOPIC or _is_passive(loss, known)
+    if passive and of_stiffness.verdict is Verdict.STABLE:
+        reaches = s.kind is Kind.DAMPED and s.roots is not None
+        dies = reaches and _by_hurwitz(s.roots or (), known).stability.verdict is Verdict.STABLE
+        return Judgement(of_stiffness, Ground.POTENTIAL, asymptotic=dies)
+    return None
+
+
+def _has_root(e: sp.Expr) -> bool:
+    return any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow))
+
+
+def kind_of(damping: Matrix) -> Kind:
+    """What the terms with ξ' do."""
+    if all(e == 0 for row in damping for e in row):
+        return Kind.NONE
+    pairs = ((damping[i][j], damping[j][i]) for i in range(len(damping)) for j in range(i + 1))
+    return Kind.GYROSCOPIC if all(is_zero(a + b) is True for a, b in pairs) else Kind.DAMPED
+
+
+def _is_passive(loss: Matrix, known: Sequence[sp.Expr]) -> bool:
+    """Whether damping takes no energy in: all principal minors are not negative, for two coordinates at most."""
+    size = len(loss)
+    if any(sign_on(loss[n][n], known) not in (0, 1) for n in range(size)) or size > 2:
+        return False
+    return size == 1 or sign_on(sp.expand(loss[0][0] * loss[1][1] - loss[0][1] ** 2), known) in (0, 1)
+
+
+def _by_hurwitz(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> Judgement:
+    """All roots p have negative real parts, up to the fourth degree: a_j > 0 and a_1 a_2 a_3 > a_0 a_3² + a_1² a_4."""
+    a = _led(a, known)
+    if len(a) not in (3, 5):
+        return UNKNOWN
+    wanted = list(a[1:])
+    if len(a) == 5:
+        wanted.append(sp.expand(a[1] * a[2] * a[3] - a[0] * a[3] ** 2 - a[1] ** 2 * a[4]))
+    return _if_positive(wanted, known, Ground.HURWITZ, dies=True)
+
+
+def _by_roots(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> Judgement:
+    """All ω² real, positive and different, for two of them at most."""
+    a = _led(a, known)
+    if len(a) not in (2, 3):
+        return UNKNOWN
+    if len(a) == 2:
+        return _if_positive([-a[1]], known, Ground.ROOTS, dies=False)
+    discriminant = sp.expand(a[1] ** 2 - 4 * a[0] * a[2])
+    found = _if_positive([a[2], -a[1], discriminant], known, Ground.ROOTS, dies=False)
+    return _where_different(found, discriminant)
+
+
+def _where_different(found: Judgement, discriminant: sp.Expr) -> Judgement:
+    """Stable only where the roots are different: a discriminant (c J − κ m)² is positive unless c J = κ m."""
+    stability = found.stability
+    if stability.verdict not in (Verdict.STABLE, Verdict.CONDITIONAL) or discriminant.count_ops() > MOST_OPERATIONS:
+        return found
+    powers = (f.as_base_exp() for f in sp.Mul.make_args(sp.factor(discriminant)))
+    apart = tuple(c for base, e in powers if e.is_even for c in different_from_zero(base))
+    if not apart:
+        return found
+    conditional = replace(stability, verdict=Verdict.CONDITIONAL, conditions=(*stability.conditions, *apart))
+    return replace(found, stability=conditional)
+
+
+def _led(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """The coefficients with a positive first one; none where its sign is not known."""
+    sign = sign_on(a[0], known) if a else None
+    return [] if sign not in (1, -1) else [sign * c for c in a]
+
+
+def _if_positive(wanted: Sequence[sp.Expr], known: Sequence[sp.Expr], ground: Ground, dies: bool) -> Judgement:
+    """Stable where all of them are positive, unstable where one is negative."""
+    signs = [sign_on(w, known) for w in wanted]
+    values = tuple(wanted)
+    if -1 in signs:
+        return Judgement(Stability(Verdict.UNSTABLE, values), ground)
+    if 0 in signs:
+        return Judgement(Stability(Verdict.UNDECIDED, values), ground)
+    if None not in signs:
+        return Judgement(Stability(Verdict.STABLE, values), ground, dies)
+    conditions = conditions_for(wanted, known)
+    return (
+        UNKNOWN if conditions is None else Judgement(Stability(Verdict.CONDITIONAL, values, conditions), ground, dies)
+    )

@@ -1,0 +1,314 @@
+"""Small oscillations: the equations of motion to first order about their equilibria.
+
+At an equilibrium of the equations of motion, q' = q'' = 0 solves them: the forces, those of inertia among them that a
+prescribed rotation brings, are balanced. With q = q_0 + ξ and what is small of second order left out,
+
+    M ξ'' + D ξ' + K ξ = 0 ,    M_kj = ∂D_k/∂q_j'' ,  D_kj = ∂D_k/∂q_j' ,  K_kj = ∂D_k/∂q_j − Σ_i λ_i ∂a_ik/∂q_j ,
+
+all taken at q_0; the D_k on the right are those of d'Alembert's principle, λ the multipliers that balance them there,
+and a_ik the constraints. Where constraints bind the coordinates they bind their small changes, A ξ = 0 with A at q_0,
+and ξ = N η with independent η leaves Nᵀ M N, Nᵀ D N, Nᵀ K N: the constraint is needed to second order, and λ brings it
+in. A kinematic constraint gives A ξ' = 0; the displacements with A ξ = 0 are studied, the others lead from one
+equilibrium to its neighbours. D is symmetric where it damps, antisymmetric where it is gyroscopic.
+
+Small oscillations are ξ = a cos ωt, with damping a e^{pt}: `pencils` has frequencies and modes, `linear_stability`
+the verdict.
+
+Reference: Lagrange 1788, part 2, section 6; Whittaker, Analytical Dynamics, ch. 7 and 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.eigenmodes import (
+    Frequency,
+    Matrix,
+    determinant,
+    factored,
+    frequencies,
+    without_minus,
+)
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.exact.exact import DivisionByZeroError, Surface, is_zero
+from lagrange.algebra.fourier.textbook import common_factor, normalised, textbook_form
+from lagrange.core.records import record
+from lagrange.core.symbols import prime
+from lagrange.mechanics.constraints.displacements import eliminate
+from lagrange.mechanics.constraints.kinematics import Configuration, Row
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.linear_stability import Judgement, Kind, LinearSystem, judged, kind_of
+from lagrange.mechanics.equilibrium.relative_equilibrium import (
+    branches_at_rest,
+    check_rest,
+    equilibria_of_motion,
+    is_time,
+    without_time,
+)
+from lagrange.mechanics.equilibrium.stability import Verdict, on_branch
+
+MOST_EQUILIBRIA = 16
+MOST_COORDINATES = 6
+MOST_OPERATIONS = 100
+"""Operations of a coefficient that is still factored."""
+
+ZERO = sp.S.Zero
+
+
+@record
+class Damped:
+    """One coordinate with damping, ξ'' + 2δ ξ' + ω₀² ξ = 0: ω₀², δ = ζ ω₀, and ω² = ω₀² (1 − ζ²)."""
+
+    own: sp.Expr
+    rate: sp.Expr
+    square: sp.Expr
+
+
+@record
+class SmallOscillations:
+    """The linear equations at one equilibrium.
+
+    free            the coordinates whose small changes are independent, by index
+    shape           (n, f): ξ = N η, the small changes of all coordinates
+    system          M, D, K of the independent ones, shape (f, f), and the frequencies
+    equations       each zero, common factors divided out
+    characteristic  a polynomial in ω or, with damping, in the exponent p, in factors; None: too large
+    unknown         ω or p
+    judgement       the verdict on stability
+    damped          where one coordinate is damped and would oscillate without damping
+    """
+
+    free: tuple[int, ...]
+    shape: Matrix
+    system: LinearSystem
+    equations: tuple[sp.Expr, ...]
+    characteristic: sp.Expr | None
+    unknown: sp.Symbol
+    judgement: Judgement
+    damped: Damped | None = None
+
+    @property
+    def oscillates(self) -> bool:
+        """Whether the characteristic equation is one for ω²."""
+        return self.system.kind is not Kind.DAMPED
+
+    @property
+    def frequencies(self) -> tuple[Frequency, ...]:
+        """The roots ω²; none with damping."""
+        return self.system.frequencies
+
+    def remaining(self, f: Frequency) -> sp.Expr:
+        """The polynomial in ω that a frequency is a root of."""
+        return f.factor.xreplace({f.letter: self.unknown**2})
+
+
+@record
+class Linearization:
+    """The linear equations about all equilibria of the equations of motion, in one set of coordinates.
+
+    equilibrium   of the equations of motion: its forces are all that is left of them at rest
+    branches      its branches, long unsolved equations left out
+    complete      whether all equilibria are among them
+    displacements ξ, one for each coordinate
+    omega         the letter for a frequency
+    exponent      the letter p
+    driven        whether positions contain time, which cancels
+    at            by branch; None where there is none to first order, or it cannot be worked out
+    """
+
+    motion: EquationsOfMotion
+    equilibrium: Equilibrium
+    branches: tuple[Branch, ...]
+    complete: bool
+    displacements: tuple[sp.Symbol, ...]
+    omega: sp.Symbol
+    exponent: sp.Symbol
+    driven: bool
+    at: tuple[SmallOscillations | None, ...]
+
+    @property
+    def configuration(self) -> Configuration:
+        """The configuration."""
+        return self.motion.configuration
+
+
+def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Linearization:
+    """Small oscillations about the equilibria of the equations of motion.
+
+    taken  names that the letters ξ, ω, p must not be
+
+    Raises NotCoveredError where the equations depend on time, or where rest is not possible.
+    """
+    check_rest(motion.configuration)
+    rows = [r for n, r in enumerate(motion.configuration.rows) if n not in motion.elimination.unused]
+    configuration = replace(motion.configuration, rows=tuple(rows))
+    motion = replace(motion, configuration=configuration, elimination=replace(motion.elimination, unused=()))
+    form = matrix_form(motion)
+    found = equilibria_of_motion(form, motion)
+    names = displacement_names(configuration.slots.coordinates, taken)
+    omega = sp.Symbol(_letter(("omega", "Omega", "nu", "varpi"), taken), real=True)
+    exponent = sp.Symbol(_letter(("p", "s", "sigma", "zeta"), taken), real=True)
+    branches, complete = branches_at_rest(found)
+    places = (c for p in configuration.points for c in p.position.fixed().components)
+    driven = any(is_time(s, configuration) for c in places for s in c.free_symbols)
+    at = tuple(
+        _about(b, form, found, names, omega, exponent) if n < MOST_EQUILIBRIA else None for n, b in enumerate(branches)
+    )
+    return Linearization(motion, found, branches, complete, names, omega, exponent, driven, at)
+
+
+def _letter(letters: Sequence[str], taken: frozenset[str]) -> str:
+    """The first letter that no name begins with, whatever its index."""
+    stems = {n.split("_")[0].rstrip("'0123456789") for n in taken}
+    return next((n for n in letters if n not in stems), letters[-1])
+
+
+def displacement_names(coordinates: Sequence[sp.Symbol], taken: frozenset[str]) -> tuple[sp.Symbol, ...]:
+    """ξ of one coordinate, ξ_1, ξ_2, ... of several."""
+    letter = _letter(("xi", "eta", "zeta", "chi"), taken)
+    if len(coordinates) == 1:
+        return (sp.Symbol(letter, real=True),)
+    return tuple(sp.Symbol(f"{letter}_{n}", real=True) for n, _ in enumerate(coordinates, start=1))
+
+
+def _about(
+    b: Branch,
+    form: MatrixForm,
+    found: Equilibrium,
+    names: Sequence[sp.Symbol],
+    omega: sp.Symbol,
+    exponent: sp.Symbol,
+) -> SmallOscillations | None:
+    """The linear equations on one branch; None where that is not in closed form, or the coordinates fail there."""
+    if b.left or b.special:
+        return None
+    try:
+        taken = matrices_on(b, form, found)
+        if taken is None:
+            return None
+        free, shape, mass, damping, stiffness = taken
+        if len(free) > MOST_COORDINATES or not free:
+            return None
+        regular = is_zero(sp.Matrix(mass).det(method="berkowitz"))
+    except (DivisionByZeroError, ZeroDivisionError):
+        return None
+    if regular is not False:
+        return None
+    kind = kind_of(damping)
+    symmetric = all(is_zero(stiffness[i][j] - stiffness[j][i]) is True for i in range(len(free)) for j in range(i))
+    damped = kind is Kind.DAMPED
+    letter = exponent if damped else sp.Dummy("omega_squared", real=True)
+    polynomial = _characteristic(mass, damping, stiffness, kind, letter)
+    written, coefficients = None, None
+    roots: tuple[Frequency, ...] = ()
+    if polynomial is not None:
+        pieces = factored(polynomial, letter)
+        written = sp.Mul(*(_in_powers(f, letter) ** n for f, n in pieces))
+        written = written if damped else written.xreplace({letter: omega**2})
+        coefficients = tuple(sp.Poly(polynomial, letter).all_coeffs())
+        roots = () if damped else frequencies(mass, stiffness, pieces, letter, with_modes=kind is Kind.NONE)
+    system = LinearSystem(mass, damping, stiffness, kind, symmetric, coefficients, roots)
+    equations = tuple(_equations(mass, damping, stiffness, tuple(names[k] for k in free)))
+    unknown = exponent if damped else omega
+    judgement = judged(system, b, found)
+    return SmallOscillations(free, shape, system, equations, written, unknown, judgement, _damped(system, judgement))
+
+
+def _in_powers(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
+    """A polynomial in a letter, its coefficients in factors where they are short."""
+    terms = sp.Poly(f, letter).terms()
+    return sp.Add(*((sp.factor(c) if c.count_ops() <= MOST_OPERATIONS else c) * letter**n for (n,), c in terms))
+
+
+def _damped(system: LinearSystem, judgement: Judgement) -> Damped | None:
+    """What is said of one damped coordinate."""
+    if system.kind is not Kind.DAMPED or len(system.mass) > 1 or judgement.stability.verdict is not Verdict.STABLE:
+        return None
+    [[m]], [[d]], [[k]] = system.mass, system.damping, system.stiffness
+    own = sp.factor(k / m)
+    return Damped(own, sp.factor(d / (2 * m)), without_minus(sp.factor(own - d**2 / (4 * m**2))))
+
+
+def matrices_on(
+    b: Branch, form: MatrixForm, found: Equilibrium
+) -> tuple[tuple[int, ...], Matrix, Matrix, Matrix, Matrix] | None:
+    """The free coordinates, N, and M, D, K reduced by it, as they are on a branch; None where that is not written."""
+    slots = form.configuration.slots
+    still = dict.fromkeys(slots.velocities, sp.S.Zero)
+    rows = [r for r in form.configuration.rows if not r.is_identity]
+    constraints = [[on_branch(b, a, found) for a in r.coefficients] for r in rows]
+    pulls = [
+        f.xreplace(still) + sp.Add(*(m * r.coefficients[k] for m, r in zip(found.multipliers, rows, strict=True)))
+        for k, f in enumerate(form.force)
+    ]
+
+    def value(e: sp.Expr) -> sp.Expr | None:
+        return on_branch(b, without_time(e, form.configuration), found, in_parameters=True)
+
+    mass = [[value(e) for e in row] for row in form.mass]
+    damping = [[value((-f.diff(v)).xreplace(still)) for v in slots.velocities] for f in form.force]
+    stiffness = [[value(-p.diff(q)) for q in slots.coordinates] for p in pulls]
+    known = [*constraints, *mass, *damping, *stiffness]
+    if any(e is None or not _is_smooth(e, form.configuration) for row in known for e in row):
+        return None
+    fixed = [Row(r.name, tuple(row), ZERO) for r, row in zip(rows, constraints, strict=True)]
+    there = eliminate(fixed, len(slots.coordinates), Surface())
+    if len(there.independent) != len(found.elimination.independent):
+        return None  # the constraints bind more or fewer displacements here than elsewhere
+    shape = there.shape(len(slots.coordinates))
+    reduced = [_reduced(matrix, shape, b, found) for matrix in (mass, damping, stiffness)]
+    if any(r is None for r in reduced):
+        return None
+    m, d, k = (r for r in reduced if r is not None)
+    return there.independent, shape, m, d, k
+
+
+def _is_smooth(e: sp.Expr, configuration: Configuration) -> bool:
+    """Whether an entry is a function of parameters that exists: no 1/0, no derivative of a jump, no time."""
+    bad = e.has(sp.zoo, sp.nan, sp.oo, sp.DiracDelta, sp.Heaviside, sp.Derivative)
+    return not bad and not any(is_time(s, configuration) for s in e.free_symbols)
+
+
+def _reduced(matrix: list[list[sp.Expr | None]], shape: Matrix, b: Branch, found: Equilibrium) -> Matrix | None:
+    """Nᵀ X N on a branch."""
+    n = sp.Matrix(shape)
+    whole = n.T * sp.Matrix(matrix) * n
+    written = [[on_branch(b, e, found, in_parameters=True) for e in whole.row(k)] for k in range(whole.rows)]
+    if any(e is None for row in written for e in row):
+        return None
+    return tuple(tuple(_shorter(e) for e in row if e is not None) for row in written)
+
+
+def _shorter(e: sp.Expr) -> sp.Expr:
+    formed = textbook_form(e)
+    return formed if formed.count_ops() <= e.count_ops() else e
+
+
+def _equations(mass: Matrix, damping: Matrix, stiffness: Matrix, moved: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:
+    """M ξ'' + D ξ' + K ξ, each row without common factors."""
+    for ms, ds, ks in zip(mass, damping, stiffness, strict=True):
+        total = sp.Add(*(m * prime(x, 2) + d * prime(x) + k * x for m, d, k, x in zip(ms, ds, ks, moved, strict=True)))
+        formed = textbook_form(sp.fraction(sp.together(total))[0])
+        yield normalised(common_factor(formed).only(lambda f: bool(f.is_nonzero)).divide(formed))
+
+
+def _characteristic(mass: Matrix, damping: Matrix, stiffness: Matrix, kind: Kind, letter: sp.Symbol) -> sp.Expr | None:
+    """det(K − ω² M), det(K − ω² M + iω G) as a polynomial in ω², or det(K + p D + p² M)."""
+    if kind is Kind.NONE:
+        return determinant(_sum_of((stiffness, sp.S.One), (mass, -letter)))
+    p = sp.Dummy("p", real=True) if kind is Kind.GYROSCOPIC else letter
+    found = determinant(_sum_of((stiffness, sp.S.One), (damping, p), (mass, p**2)))
+    if found is None or kind is Kind.DAMPED:
+        return found
+    terms = sp.Poly(found, p).terms()  # even in p: p² = −ω²
+    return sp.expand(sp.Add(*(c * (-letter) ** (n // 2) for (n,), c in terms)))
+
+
+def _sum_of(*terms: tuple[Matrix, sp.Expr]) -> list[list[sp.Expr]]:
+    size = len(terms[0][0])
+    return [[sp.Add(*(x[i][j] * c for x, c in terms)) for j in range(size)] for i in range(size)]

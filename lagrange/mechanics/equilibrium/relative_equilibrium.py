@@ -1,0 +1,116 @@
+"""Where a system can rest: the equilibria of its equations of motion.
+
+With q' = q'' = 0 the equations of motion leave conditions for q_0: the forces are balanced, those of inertia among them
+that a prescribed uniform rotation brings. A bead on a hoop that turns with ω has m R² ω² sin θ cos θ beside its weight;
+they are those of an effective potential. Positions may contain time as long as it cancels from the equations.
+
+Only rest in the coordinates is meant. Steady motions, in which a coordinate grows at a constant rate, are equilibria of
+other coordinates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.closed_form import Relation
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.exact import DivisionByZeroError
+from lagrange.algebra.fourier.textbook import Textbook
+from lagrange.algebra.fourier.trigonometry import Ring
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.symbols import base, t, variation
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.matrix_form import MatrixForm
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium, is_balanced
+
+LONGEST_LEFT = 60
+"""Operations of conditions that are still shown where they are not solved."""
+MOST_SEEN = 4
+"""Coordinates whose values 0 and π are tried."""
+ZERO = sp.S.Zero
+
+
+def equilibria_of_motion(form: MatrixForm, motion: EquationsOfMotion) -> Equilibrium:
+    """The equilibria; the forces of the result are all that is left of the equations at rest.
+
+    Raises NotCoveredError where the equations depend on time.
+    """
+    return equilibrium(motion.configuration, motion.elimination, work=_forces_at_rest(form))
+
+
+def branches_at_rest(found: Equilibrium) -> tuple[tuple[Branch, ...], bool]:
+    """The branches; with those at 0 and π that are seen at once, where conditions are long and not solved."""
+    long = [b for b in found.branches if sum(e.count_ops() for e in b.left) > LONGEST_LEFT]
+    if not long:
+        return found.branches, found.solution.solved
+    kept = [b for b in found.branches if b not in long]
+    stated = [set(b.relations) for b in kept]
+    seen = [b for b in _at_zero(found) if not any(s <= set(b.relations) for s in stated)]
+    return (*kept, *seen), False
+
+
+def _at_zero(found: Equilibrium) -> Iterator[Branch]:
+    """The equilibria of independent coordinates at which each of them is 0, or π for an angle."""
+    letters = found.solution.letters
+    coordinates = found.configuration.slots.coordinates
+    if found.configuration.rows or len(coordinates) > MOST_SEEN:
+        return
+    angles = {q for q in coordinates if q in letters.angles and letters.angles[q].measure == q}
+    for place in product(*(((ZERO, sp.pi) if q in angles else (ZERO,)) for q in coordinates)):
+        point: dict[sp.Symbol, sp.Expr] = {}
+        for q, value in zip(coordinates, place, strict=True):
+            if q in angles:
+                point |= {letters.angles[q].cosine: sp.cos(value), letters.angles[q].sine: ZERO}
+            point |= {q: value}
+        try:
+            holds = is_balanced(found, lambda e, p=point: found.solution.at(p, e))  # type: ignore[misc]
+        except (NotAlgebraicError, DivisionByZeroError):
+            continue
+        if holds:
+            relations = tuple(Relation(q, value) for q, value in zip(coordinates, place, strict=True))
+            yield Branch(relations, (), (point,), point)
+
+
+def check_rest(configuration: Configuration) -> None:
+    """Refuses constraints with which nothing can rest, or that are not linear in the velocities."""
+    for row in configuration.rows:
+        if row.nonlinear is not None:
+            raise NotCoveredError(f"small oscillations with `{row.name}`, which is not linear in the velocities,")
+        symbols = {s for e in row.form for s in e.free_symbols}
+        if row.drift != 0 or any(is_time(s, configuration) for s in symbols):
+            raise NotCoveredError(f"small oscillations in coordinates that the moving constraint `{row.name}` binds")
+
+
+def is_time(symbol: sp.Symbol, configuration: Configuration) -> bool:
+    """Whether a symbol moves by itself: t, or a prescribed motion."""
+    return symbol == t or base(symbol) in configuration.slots.prescribed
+
+
+def _forces_at_rest(form: MatrixForm) -> VirtualWork:
+    """What is left of the equations of motion at rest, −D_k, as the virtual work of forces. Raises NotCoveredError."""
+    configuration = form.configuration
+    slots = configuration.slots
+    still = dict.fromkeys(slots.velocities, sp.S.Zero)
+    forces = [without_time(f.xreplace(still), configuration) for f in form.force]
+    ring = Ring()
+    textbook = Textbook(ring)
+    coefficients = tuple(ring.from_sympy(f) for f in forces)
+    displacements = [ring.from_sympy(variation(q)) for q in slots.coordinates]
+    statement = ring.total(q * v for q, v in zip(coefficients, displacements, strict=True))
+    return VirtualWork(coefficients, tuple(textbook.form(q) for q in coefficients), textbook.form(statement), textbook)
+
+
+def without_time(e: sp.Expr, configuration: Configuration) -> sp.Expr:
+    """An expression in which time occurs and cancels, without it. Raises NotCoveredError where it does not cancel."""
+    if any(s != t and is_time(s, configuration) for s in e.free_symbols):
+        raise NotCoveredError("small oscillations under a prescribed motion that is not uniform")
+    if t not in e.free_symbols:
+        return e
+    if not configuration.surface.is_zero(e.diff(t)):
+        raise NotCoveredError("small oscillations where the equations of motion contain time")
+    return e.xreplace({t: ZERO})

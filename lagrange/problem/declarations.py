@@ -1,0 +1,268 @@
+"""The symbols that a problem file declares: parameters, coordinates, functions, unknown forces.
+
+A parameter is positive unless the file says otherwise. A function of t alone is a prescribed motion and gets the slots
+u, u', u''; any other is an undefined function of its arguments. A section that is wrong is reported, and the names in
+it are known to have failed, so that nothing is said where they are used.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Diagnostic, ProblemError, nearest
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign, Slots
+from lagrange.expressions.reader import FunctionDeclaration, Scope, read_scalar
+from lagrange.problem.model import Assumption, Coordinate, Parameter
+from lagrange.problem.names import Names, canonical, names_in
+from lagrange.problem.nodes import Mapping, Node, Scalar
+from lagrange.problem.nodes import Sequence as ListNode
+from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
+
+T = TypeVar("T")
+
+
+def read_parameters(node: Node | None, names: Names) -> tuple[Parameter, ...]:
+    """A list of names, all positive; or name -> assumption, or name -> {assume, unit, meaning, value}."""
+    return _declared(node, "parameters", names, _parameter)
+
+
+def read_coordinates(node: Node | None, names: Names) -> tuple[Coordinate, ...]:
+    """A list of names, or name -> meaning, or name -> {meaning, unit}."""
+    return _declared(node, "coordinates", names, _coordinate)
+
+
+def read_unknowns(node: Node | None, names: Names) -> tuple[sp.Symbol, ...]:
+    """A list of names of unknown forces."""
+    return _declared(node, "unknowns", names, _unknown)
+
+
+def _declared(
+    node: Node | None, key: str, names: Names, read: Callable[[Scalar, Node | None, Names], T | None]
+) -> tuple[T, ...]:
+    """What a list of names, or a mapping of names, declares."""
+    if node is None:
+        return ()
+    entries: list[tuple[Node, Node | None]]
+    if isinstance(node, Mapping) and key != "unknowns":
+        entries = list(node.entries)
+    elif isinstance(node, ListNode):
+        entries = [(item, None) for item in node.items]
+        if not entries and key == "coordinates":
+            help_ = "list what moves, as `coordinates: [x, y]`"
+            names.findings.report(Diagnostic("empty-value", "`coordinates` is an empty list", node.span, help=help_))
+    else:
+        names.fail_all(node)
+        names.findings.report(wrong_kind(node, f"`{key}` is a list of names", f"write `{key}: {_as_list(node)}`"))
+        return ()
+    found = []
+    for name, value in entries:
+        item = names.findings.attempt(lambda n=name, v=value: _one(n, v, key, names, read))  # type: ignore[misc]
+        if item is not None:
+            found.append(item)
+    return tuple(found)
+
+
+def _one(
+    name: Node, value: Node | None, key: str, names: Names, read: Callable[[Scalar, Node | None, Names], T | None]
+) -> T | None:
+    if not isinstance(name, Scalar):
+        names.fail_all(name)
+        message = f"an entry of the list `{key}` is one name"
+        raise ProblemError(wrong_kind(name, message, f"write all of `{key}` as a list, or all as a mapping"))
+    if value is not None and isinstance(value, Scalar) and value.is_empty:
+        value = None
+    try:
+        return read(name, value, names)
+    except ProblemError:
+        names.fail(canonical(name.text))
+        raise
+
+
+def _as_list(node: Node) -> str:
+    listed = names_in(node.text) if isinstance(node, Scalar) else ()
+    return f"[{', '.join(listed or ('a', 'b'))}]"
+
+
+def _parameter(key: Scalar, value: Node | None, names: Names) -> Parameter | None:
+    name = names.declare(key, "a parameter")
+    if name is None:
+        return None
+    if value is None:
+        return Parameter(parameter_symbol(name, Assumption.POSITIVE))
+    attempt = names.findings.attempt
+    if isinstance(value, Scalar):
+        assume = attempt(lambda: _assumption(value)) or Assumption.POSITIVE
+        return Parameter(parameter_symbol(name, assume), assume)
+    if isinstance(value, ListNode):
+        message = f"what is said of `{name}` is an assumption or a mapping"
+        names.findings.report(wrong_kind(value, message, f"write `{name}: positive`"))
+        return Parameter(parameter_symbol(name, Assumption.POSITIVE))
+    section = Section(value, f"the parameter `{name}`", ("assume", "unit", "meaning", "value"), names.findings)
+    assumed, number = section.get("assume"), section.get("value")
+    known = attempt(lambda: _assumption(scalar_of(assumed, "`assume`"))) if assumed else Assumption.POSITIVE
+    exact = attempt(lambda: _number(scalar_of(number, "`value`"), known)) if number else None
+    assume = known or Assumption.POSITIVE
+    symbol = parameter_symbol(name, assume)
+    return Parameter(symbol, assume, section.text("unit"), section.text("meaning"), exact)
+
+
+def parameter_symbol(name: str, assume: Assumption) -> sp.Symbol:
+    """The symbol of a parameter under its assumption."""
+    match assume:
+        case Assumption.POSITIVE:
+            return sp.Symbol(name, positive=True)
+        case Assumption.NONNEGATIVE:
+            return sp.Symbol(name, nonnegative=True)
+        case Assumption.REAL:
+            return sp.Symbol(name, real=True)
+        case Assumption.SIGN:
+            return Sign(name)
+
+
+def _assumption(scalar: Scalar) -> Assumption:
+    if scalar.text in set(Assumption):
+        return Assumption(scalar.text)
+    message = f"`{scalar.text}` is not an assumption"
+    listed = ", ".join(f"`{a}`" for a in Assumption)
+    near = None if scalar.text == "negative" else nearest(scalar.text, [*Assumption])
+    help_ = f"did you mean `{near}`?" if near else f"write {listed}; what a parameter is goes into `meaning`"
+    if scalar.text == "negative":
+        help_ = "name its positive size, and write a minus where it is used; or write `real`"
+    raise ProblemError(Diagnostic("unknown-assumption", message, scalar.span, help=help_))
+
+
+def _number(scalar: Scalar, assume: Assumption | None) -> sp.Rational:
+    help_ = "write a number such as `9.81`, `1e-3` or `2/3`; its unit goes into `unit`"
+    try:
+        number = read_scalar(scalar.fragment, Scope())
+    except ProblemError as error:
+        if error.diagnostics[0].code not in _NO_NUMBER:
+            raise
+        number = None
+    if number is None or not number.is_Rational:
+        message = f"`{scalar.text}` is not a rational number"
+        raise ProblemError(Diagnostic("not-a-number", message, scalar.span, help=help_))
+    wrong = {
+        Assumption.POSITIVE: number <= 0,
+        Assumption.NONNEGATIVE: number < 0,
+        Assumption.REAL: False,
+        Assumption.SIGN: abs(number) != 1,
+    }
+    if assume is not None and wrong[assume]:
+        message = f"the value {scalar.text} contradicts that the parameter is {_SAID[assume]}"
+        help_ = "change the value, or say `assume: real`"
+        raise ProblemError(Diagnostic("value-against-assumption", message, scalar.span, help=help_))
+    return number
+
+
+_NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "missing-operator", "vector-for-scalar")
+"""What is wrong with a text that was not meant as an expression: `12:30`, `~`, `3 m`."""
+
+_SAID = {
+    Assumption.POSITIVE: "positive",
+    Assumption.NONNEGATIVE: "not negative",
+    Assumption.SIGN: "a sign, +1 or -1",
+}
+
+
+def _coordinate(key: Scalar, value: Node | None, names: Names) -> Coordinate | None:
+    name = names.declare(key, "a coordinate")
+    if name is None:
+        return None
+    symbol = sp.Symbol(name, real=True)
+    if value is None:
+        return Coordinate(symbol)
+    if isinstance(value, Scalar):
+        return Coordinate(symbol, " ".join(value.text.split()))
+    if isinstance(value, ListNode):
+        message = f"what is said of `{name}` is its meaning or a mapping"
+        names.findings.report(wrong_kind(value, message, f"write `{name}: its meaning`"))
+        return Coordinate(symbol)
+    section = Section(value, f"the coordinate `{name}`", ("meaning", "unit"), names.findings)
+    return Coordinate(symbol, section.text("meaning"), section.text("unit"))
+
+
+def _unknown(key: Scalar, _value: Node | None, names: Names) -> sp.Symbol | None:
+    name = names.declare(key, "an unknown force")
+    return None if name is None else sp.Symbol(name, real=True)
+
+
+@record
+class Functions:
+    """The prescribed motions u(t), and the other undefined functions."""
+
+    prescribed: tuple[sp.Symbol, ...] = ()
+    undefined: tuple[FunctionDeclaration, ...] = ()
+
+
+def read_functions(node: Node | None, names: Names) -> Functions:
+    """name -> list of argument names."""
+    if node is None:
+        return Functions()
+    prescribed: list[sp.Symbol] = []
+    undefined: list[FunctionDeclaration] = []
+    for key, value in names.findings.attempt(lambda: _function_entries(node, names)) or ():
+        name = names.declare(key, "a function")
+        if name is None:
+            continue
+        arguments = names.findings.attempt(lambda n=name, v=value: _arguments(n, v))  # type: ignore[misc]
+        if arguments is None:
+            names.fail(name)
+        elif arguments == ("t",):
+            prescribed.append(sp.Symbol(name, real=True))
+        else:
+            undefined.append(FunctionDeclaration(name, arguments))
+    return Functions(tuple(prescribed), tuple(undefined))
+
+
+def _function_entries(node: Node, names: Names) -> tuple[tuple[Scalar, Node], ...]:
+    if not isinstance(node, Mapping):
+        names.fail_all(node)
+    return entries_of(node, "`functions`", "functions: {f: [X, Y], u: [t]}")
+
+
+def _arguments(function: str, node: Node) -> tuple[str, ...]:
+    items = items_of(node, f"what is said of the function `{function}`", f"{function}: [t]")
+    if not items:
+        message = f"the function `{function}` has no arguments"
+        raise ProblemError(Diagnostic("no-arguments", message, node.span, help=f"write `{function}: [X, Y]` or `[t]`"))
+    found: list[str] = []
+    for item in items:
+        scalar = scalar_of(item, "an argument")
+        name = _argument(scalar)
+        if name in found:
+            message = f"the function `{function}` has two arguments `{name}`"
+            raise ProblemError(Diagnostic("declared-twice", message, scalar.span, help="give them different names"))
+        found.append(name)
+    return tuple(found)
+
+
+def _argument(scalar: Scalar) -> str:
+    """A name, a name with a prime, or t."""
+    plain = scalar.text.rstrip("'′’")
+    primes = len(scalar.text) - len(plain)
+    named = names_in(plain)
+    if len(named) == 1 and canonical(plain) == named[0] and primes <= 1:
+        return named[0] + "'" * primes
+    message = f"`{scalar.text}` cannot be the name of an argument"
+    help_ = "write a name, a velocity such as `x'`, or `t`; its places are filled where the function is used"
+    raise ProblemError(Diagnostic("bad-name", message, scalar.span, help=help_))
+
+
+def first_scope(
+    parameters: tuple[Parameter, ...],
+    coordinates: tuple[Coordinate, ...],
+    functions: Functions,
+    unknowns: tuple[sp.Symbol, ...],
+) -> Scope:
+    """The scope of the declared symbols alone."""
+    symbols = [*(p.symbol for p in parameters), *(c.symbol for c in coordinates), *unknowns]
+    return Scope(
+        scalars={s.name: s for s in symbols},
+        slots=Slots(tuple(c.symbol for c in coordinates), functions.prescribed),
+        functions={f.name: f for f in functions.undefined},
+    )

@@ -1,0 +1,58 @@
+"""The shipped problems by name: `chapter6/ex11-ideal-pendulum`, `ex11-ideal-pendulum`, `ex11` where that is clear."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent.parent
+
+
+def root() -> Path:
+    """The folder of the library: beside `lagrange/` in a checkout, in the command's package where it is installed."""
+    checkout = HERE.parent / "problems"
+    installed = HERE.parent / "lagsolve" / "problems"
+    return installed if installed.is_dir() else checkout
+
+
+def entries() -> dict[str, Path]:
+    """name -> file of every shipped problem; the name is `chapter6/ex11-ideal-pendulum`."""
+    base = root()
+    named = {p.relative_to(base).with_suffix("").as_posix(): p for p in base.glob("*/**/*.yaml")}
+    return dict(sorted(named.items()))
+
+
+def named(name: str) -> dict[str, Path]:
+    """The problems that a name may mean: the whole name, its last part, or the beginning of that (`ex11`)."""
+    known = entries()
+    exact = {n: p for n, p in known.items() if f"/{n}".endswith(f"/{name}")}
+    return exact or {n: p for n, p in known.items() if f"/{name}-" in f"/{n}"}
+
+
+def short_names() -> dict[str, str]:
+    """name -> the shortest that means this problem and no other: its last part, where no two problems share it."""
+    known = list(entries())
+    last = [n.rpartition("/")[2] for n in known]
+    return {n: short if last.count(short) == 1 else n for n, short in zip(known, last, strict=True)}
+
+
+def path_of(name: str) -> Path:
+    """The file of the one problem that a name means. Raises ProblemError where there is none, or several."""
+    found = named(name)
+    if len(found) == 1:
+        return next(iter(found.values()))
+    from lagrange.core.diagnostics import Diagnostic, ProblemError, nearest
+
+    if found:
+        message = f"`{name}` may be any of {', '.join(f'`{n}`' for n in found)}"
+        raise ProblemError(Diagnostic("several-problems", message, help="write the whole name"))
+    near = nearest(name, short_names().values())
+    meant = f"did you mean `{near}`? " if near else ""
+    help_ = topic_hint(name) or f"{meant}`lagsolve list` shows the library"
+    raise ProblemError(Diagnostic("no-such-problem", f"there is no shipped problem `{name}`", help=help_))
+
+
+def topic_hint(name: str) -> str:
+    """What to do where the name is that of a topic; empty where it is none."""
+    topic = name.rstrip("/")
+    known = {n.rpartition("/")[0] for n in entries()}
+    return f"`{topic}` is a topic: `lagsolve list {topic}` shows its problems" if topic in known else ""

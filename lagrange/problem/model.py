@@ -1,0 +1,288 @@
+"""What a problem is: the statement of a textbook exercise, as data.
+
+Everything here is as the file says it, read and checked for form, with nothing derived yet. Quantities are SymPy
+expressions in the slots of `notation` (q, q', q'', t); positions and forces are `Vector`s. A constraint is kept as the
+difference of its sides, f(q, q', t) = 0. `unit`, `meaning` and `note` are for the reader; `span` is the place in the
+file, for messages.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import field
+from enum import StrEnum
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Diagnostic, Fragment, Span
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots
+from lagrange.core.vectors import Triad, Vector
+from lagrange.expressions.reader import FunctionDeclaration, Scope
+from lagrange.problem.alternatives import Reduction
+
+
+class Assumption(StrEnum):
+    """What is assumed of a parameter."""
+
+    POSITIVE = "positive"
+    NONNEGATIVE = "nonnegative"
+    REAL = "real"
+    SIGN = "sign"
+
+
+class Find(StrEnum):
+    """What is asked."""
+
+    CONSTRAINTS = "constraints"
+    EQUILIBRIUM = "equilibrium"
+    MOTION = "motion"
+    LINEARIZATION = "linearization"
+
+
+@record
+class Parameter:
+    """A constant of the problem; `value` is its exact number where the file gives one."""
+
+    symbol: sp.Symbol
+    assume: Assumption = Assumption.POSITIVE
+    unit: str = ""
+    meaning: str = ""
+    value: sp.Rational | None = None
+
+
+@record
+class Coordinate:
+    """One of the coordinates q."""
+
+    symbol: sp.Symbol
+    meaning: str = ""
+    unit: str = ""
+
+
+@record
+class Particle:
+    """A point of mass m (0: a massless point) at the position r(q, t)."""
+
+    name: str
+    mass: sp.Expr
+    position: Vector
+    span: Span
+
+
+@record
+class Body:
+    """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: three principal
+    moments and either an Euler sequence with its angles, or a triad with the angular velocity. `axes_called` are the
+    names that the file has for the vectors of that triad.
+    """
+
+    name: str
+    mass: sp.Expr
+    position: Vector
+    inertia: tuple[sp.Expr, ...]
+    span: Span
+    angle: sp.Expr | None = None
+    sequence: str = ""
+    angles: tuple[sp.Expr, ...] = ()
+    axes: tuple[Vector, ...] = ()
+    axes_called: tuple[str, ...] = ()
+    angular_velocity: Vector | None = None
+
+
+@record
+class Given:
+    """A constraint as the file has it, and how it comes to what is used instead: (x' − y')² = 0, x' − y' = 0."""
+
+    lhs: sp.Expr
+    rhs: sp.Expr
+    steps: tuple[Reduction, ...]
+
+
+@record
+class Constraint:
+    """f(q, q', t) = 0, where f is the left side minus the right side.
+
+    `kinematic` is true where a velocity occurs. `reaction` is what its multiplier is called. `given` is what the file
+    has, where that is not linear in the velocities and f = 0 says the same; one may come to several constraints.
+    """
+
+    name: str
+    lhs: sp.Expr
+    rhs: sp.Expr
+    kinematic: bool
+    reaction: sp.Symbol
+    span: Span
+    note: str = ""
+    given: Given | None = None
+
+    @property
+    def function(self) -> sp.Expr:
+        """f, whose vanishing is the constraint."""
+        return self.lhs - self.rhs
+
+
+@record
+class AppliedForce:
+    """A force vector on a particle or body, at its position or `at` another point."""
+
+    name: str
+    on: str
+    vector: Vector
+    span: Span
+    at: Vector | None = None
+
+
+@record
+class AppliedMoment:
+    """A moment on a rigid body."""
+
+    name: str
+    on: str
+    moment: Vector
+    span: Span
+
+
+@record
+class Spring:
+    """A linear spring of stiffness k and free length between two points.
+
+    `sense` is the sign of r_2 − r_1 along a unit vector, where the file gives it.
+    """
+
+    name: str
+    stiffness: sp.Expr
+    ends: tuple[Vector, Vector]
+    length: sp.Expr
+    span: Span
+    sense: int | None = None
+
+
+@record
+class Damper:
+    """A linear damper of coefficient c between two points."""
+
+    name: str
+    coefficient: sp.Expr
+    ends: tuple[Vector, Vector]
+    span: Span
+
+
+@record
+class Potential:
+    """A potential energy V(q, t)."""
+
+    name: str
+    energy: sp.Expr
+    span: Span
+
+
+@record
+class Friction:
+    """Coulomb friction μ|R| against the slip, R being the reaction of a constraint."""
+
+    name: str
+    coefficient: sp.Expr
+    constraint: str
+    on: str
+    span: Span
+    surface_velocity: Vector | None = None
+    slip: int | None = None
+    contact: int | None = None
+
+
+Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction
+
+
+@record
+class Speed:
+    """A quasi-velocity u = Σ S_k(q, t) q_k' + s(q, t): its name and what it is."""
+
+    symbol: sp.Symbol
+    definition: sp.Expr
+    span: Span
+
+
+@record
+class Choice:
+    """A choice of generalized coordinates.
+
+    `substitute` gives the old coordinates that it does not keep, in terms of the chosen ones and t. It is None where
+    the choice keeps some of the old coordinates and leaves the rest to be solved from the constraints.
+    """
+
+    name: str
+    coordinates: tuple[sp.Symbol, ...]
+    substitute: Mapping[sp.Symbol, sp.Expr] | None
+    span: Span
+
+
+@record
+class Answers:
+    """What the textbook says. Expressions stay text: they are read like any reader's answer."""
+
+    degrees_of_freedom: int | None = None
+    classification: tuple[str, ...] = ()
+    integrable: Mapping[str, bool] = field(default_factory=dict)
+    equations: tuple[Fragment, ...] = ()
+    equilibrium: tuple[tuple[Fragment, ...], ...] = ()
+    reactions: Mapping[str, Fragment] = field(default_factory=dict)
+    frequencies: tuple[tuple[Fragment, ...], ...] = ()
+
+
+@record
+class Problem:
+    """A problem file, read.
+
+    Positions, masses and forces are SymPy expressions in the slots of `notation`: coordinates,
+    velocities and accelerations are symbols that are called `x`, `x'` and `x''`.
+    """
+
+    title: str
+    coordinates: tuple[Coordinate, ...]
+    slots: Slots
+    scope: Scope
+    source: str = ""
+    description: str = ""
+    axes: Mapping[str, str] = field(default_factory=dict)
+    frame: Triad | None = None
+    parameters: tuple[Parameter, ...] = ()
+    functions: tuple[FunctionDeclaration, ...] = ()
+    abbreviations: Mapping[str, sp.Expr | Vector] = field(default_factory=dict)
+    particles: tuple[Particle, ...] = ()
+    bodies: tuple[Body, ...] = ()
+    constraints: tuple[Constraint, ...] = ()
+    gravity: Vector | None = None
+    forces: tuple[Force, ...] = ()
+    unknowns: tuple[sp.Symbol, ...] = ()
+    speeds: tuple[Speed, ...] = ()
+    choices: tuple[Choice, ...] = ()
+    equations: tuple[Fragment, ...] = ()
+    find: tuple[Find, ...] = (Find.CONSTRAINTS,)
+    answers: Answers | None = None
+    notes: tuple[Diagnostic, ...] = ()
+
+    def __repr__(self) -> str:
+        """Title and names: the whole of it would be pages of places in the file."""
+        named = {
+            "coordinates": [q.symbol.name for q in self.coordinates],
+            "constraints": [c.name for c in self.constraints],
+            "choices": [c.name for c in self.choices],
+        }
+        listed = (f"{what} {', '.join(names)}" for what, names in named.items() if names)
+        return f"<Problem {self.title!r}: {'; '.join(listed)}>"
+
+    @property
+    def masses(self) -> tuple[Particle | Body, ...]:
+        """The particles, then the bodies."""
+        return (*self.particles, *self.bodies)
+
+    @property
+    def geometric(self) -> tuple[Constraint, ...]:
+        """The constraints in which no velocity occurs."""
+        return tuple(c for c in self.constraints if not c.kinematic)
+
+    @property
+    def kinematic(self) -> tuple[Constraint, ...]:
+        """The constraints in which a velocity occurs."""
+        return tuple(c for c in self.constraints if c.kinematic)

@@ -1,0 +1,150 @@
+"""Formulas of a web page: MathML in pieces between which a browser may break the line.
+
+Browsers do not break a formula. So a sum is cut at its signs into several, each of which is an inline element. A term
+that is wider than a phone's column is cut at the signs inside its brackets too, and kept together in a box that is
+broken only where it has to be. Widths are estimated in ems.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from html import escape
+from itertools import pairwise
+from xml.etree import ElementTree
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.document.derivation import Mathematics
+from lagrange.document.math_writer import TEXT, Notation, Writer
+from lagrange.document.pieces import BREAK, END, START, plain
+from lagrange.document.style_mathml import MathML, WideMathML
+
+MATHML, WIDE_MATHML = MathML(), WideMathML()
+LINE = 11.5
+"""Ems of a piece: what a phone shows beside the number of an equation."""
+SHORT = 2.8
+"""Ems of a left side behind which relations are aligned."""
+ROW = 28.0
+"""Ems of an equation that is left as it is, with fractions and brackets of their full size."""
+_TOKENS = re.compile(f"([{START}{BREAK}{END}])")
+_OPERATORS = "+−=≠≤≥<>≡≈→∝∧"
+_SMALLER = {"msub", "msup", "msubsup"}
+
+
+@record
+class Formulas:
+    """Writes formulas in one notation."""
+
+    writer: Writer
+    wide: Writer
+    spoken: Writer
+
+    @classmethod
+    def of(cls, notation: Notation) -> Formulas:
+        """The formulas of a derivation."""
+        return cls(Writer(MATHML, notation), Writer(WIDE_MATHML, notation), Writer(TEXT, notation))
+
+    def equation(self, sides: Sequence[Mathematics], relation: str, displayed: bool = False, first: int = 0) -> str:
+        """a = b = c, from the side number `first` on; written in another way on a phone where that is needed there."""
+        codes = [self.writer.marked(side) for side in sides]
+        flat = [self.wide.marked(side) for side in sides]
+        if sum(map(width, codes)) > ROW:
+            return self._written(flat, relation, displayed, first)
+        desk = self._written(codes, relation, displayed, first)
+        if codes == flat or all(width(piece) <= LINE for code in codes for piece in _cut(code)):
+            return desk
+        phone = self._written(flat, relation, displayed, first)
+        return f'<span class="desk">{desk}</span><span class="phone">{phone}</span>'
+
+    def _written(self, codes: Sequence[str], relation: str, displayed: bool, first: int) -> str:
+        sign = self.writer.style.relation(relation)
+        style = ' displaystyle="true"' if displayed else ""
+        return "<wbr>".join(_elements((sign if n else "") + code, style) for n, code in enumerate(codes) if n >= first)
+
+    def matrix(self, name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> str | None:
+        """M = (a b; c d); None where it is too wide for a line."""
+        cells = [[self.writer.plain(e) for e in line] for line in rows]
+        if sum(max(width(line[k]) for line in cells) + 1 for k in range(len(cells[0]))) > ROW:
+            return None
+        table = "".join("<mtr>" + "".join(f"<mtd>{cell}</mtd>" for cell in line) + "</mtr>" for line in cells)
+        equals = self.writer.style.relation("=")
+        matrix = f"<mrow><mo>(</mo><mtable>{table}</mtable><mo>)</mo></mrow>"
+        return f'<math displaystyle="true">{self.writer.plain(name)}{equals}{matrix}</math>'
+
+    def left(self, side: Mathematics) -> str:
+        """A short left side."""
+        return f'<math displaystyle="true">{self.writer.plain(side)}</math>'
+
+    def is_short(self, side: Mathematics) -> bool:
+        """Whether relations may be aligned behind such a left side, on a phone too."""
+        code = self.writer.marked(side)
+        return BREAK not in code and width(code) <= SHORT
+
+    def text(self, sides: Sequence[Mathematics], relation: str) -> str:
+        """The formula in the language of problem files, for those who listen."""
+        return escape(self.spoken.relation(sides, relation))
+
+
+def width(code: str) -> float:
+    """The width of elements in ems, roughly."""
+    return _width(ElementTree.fromstring(f"<mrow>{plain(code)}</mrow>"))
+
+
+def _width(element: ElementTree.Element) -> float:
+    children = [_width(child) for child in element]
+    if element.tag == "mfrac":
+        return max(children) + 0.2
+    if element.tag in _SMALLER:
+        return children[0] + 0.72 * max(children[1:])
+    if element.tag == "mover":
+        return children[0]
+    if element.tag == "mo" and element.text and element.text in _OPERATORS:
+        return 1.3
+    if element.tag == "mspace":
+        return 0.17
+    own = sum(_letter(c) for c in element.text or "")
+    return own + sum(children) + (0.9 if element.tag == "msqrt" else 0.0)
+
+
+def _letter(character: str) -> float:
+    if character in "\u2061\u2062":
+        return 0.0
+    return 0.8 if character.isupper() or character in "mwMW" else 0.3 if character in "ijl,.|" else 0.55
+
+
+def _elements(code: str, style: str) -> str:
+    """A marked sum as formulas in a row: one for each term; a box of several for a term that is too wide."""
+    found = []
+    for term in _parts(code):
+        pieces = list(_cut(term))
+        formulas = "<wbr>".join(f"<math{style}>{piece}</math>" for piece in pieces)
+        found.append(f'<span class="term">{formulas}</span>' if len(pieces) > 1 else formulas)
+    return "<wbr>".join(found)
+
+
+def _cut(code: str) -> Iterator[str]:
+    """A term, cut at signs inside it until every piece fits, the outer ones first."""
+    parts = _parts(code) if width(code) > LINE else [code]
+    if len(parts) == 1:
+        yield plain(code)
+    else:
+        for part in parts:
+            yield from _cut(part)
+
+
+def _parts(code: str) -> list[str]:
+    """What stands between the outermost signs of the code, marks of inner ones left in."""
+    tokens = _TOKENS.split(code)
+    depth = 0
+    places = []
+    for n, token in enumerate(tokens):
+        depth += (token == START) - (token == END)
+        if token == BREAK:
+            places.append((depth, n))
+    if not places:
+        return [code]
+    outermost = min(depth for depth, _ in places)
+    cuts = [0, *(n for depth, n in places if depth == outermost), len(tokens)]
+    return ["".join(tokens[a:b]).removeprefix(BREAK) for a, b in pairwise(cuts)]
