@@ -1,4 +1,4 @@
-# Two targets are enough: `make demo` and `make test`. Each makes its own .venv.
+# Two targets are enough: `make demo` and `make test`; both make .venv first. `make test-all` is what .ci/run calls.
 VENV := .venv
 BIN := $(VENV)/bin
 NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
@@ -7,7 +7,7 @@ NEW_ENOUGH := -c 'import sys; sys.exit(sys.version_info < (3, 11))'
 PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 python; do \
 	$$p $(NEW_ENOUGH) 2>/dev/null && echo $$p && break; done)
 
-.PHONY: demo test lint sweep bench golden picture clean
+.PHONY: demo test test-all lint sweep bench golden picture clean
 
 $(VENV)/installed: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -24,8 +24,16 @@ $(VENV)/installed: pyproject.toml
 demo: $(VENV)/installed
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
 
+# The slow tests that `make test` runs: a tenth of them, another one every day; `make test PART=3` says which.
+PART ?= today
+PYTEST = $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
+
 test: lint
-	$(BIN)/python -m pytest --numprocesses auto --dist loadfile
+	$(PYTEST) --part $(PART)
+
+# All tests.
+test-all: lint
+	$(PYTEST)
 
 lint: $(VENV)/installed
 	$(BIN)/ruff check .
@@ -34,15 +42,15 @@ lint: $(VENV)/installed
 
 # Every shipped problem in every format; LaTeX, Markdown and HTML are tried with pdflatex, pandoc and chromium where these are installed.
 sweep: $(VENV)/installed
-	$(BIN)/python tests/sweep.py
+	$(BIN)/python -m tests.support.sweep
 
 # Renews the golden files. Read the difference before you commit it.
 golden: $(VENV)/installed
-	$(BIN)/python -m pytest tests/test_golden.py --renew
+	$(BIN)/python -m pytest tests/golden --renew
 
 # Draws the picture of the README anew: what the program prints today.
 picture: $(VENV)/installed
-	$(BIN)/python tests/picture.py
+	$(BIN)/python -m tests.support.picture
 
 # Seconds that every shipped problem takes, and chains of 2 to 16 links, and how long other things take, and against what;
 # no test depends on it.

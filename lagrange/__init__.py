@@ -16,10 +16,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from lagrange.answers.equations import Verdict
+    from lagrange.answers.verdicts import Judgement, Verdict
     from lagrange.api.formulation import Formulation
     from lagrange.api.interface import check, load, loads, solve
-    from lagrange.api.judgement import Judgement
     from lagrange.api.numerical import RightHandSide
     from lagrange.api.result import Result
     from lagrange.core.diagnostics import NotCoveredError, ProblemError, UndecidedError
@@ -42,11 +41,10 @@ __all__ = [
 ]
 
 _HOMES = {
-    "answers.equations": ("Verdict",),
+    "answers.verdicts": ("Judgement", "Verdict"),
     "core.diagnostics": ("NotCoveredError", "ProblemError", "UndecidedError"),
     "api.formulation": ("Formulation",),
     "api.interface": ("check", "load", "loads", "solve"),
-    "api.judgement": ("Judgement",),
     "api.numerical": ("RightHandSide",),
     "problem.model": ("Problem",),
     "api.result": ("Result",),

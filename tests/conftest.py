@@ -1,22 +1,92 @@
-"""Shared by all tests: the folder of shipped problems, reading a problem from text, the option to renew golden files."""
+"""What all tests share: which of them are run, which process runs which, and how a problem is read from text.
+
+A test belongs to one of three tiers:
+
+    (no mark)  tables, one solve of every shipped problem, its checks, reading back, golden files
+    truth      second routes on all systems, laws, mutations, the other method, how work grows
+    process    child processes, TeX, pandoc, Chromium, Dask
+
+`pytest` runs what it is asked to run. `make test` runs the first tier and a tenth of the others, another one every day
+(`--part today`); `make test-all` runs everything.
+"""
 
 from __future__ import annotations
 
+import gc
+import zlib
 from collections.abc import Callable
+from datetime import date
 from pathlib import Path
+from typing import Any
 
 import pytest
+from hypothesis import settings
 
 from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
+from tests.support.chance import QUICK
+from tests.support.tiers import tier_of
 
-ROOT = Path(__file__).parents[1]
-PROBLEMS = ROOT / "problems"
+HERE = Path(__file__).parent
+PARTS = 10
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--renew", action="store_true", help="write the golden files anew instead of comparing")
+    parser.addoption(
+        "--part",
+        metavar="N",
+        help=f"of the tests marked `truth` or `process`, run the Nth part of {PARTS} only, or that of `today`; "
+        f"Hypothesis tries at most {QUICK} examples",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    gc.set_threshold(
+        200_000, 50, 100
+    )  # the solved problems stay in memory, and need not be looked through again and again
+    settings.register_profile("quick", max_examples=QUICK)
+    said = config.getoption("--part")
+    if said is None:
+        return
+    if said == "today":  # is put into the option, so that processes that begin after midnight take the same
+        said = config.option.part = str(date.today().toordinal() % PARTS)
+    if not said.isdecimal() or int(said) >= PARTS:
+        raise pytest.UsageError(f"--part is `today` or a number from 0 to {PARTS - 1}, not `{said}`")
+    settings.load_profile("quick")
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    part = terminalreporter.config.getoption("--part")
+    if part is not None:
+        terminalreporter.line(
+            f"of the slow tests part {part} of 0 to {PARTS - 1} was run (--part {part} runs it again)"
+        )
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    part, left_out = config.getoption("--part"), []
+    for item in items:
+        name = item.path.relative_to(HERE).as_posix() + item.nodeid[item.nodeid.index("::") :]
+        tier = tier_of(name)
+        if tier is not None:
+            item.add_marker(tier)
+        if tier is not None and part is not None and zlib.crc32(name.encode()) % PARTS != int(part):
+            left_out.append(item)
+    if left_out:
+        config.hook.pytest_deselected(items=left_out)
+        kept = {*items} - {*left_out}
+        items[:] = [i for i in items if i in kept]
+
+
+@pytest.hookimpl(optionalhook=True)  # there is none with `-p no:xdist`
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    if config.getoption("dist") != "loadgroup":
+        return None
+    from tests.support.grouping import ByProblem
+
+    return ByProblem(config, log)
 
 
 @pytest.fixture

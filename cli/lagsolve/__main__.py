@@ -12,14 +12,14 @@ def run() -> None:
         main(prog_name="lagsolve")
     except KeyboardInterrupt:
         sys.stderr.write("interrupted\n")
-        sys.exit(130)  # status.INTERRUPTED, which may not be there yet
+        sys.exit(130)  # command_group.INTERRUPTED, which may not be imported yet
     except SystemExit as end:
         _leave_at_once(end.code)
         raise
 
 
 def _leave_at_once(status: object) -> None:
-    """Ends the process where only memory is left to be freed: with SymPy that takes a twentieth of the whole time."""
+    """Ends the process where only memory remains to be freed, which with SymPy takes a twentieth of the whole time."""
     threading = sys.modules.get("threading")
     if not isinstance(status, int) or (threading and threading.active_count() > 1):
         return

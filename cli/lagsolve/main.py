@@ -1,9 +1,9 @@
-"""The command `lagsolve`: solve (the default), check, grade; the others are in `files.py`.
+"""The command `lagsolve`: solve (the default), check, grade; the others are in `problem_commands.py`.
 
 The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
 1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.
 
-Nothing is imported before it is needed: `--help` loads click and no more, `list` and `show` know nothing of SymPy.
+Nothing is imported before it is needed: `--help` loads click and little else, `list` and `show` do not load SymPy.
 """
 
 from __future__ import annotations
@@ -14,14 +14,21 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagsolve import completing
-from lagsolve.files import COMMANDS
-from lagsolve.group import CommandLine
-from lagsolve.status import INTERRUPTED, OK, UNDECIDED, say
+from lagsolve.command_group import (
+    INTERRUPTED,
+    OK,
+    UNDECIDED,
+    CommandLine,
+    complete_files,
+    complete_problems,
+    status_of_verdict,
+    write_stderr,
+)
+from lagsolve.problem_commands import COMMANDS
 
 if TYPE_CHECKING:
     from lagrange.answers.examiner import Examiner
-    from lagrange.answers.verdicts import CheckedAnswer
+    from lagrange.answers.verdicts import Judgement
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
@@ -44,29 +51,33 @@ Exit status of solving: 0 done, and every check held; 2 the command line or a fi
 itself; 3 not completed, undecided, or a check failed. Of check: 0 equivalent; 1 wrong, incomplete or trivial; 2
 unreadable; 3 undecided. Of both: 130 interrupted by Ctrl-C.
 
-A file that is called like a command is `./check`.""",
+To read a file named like a command, write `./check`.""",
 )
 @click.version_option(package_name="lagsolve", prog_name="lagsolve")
 def main() -> None:
     """Derive the equations of motion of a mechanical system, step by step, and check them.
 
-    PROBLEM is a file, `-` for standard input, or the name of a problem of the shipped library (`ex11-ideal-pendulum`,
-    or `ex11` where that is clear).
+    PROBLEM is a file, `-` for standard input, or the name of a bundled problem (`ex11-ideal-pendulum`, or an
+    unambiguous prefix such as `ex11`).
     """
 
 
 @main.command(short_help="The default: derive and check the equations of each PROBLEM.")
-@click.argument("problems", nargs=-1, required=True, metavar="PROBLEM...", shell_complete=completing.problems)
-@click.option("--format", "format_", type=click.Choice(FORMATS), help="Default: pretty, or what the ending of -o says.")
+@click.argument("problems", nargs=-1, required=True, metavar="PROBLEM...", shell_complete=complete_problems)
+@click.option("--format", "format_", type=click.Choice(FORMATS), help="Default: pretty, or by the extension of -o.")
 @click.option(
-    "-o", "--output", metavar="FILE", shell_complete=completing.files, help="Write to a file: .tex .md .html .json .txt"
+    "-o",
+    "--output",
+    metavar="FILE",
+    shell_complete=complete_files,
+    help="Write to a file: .tex .md .html .json .txt",
 )
-@click.option("--fragment", is_flag=True, help="LaTeX without preamble, to be \\input in your own notes.")
+@click.option("--fragment", is_flag=True, help="LaTeX without a preamble, to \\input in your own notes.")
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
 @click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
 @click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
-@click.option("--watch", is_flag=True, help="Solve again whenever a file is saved; Ctrl-C ends it.")
+@click.option("--watch", is_flag=True, help="Solve again whenever a file is saved, until Ctrl-C.")
 def solve(
     problems: tuple[str, ...],
     format_: str | None,
@@ -80,82 +91,81 @@ def solve(
 ) -> None:
     """Derive and check the equations of each PROBLEM.
 
-    With --watch this is done again whenever one of the files is saved.
+    With --watch, solve again whenever one of the files is saved.
 
     Exit status: 0 done, and every check held; 2 the command line or a file cannot be read, or contradicts itself; 3 not
     completed, undecided, or a check failed; 130 interrupted by Ctrl-C.
     """
     from lagsolve.output import Destination
-    from lagsolve.solving import Task
+    from lagsolve.solve_task import Task
 
     if watch and "-" in problems:
         raise click.UsageError("--watch needs a file: standard input cannot be read again")
     if problems.count("-") > 1:
         raise click.UsageError("standard input cannot be two problems")
     destination = Destination.of(format_, output, fragment, detail, vectors)
-    destination.spare(problems)
+    destination.refuse_overwrite(problems)
     task = Task(problems, choice, method, destination)
     if watch:
-        from lagsolve.watching import watch_for_ever
+        from lagsolve.solve_task import watch_for_ever
 
         watch_for_ever(task)
-    sys.exit(task.carry_out())
+    sys.exit(task.run())
 
 
 @main.command()
-@click.argument("problem", metavar="PROBLEM", shell_complete=completing.problems)
-@click.argument("answer_file", required=False, metavar="[ANSWER_FILE]", shell_complete=completing.files)
+@click.argument("problem", metavar="PROBLEM", shell_complete=complete_problems)
+@click.argument("answer_file", required=False, metavar="[ANSWER_FILE]", shell_complete=complete_files)
 @click.option("-e", "--equation", "equations", multiple=True, help="An equation of the answer; may be repeated.")
 @click.option("--format", "format_", type=click.Choice(("pretty", "json")), default="pretty", show_default=True)
-@click.option("--hint", type=click.IntRange(1, 3), help="How much is said of a wrong equation. Default: 3, all of it.")
+@click.option(
+    "--hint", type=click.IntRange(1, 3), help="How much to reveal about a wrong equation. Default: 3, everything."
+)
 @click.option("--reveal", is_flag=True, help="Print the derived equations too.")
 def check(
     problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str, hint: int | None, reveal: bool
 ) -> None:
     """Compare somebody's equations of motion with the derived ones.
 
-    Give the equations with -e, or in ANSWER_FILE, one a line (`#` begins a comment, `-` is standard input); a .tex or
-    .md file has them in its mathematics. They may be in LaTeX. A file that ends in .yaml answers the other questions
-    too, with the keys of `answers` in a problem file.
-    Without either, the answers in the problem file are compared.
+    Give the equations with -e, or in ANSWER_FILE, one per line (`#` begins a comment, `-` is standard input); of a .tex
+    or .md file the mathematics is read. They may be in LaTeX. A .yaml file may answer the other questions too, with the
+    keys of `answers` in a problem file. Without either, the answers in the problem file are compared.
 
     Exit status: 0 equivalent; 1 wrong, incomplete or trivial; 2 unreadable; 3 undecided; 130 interrupted by Ctrl-C.
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
-    from lagsolve.stages import stage_shown
+    from lagsolve.progress_line import stage_shown
 
     gc.disable()
-    with stage_shown():
+    with stage_shown() as on_stage:
         from lagrange.answers.examiner import Examiner
         from lagrange.problem.loader import read_problem
+        from lagsolve.inputs import problem_source
         from lagsolve.output import write_verdict
-        from lagsolve.reading import problem_source
-        from lagsolve.solving import look_for_garbage_seldom
+        from lagsolve.solve_task import look_for_garbage_seldom
 
         look_for_garbage_seldom()
+        on_stage("reading the problem")
         asked = read_problem(problem_source(problem))
-        examiner = Examiner.of(asked)
+        examiner = Examiner.of(asked, on_stage)
+        on_stage("comparing answers")
         result = _checked(examiner, answer_file, equations)
     if hint is not None:
-        result = result.hinted(hint)
+        result = result.at_hint_level(hint)
     for message in (*asked.notes, *result.messages):
-        say(str(message))
-    write_verdict(result, asked, format_, examiner.revealed(result) if reveal else ())
-    sys.exit(result.exit_status)
+        write_stderr(str(message))
+    write_verdict(result, format_, examiner.revealed(result) if reveal else ())
+    sys.exit(status_of_verdict(result.verdict))
 
 
-def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, ...]) -> CheckedAnswer:
-    """The verdict on what is given: equations, a file with all answers, or nothing but the problem file's own."""
-    from lagsolve.reading import answer_fragments
+def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, ...]) -> Judgement:
+    """The verdict on the equations, on a file with all answers, or, if neither is given, on the problem file's own."""
+    from lagrange.problem.library import EXTENSIONS
+    from lagsolve.inputs import answer_fragments, stated_answers
 
-    if answer_file is not None and answer_file.lower().endswith((".yaml", ".yml")):
-        from pathlib import Path
-
-        from lagrange.problem.answer_yaml import read_answers
-        from lagrange.problem.loader import read_source
-
-        answers = read_answers(read_source(Path(answer_file)), examiner.problem)
+    if answer_file is not None and answer_file.lower().endswith(EXTENSIONS):
+        answers = stated_answers(answer_file, examiner.problem)
         return examiner.check_answers(answers, answer_fragments(None, equations))
     if answer_file is None and not equations:
         return examiner.check_own()
@@ -163,11 +173,11 @@ def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, 
 
 
 @main.command(short_help="Grade a folder of submissions to one PROBLEM.")
-@click.argument("problem", metavar="PROBLEM", shell_complete=completing.problems)
-@click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...", shell_complete=completing.files)
+@click.argument("problem", metavar="PROBLEM", shell_complete=complete_problems)
+@click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...", shell_complete=complete_files)
 @click.option("--csv", metavar="FILE", help="Write the table as CSV; `-` is standard output.")
 @click.option("--feedback", metavar="DIR", help="Write a page of Markdown for each submission.")
-@click.option("--jobs", type=click.IntRange(1), metavar="N", help="Processes on this machine. Default: its cores.")
+@click.option("--jobs", type=click.IntRange(1), metavar="N", help="Processes on this machine. Default: one per core.")
 @click.option("--timeout", type=SECONDS, default=60.0, show_default=True, metavar="SECONDS", help="For one submission.")
 @click.option("--memory", type=MEGABYTES, default=1024, show_default=True, metavar="MB", help="For one submission.")
 @click.option("--dask", metavar="ADDRESS", help="Grade on the cluster of this scheduler, tcp://host:8786.")
@@ -183,25 +193,25 @@ def grade(
 ) -> None:
     """Compare many submissions with the derived equations of one PROBLEM.
 
-    ANSWERS are files, or folders in which every file, and every folder with somebody's files, is a submission. A batch
-    that was interrupted goes on where it was when the same command is given again, if it has --csv or --feedback.
-    Exit status: 0 every submission has its verdict; 2 the batch cannot begin; 3 somebody must look at some submissions,
-    which are undecided or exceed the limits; 130 interrupted by Ctrl-C.
+    ANSWERS are files, or folders in which every file, and every folder with one student's files, is a submission. With
+    --csv or --feedback, a batch that was interrupted continues when the same command is given again.
+    Exit status: 0 every submission has its verdict; 2 the batch cannot begin; 3 some submissions need a look, because
+    they are undecided or exceed the limits; 130 interrupted by Ctrl-C.
     """
     if not timeout > 0:  # a NaN
-        raise click.UsageError(f"--timeout {timeout} is no number of seconds")
+        raise click.UsageError(f"--timeout {timeout} is not a number of seconds")
     if dask is not None and jobs is not None:
         raise click.UsageError("--jobs is for this machine; the cluster of --dask has its own number of processes")
     from pathlib import Path
 
-    from lagsolve.grading.order import InterruptedBatchError, Order, graded
     from lagsolve.grading.pool import available_cores
+    from lagsolve.grading.run import GradingRun, InterruptedBatchError, graded
     from lagsolve.grading.worker import Limits
+    from lagsolve.inputs import problem_source
     from lagsolve.output import write_rows
-    from lagsolve.reading import problem_source
 
     source = problem_source(problem)
-    order = Order(
+    run = GradingRun(
         source,
         answers,
         Limits(timeout, memory),
@@ -212,9 +222,9 @@ def grade(
         Path(source.name),
     )
     try:
-        rows = graded(order)
+        rows = graded(run)
     except InterruptedBatchError as interrupted:
-        say(str(interrupted))
+        write_stderr(str(interrupted))
         sys.exit(INTERRUPTED)
     write_rows(rows, as_csv=csv == "-")
     sys.exit(UNDECIDED if any(r.verdict == "undecided" for r in rows) else OK)

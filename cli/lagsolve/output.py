@@ -13,23 +13,21 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from lagrange.core.records import record
-from lagsolve.stages import stage_shown
+from lagsolve.limits import NARROWEST, PIPED_WIDTH
+from lagsolve.progress_line import stage_shown
 
 if TYPE_CHECKING:
-    from lagrange.answers.verdicts import CheckedAnswer
+    from lagrange.answers.verdicts import Judgement
     from lagrange.core.diagnostics import ProblemError
     from lagrange.explain.report import Report
-    from lagrange.problem.model import Problem
-    from lagsolve.grading.rows import Row
+    from lagsolve.grading.table import TableRow
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
-NARROWEST = 20
-PIPED = 80
 
 
 @record
 class Destination:
-    """What was asked on the command line; `path` is None for standard output."""
+    """Format and destination, as the command line asks; `path` is None for standard output."""
 
     format: str
     path: Path | None
@@ -41,15 +39,17 @@ class Destination:
     def of(
         cls, format_: str | None, output: str | None, fragment: bool, detail: str, vectors: str | None = None
     ) -> Destination:
-        """Settles the format from the options. Raises a usage error where they do not fit together."""
+        """The destination that the options describe. Raises a usage error where they contradict one another."""
         path = Path(output) if output not in (None, "-") else None
         if path and path.is_dir():
             raise click.UsageError(f"{path} is a folder; -o names a file")
-        by_ending = ENDINGS.get(path.suffix.lower()) if path else None
-        if path and not format_ and not by_ending:
-            endings = " ".join(ENDINGS)
-            raise click.UsageError(f"{path} does not tell the format; use --format, or one of the endings {endings}")
-        chosen = format_ or by_ending or ("latex" if fragment else "pretty")
+        by_extension = ENDINGS.get(path.suffix.lower()) if path else None
+        if path and not format_ and not by_extension:
+            extensions = " ".join(ENDINGS)
+            raise click.UsageError(
+                f"the extension of {path} does not determine the format; use --format, or one of {extensions}"
+            )
+        chosen = format_ or by_extension or ("latex" if fragment else "pretty")
         if fragment and chosen != "latex":
             raise click.UsageError("--fragment goes with --format latex")
         if vectors and chosen not in ("latex", "markdown"):
@@ -58,22 +58,22 @@ class Destination:
 
     @property
     def is_complete(self) -> bool:
-        """Whether what is long, and not printed unasked, is wanted too."""
+        """Whether long results that are not printed by default are wanted too."""
         return self.format == "json" or self.detail == "full"
 
-    def spare(self, problems: Sequence[str]) -> None:
-        """Refuses to write over a file that is about to be read."""
+    def refuse_overwrite(self, problems: Sequence[str]) -> None:
+        """Raises a usage error where the output would overwrite a problem file."""
         if self.path is None or not self.path.exists():
             return
         if any(os.path.exists(p) and os.path.samefile(p, self.path) for p in problems):
-            raise click.UsageError(f"-o {self.path} would write over the problem file")
+            raise click.UsageError(f"-o {self.path} would overwrite the problem file")
 
     def write(self, reports: Sequence[Report | None]) -> None:
         """Prints the reports, or writes them to the file. None stands for a problem that could not be solved."""
-        with stage_shown():
+        with stage_shown("writing the page"):
             text = self._text(reports)
         if self.path is None:
-            put(text)
+            write_stdout(text)
             return
         try:
             self.path.write_text(text, encoding="utf-8", newline="\n")
@@ -82,7 +82,7 @@ class Destination:
 
     def _text(self, reports: Sequence[Report | None]) -> str:
         from lagrange.document.derivation import Detail
-        from lagrange.render.letters_of_vectors import Vectors
+        from lagrange.render.tex_layout import Vectors
 
         detail = Detail[self.detail.upper()]
         solved = [(r.derivation, r.notation) for r in reports if r is not None]
@@ -102,47 +102,45 @@ class Destination:
             from lagrange.render import html
 
             return html.render(solved, detail)
-        from lagrange.render import terminal as pretty
+        from lagrange.render import terminal
 
         if self.path is None:
-            return "\n".join(pretty.coloured(d, n, terminal_width(), detail) for d, n in solved)
-        return "\n".join(pretty.text(d, n, PIPED, detail) for d, n in solved)
+            return "\n".join(terminal.coloured(d, n, terminal_width(), detail) for d, n in solved)
+        return "\n".join(terminal.text(d, n, PIPED_WIDTH, detail) for d, n in solved)
 
 
-def write_verdict(answer: CheckedAnswer, problem: Problem, format_: str, revealed: Sequence[Any] = ()) -> None:
-    """Prints what is to be said of an answer to a problem, and the derived equations that are to be revealed."""
-    from lagrange.render import verdict
-
+def write_verdict(answer: Judgement, format_: str, revealed: Sequence[Any] = ()) -> None:
+    """Prints the verdict on an answer to a problem, and the derived equations to be revealed."""
     if format_ == "json":
         import json
 
-        put(json.dumps(verdict.as_object(answer, problem, revealed), ensure_ascii=False, indent=1) + "\n")
+        write_stdout(json.dumps(answer.as_json(revealed), ensure_ascii=False, indent=1) + "\n")
     else:
-        put(verdict.text(answer, problem, terminal_width(), revealed))
+        write_stdout(answer.text(terminal_width(), revealed))
 
 
-def write_rows(rows: Sequence[Row], as_csv: bool) -> None:
-    """Prints the rows of a batch: the table, or CSV."""
-    from lagsolve.grading.rows import csv_text, table_text
+def write_rows(rows: Sequence[TableRow], as_csv: bool) -> None:
+    """Prints the rows of a batch as a table or as CSV."""
+    from lagsolve.grading.table import csv_text, table_text
 
     on_terminal = sys.stdout is not None and sys.stdout.isatty()
-    put(csv_text(rows) if as_csv else table_text(rows, terminal_width(), on_terminal))
+    write_stdout(csv_text(rows) if as_csv else table_text(rows, terminal_width(), on_terminal))
 
 
 def wrapped(line: str, width: int, indent: str) -> str:
-    """A line, broken at blanks where it is too wide."""
+    """A line, broken at blanks if it is too wide."""
     if len(line) <= width:
         return line
     return textwrap.fill(line, width, subsequent_indent=indent, break_on_hyphens=False)
 
 
 def terminal_width() -> int:
-    """The width to print at: the terminal's, or what COLUMNS says; 80 where there is neither."""
-    return max(NARROWEST, shutil.get_terminal_size().columns) if _has_width() else PIPED
+    """The width to print at: that of the terminal, or COLUMNS; 80 where there is neither."""
+    return max(NARROWEST, shutil.get_terminal_size().columns) if _has_width() else PIPED_WIDTH
 
 
 def styled() -> bool:
-    """Whether standard output shows bold letters: a terminal does, unless it says that it is dumb."""
+    """Whether standard output shows bold letters: a terminal does, unless TERM is `dumb`."""
     return sys.stdout is not None and sys.stdout.isatty() and os.environ.get("TERM") != "dumb"
 
 
@@ -150,10 +148,10 @@ def _has_width() -> bool:
     return os.environ.get("COLUMNS", "").isdigit() or (sys.stdout is not None and sys.stdout.isatty())
 
 
-def put(text: str) -> None:
+def write_stdout(text: str) -> None:
     """Writes to standard output, at once.
 
-    Raises BrokenPipeError where nobody reads on, and an error with a message where it cannot be written.
+    Raises BrokenPipeError where the reader has gone, ProblemError where standard output cannot be written.
     """
     if sys.stdout is None:
         raise _unwritable("standard output", "it is closed")
@@ -174,5 +172,5 @@ def _unwritable(what: str, reason: str | None) -> ProblemError:
 
 
 def _abandon() -> None:
-    """Sends what is left in the buffer nowhere, so that Python does not complain about it at its end."""
+    """Discards what is left in the buffer, so that Python does not complain about it when it exits."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -1,7 +1,7 @@
-"""Answers that are right, but for coordinates measured in another way: θ from the upward vertical, x to the left.
+"""Answers that are right for a coordinate measured in another way: θ from the upward vertical, x to the left.
 
-With the old coordinate q as a function of the new one, q = −q*, q* + π, π − q*, ..., the answer is rewritten, and
-compared. Angles are what occurs in sines and cosines.
+The answer is rewritten with q = −q*, q* + π, π − q*, q* ± π/2 or ±π/2 − q* in place of one coordinate q, and compared
+again. Only an angle, which occurs in sines and cosines, can be measured from another direction.
 """
 
 from __future__ import annotations
@@ -11,8 +11,8 @@ from enum import Enum
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
-from lagrange.answers.benches import benches, follows
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
+from lagrange.answers.diagnosis import follows, residue_states
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime
 from lagrange.mechanics.dynamics.comparison import System
@@ -30,7 +30,7 @@ class Turn(Enum):
 
 @record
 class Convention:
-    """An answer is right for a coordinate that is measured in another way: q stands for `meant`."""
+    """A coordinate measured in another way: what the answer calls q is `meant` in the problem's coordinate q."""
 
     coordinate: sp.Symbol
     turn: Turn
@@ -38,11 +38,11 @@ class Convention:
 
 
 def other_convention(equations: Sequence[sp.Expr], system: System) -> Convention | None:
-    """The other way of measuring one coordinate for which all the equations follow; None: there is none."""
+    """The other way of measuring one coordinate with which all the equations follow; None if there is none."""
     try:
-        at = benches(equations, system)
+        states = residue_states(equations, system)
         for convention in _conventions(equations, system.configuration.slots):
-            if all(follows(_in_convention(e, convention), at) for e in equations):
+            if all(follows(_in_convention(e, convention), states) for e in equations):
                 return convention
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         pass

@@ -1,22 +1,23 @@
-"""What is wrong with an equation: the one change that makes it right.
+"""Diagnosis of a wrong equation: the one change that makes it right.
 
-The equation is a sum of terms t_1 + t_2 + ...; at a random state each is a row [A | b], affine in the unknowns, and
-what is left of it when the derived equations are taken off, modulo their row space, is its residue r_i (`benches`). The
-equation follows just when Σ r_i = 0. So
+The equation is a sum of terms t_1 + t_2 + ...; at a random state each is a row [A | b], affine in the unknowns. The
+residue r_i of a term is its row reduced modulo the row space of the derived equations (`ResidueState`). Residues are
+linear, and the equation follows if and only if Σ r_i = 0. So
 
-    a term has a wrong factor f       where  Σ r_j = (1 − f) r_i ,   f = −1 a wrong sign, f = 0 a term too many;
-    a term c T is missing             where  Σ r_j = −c r_T ,        T a term of the derived equations;
-    a term should be another, t_i'    where  Σ r_j = r_i − r_i' .
+    a term has a wrong factor f       if  Σ r_j = (1 − f) r_i ,   f = −1 a wrong sign, f = 0 a term too many;
+    a term c T is missing             if  Σ r_j = −c r_T ,        T a term of the derived equations;
+    a term should be another, t_i'    if  Σ r_j = r_i − r_i' ,
 
-f and c are numbers at one state; they are sought among simple factors, and what is found is tried at a second state
-that shares nothing with the first, by exact arithmetic (at several where there are branches). Where no single change is
-enough, the group of terms that differs is named, if it is one: those with accelerations, those with velocities, the
-others.
+and the sum for a changed equation costs next to nothing. f and c are numbers at one state; they are sought among simple
+factors, and each candidate is tested at a second state that shares no random number with the first, by exact
+arithmetic. Roots and absolute values are on a random branch at each state: then more states are taken, real ones among
+them, so that a change that is right on one branch only does not pass. If no single change is enough, the group of terms
+that differs is named, if it is one: those with accelerations, those with velocities, the others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from enum import Enum
 from functools import cached_property
@@ -24,18 +25,119 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, InadmissibleError, NoPointError, UnsupportedError
 from lagrange.algebra.exact.field_points import FieldPoint
+from lagrange.algebra.exact.linear_algebra import RowSpace
 from lagrange.algebra.exact.prime_field import reconstructed
-from lagrange.answers.benches import Bench, benches, equations_of, follows
-from lagrange.answers.edits import NUMBERS, Slip, cleared, factors, terms_of, variants
+from lagrange.algebra.exact.zero_test import (
+    DivisionByZeroError,
+    InadmissibleError,
+    NoPointError,
+    Point,
+    Surface,
+    UnsupportedError,
+)
+from lagrange.answers.limits import (
+    BRANCHING_STATES,
+    MAX_NUMERATOR,
+    MAX_SCALE_OPERATIONS,
+    REAL_STATES,
+    STATES,
+)
+from lagrange.answers.slips import NUMBERS, Slip, cleared, factors, terms_of, variants
 from lagrange.core.records import record
 from lagrange.core.symbols import base, t
-from lagrange.mechanics.dynamics.comparison import System, affine_rows
+from lagrange.mechanics.dynamics.comparison import System, affine_rows, symbols_of
+from lagrange.mechanics.dynamics.comparison import state as state_of_motion
+
+
+@record
+class ResidueState:
+    """A random state at which each term of an answer is reduced modulo the derived equations.
+
+    point     the state, with velocities that satisfy the constraints
+    unknowns  the multipliers and accelerations
+    derived   the row space of the derived equations
+    """
+
+    point: Point
+    unknowns: tuple[sp.Symbol, ...]
+    derived: RowSpace
+
+    def residue(self, term: sp.Expr) -> list[Any] | None:
+        """A term modulo the derived equations; None if it is not affine in the unknowns."""
+        try:
+            # Most of the many terms tried have no unknowns, and `affine` would evaluate them at two more points.
+            if term.free_symbols.isdisjoint(self.unknowns):
+                return self.derived.residue([*self.no_unknowns, self.point.value(term)])
+            rows = self.point.affine([term], self.unknowns)
+        except (InadmissibleError, DivisionByZeroError):
+            return None
+        return None if rows is None else self.derived.residue(rows[0])
+
+    @cached_property
+    def no_unknowns(self) -> list[Any]:
+        """The coefficients of a term without unknowns."""
+        return [self.point.number(0)] * len(self.unknowns)
+
+    def vanishes(self, row: Iterable[Any]) -> bool:
+        """Whether a row is zero."""
+        return all(self.point.arithmetic.vanishes(x) for x in row)
+
+    def ratio(self, a: Sequence[Any], b: Sequence[Any]) -> Any | None:
+        """a / b if a is a multiple of b; None if it is not, or b is zero."""
+        arithmetic = self.point.arithmetic
+        n = next((n for n, x in enumerate(b) if not arithmetic.vanishes(x)), None)
+        if n is None:
+            return None
+        c = arithmetic.reduce(a[n] * arithmetic.inverse(b[n]))
+        same = self.vanishes(arithmetic.reduce(x - c * y) for x, y in zip(a, b, strict=True))
+        return c if same else None
+
+    def value(self, factor: sp.Expr) -> Any | None:
+        """The value of a factor without unknowns; None if it has none at this state."""
+        try:
+            return self.point.value(factor)
+        except (InadmissibleError, DivisionByZeroError):
+            return None
+
+
+def residue_states(equations: Sequence[sp.Expr], system: System) -> list[ResidueState]:
+    """Independent random states at which the equations and the system are defined.
+
+    Raises NoPointError, UnsupportedError, DivisionByZeroError.
+    """
+    configuration = system.configuration
+    derived = equations_of(system)
+    symbols = symbols_of((*equations, *derived))
+    unknowns = (*system.multipliers, *configuration.slots.accelerations)
+
+    def at(point: Point) -> ResidueState:
+        moving = state_of_motion(point, configuration, symbols)
+        return ResidueState(moving, unknowns, RowSpace(moving.arithmetic, affine_rows(moving, derived, unknowns)))
+
+    states = configuration.states
+    if not _branches((*equations, *derived), states):
+        return states.sampled(at, STATES)
+    return [*states.sampled(at, BRANCHING_STATES), *states.sampled(at, REAL_STATES, real=True)]
+
+
+def _branches(expressions: Sequence[sp.Expr], states: Surface) -> bool:
+    """Whether expressions depend on signs, which a prime field picks at random."""
+    return any(states.graph.marks[states.graph.node(e)] for e in expressions)
+
+
+def equations_of(system: System) -> tuple[sp.Expr, ...]:
+    """The constraints, differentiated until accelerations occur, and the equations of a system."""
+    return (*system.accelerated_constraints, *system.equations)
+
+
+def follows(equation: sp.Expr, at: Sequence[ResidueState]) -> bool:
+    """Whether an equation follows from the system at all of these states."""
+    return all((r := state.residue(equation)) is not None and state.vanishes(r) for state in at)
 
 
 class Group(Enum):
-    """What kind of term it is."""
+    """The kind of a term."""
 
     INERTIA = "inertia"  # an acceleration occurs
     VELOCITY = "velocity"
@@ -44,12 +146,12 @@ class Group(Enum):
 
 @record
 class Diagnosis:
-    """The one change that makes an equation right; without a slip only the group of terms that differs.
+    """The one change that makes an equation right; without a slip, only the group of terms that differs.
 
-    term     as the answer has it; None where it is missing
-    right    what it should be; None where there should be nothing
-    factor   right / term, where it is a wrong factor
-    times    what the equation was multiplied by, so that it has these terms
+    term    the term in the answer; None if it is missing
+    right   what it should be; None if there should be no such term
+    factor  right / term, for a wrong factor
+    times   the factor by which the equation was multiplied first, so that it has these terms
     """
 
     group: Group | None
@@ -61,32 +163,33 @@ class Diagnosis:
 
 
 def diagnosed(equation: sp.Expr, system: System) -> Diagnosis | None:
-    """What is wrong with an equation, linear in the accelerations, that does not follow; None: not found."""
+    """The diagnosis of an equation, linear in the accelerations, that does not follow; None: not found."""
     try:
         for form, times in _forms(equation):
-            found = _Search(form, system).change()
-            if found is not None:
-                return _named(found, times, system)
+            diagnosis = _Search(form, system).change()
+            if diagnosis is not None:
+                return _with_group(diagnosis, times, system)
         group = _Search(equation, system).group()
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         return None
     return None if group is None else Diagnosis(group)
 
 
-def in_letters(found: Diagnosis, equation: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]) -> Diagnosis:
-    """The same change of an equation in which parameters are letters; as it is, where no one term becomes that term.
+def in_symbols(diagnosis: Diagnosis, equation: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]) -> Diagnosis:
+    """The same change, of the equation with symbols for parameters; unchanged if no one term becomes the changed one.
 
-    values  the numbers that were put in before it was diagnosed
+    values  the numbers that were substituted before the diagnosis
     """
-    if found.term is None or found.times != 1:
-        return found
+    if diagnosis.term is None or diagnosis.times != 1:
+        return diagnosis
     numbers = dict(values)
-    same = [term for term in terms_of(equation) or () if terms_of(term.xreplace(numbers)) == (found.term,)]
-    share = same[0] / found.term if len(same) == 1 else sp.S.Zero
-    alone = found.slip is Slip.NUMBER and abs(share.as_coeff_Mul()[0] * found.term.as_coeff_Mul()[0]) == 1
+    same = [term for term in terms_of(equation) or () if terms_of(term.xreplace(numbers)) == (diagnosis.term,)]
+    share = same[0] / diagnosis.term if len(same) == 1 else sp.S.Zero
+    # A wrong number that came from a parameter's value alone is no number of the answer.
+    alone = diagnosis.slip is Slip.NUMBER and abs(share.as_coeff_Mul()[0] * diagnosis.term.as_coeff_Mul()[0]) == 1
     if share == 0 or alone or not share.free_symbols <= set(numbers):
-        return found
-    return replace(found, term=same[0], right=None if found.right is None else found.right * share)
+        return diagnosis
+    return replace(diagnosis, term=same[0], right=None if diagnosis.right is None else diagnosis.right * share)
 
 
 def group_of(term: sp.Expr, system: System) -> Group:
@@ -99,22 +202,21 @@ def group_of(term: sp.Expr, system: System) -> Group:
 
 
 def _forms(equation: sp.Expr) -> Iterator[tuple[sp.Expr, sp.Expr]]:
-    """The equation as it is, and without denominators that are sums."""
+    """The equation as it is, and cleared of denominators that are sums; each with what it was multiplied by."""
     yield equation, sp.S.One
     without = cleared(equation)
     if without is not None:
         yield without
 
 
-def _named(found: Diagnosis, times: sp.Expr, system: System) -> Diagnosis:
-    """With the group of the term."""
-    term = found.term if found.term is not None else found.right
+def _with_group(diagnosis: Diagnosis, times: sp.Expr, system: System) -> Diagnosis:
+    term = diagnosis.term if diagnosis.term is not None else diagnosis.right
     assert term is not None
-    return Diagnosis(group_of(term, system), found.slip, found.term, found.right, found.factor, times)
+    return replace(diagnosis, group=group_of(term, system), times=times)
 
 
 class _Search:
-    """One equation against one system."""
+    """The search for one change of an equation that makes it follow from a system."""
 
     def __init__(self, equation: sp.Expr, system: System) -> None:
         self.equation = equation
@@ -127,58 +229,63 @@ class _Search:
         self.parameters = sorted((s for s in used if base(s) not in moving and s not in unknowns), key=str)
         waves = set().union(*(e.atoms(sp.sin, sp.cos, sp.tan) for e in (equation, *system.equations)))
         self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
-        self.benches = sorted(benches((equation,), system), key=lambda bench: follows(equation, [bench]))
+        # On some branches the equation may be right. Changes are sought at the first state, where it is wrong.
+        self.states = sorted(residue_states((equation,), system), key=lambda state: follows(equation, [state]))
 
     def change(self) -> Diagnosis | None:
-        """The likeliest change that makes the equation right."""
-        bench = self.benches[0]
-        residues = [bench.residue(term) for term in self.terms]
+        """The likeliest change that makes the equation right; None if none is found."""
+        state = self.states[0]
+        residues = [state.residue(term) for term in self.terms]
         rows = [r for r in residues if r is not None]
         if not rows or len(rows) < len(residues):
             return None
-        reduce = bench.moving.arithmetic.reduce
+        reduce = state.point.arithmetic.reduce
         total = [reduce(sum(column)) for column in zip(*rows, strict=True)]
-        if bench.vanishes(total):
+        if state.vanishes(total):
             return None
         for candidates in (self._by_number, self._by_another, self._by_missing):
-            found = sorted(candidates(rows, total), key=lambda pair: pair[0])
-            for _, diagnosis in found:
+            for _, diagnosis in sorted(candidates(rows, total), key=lambda pair: pair[0]):
                 if self._holds(diagnosis):
                     return diagnosis
         return None
 
     def group(self) -> Group | None:
-        """The group of terms that differs, if it is one, at all states."""
+        """The group of terms that differs at the states, if it is one and the same."""
         if self.system.multipliers or self.system.configuration.rows:
             return None
-        found = [self._differences(bench) for bench in self.benches]
-        known = [f for f in found if f is not None]
-        if len(known) < len(found):
+        differences = [self._differences(state) for state in self.states]
+        known = [d for d in differences if d is not None]
+        if len(known) < len(differences):
             return Group.INERTIA
         at_rest, moving = (any(side) for side in zip(*known, strict=True))
         if at_rest and moving:
             return None
         return Group.FORCE if at_rest else Group.VELOCITY if moving else None
 
-    def _differences(self, bench: Bench) -> tuple[bool, bool] | None:
-        """Whether the terms without velocities differ at a state, and whether those with; None: the accelerations."""
-        rows = affine_rows(bench.moving, (self.equation, *equations_of(self.system)), bench.unknowns)
-        c = bench.moving.solution(
+    def _differences(self, state: ResidueState) -> tuple[bool, bool] | None:
+        """Whether the terms without velocities differ, and whether those with; None: those with accelerations do.
+
+        The accelerations of the equation are Σ c_k times those of the derived equations E_k. With these c_k, what is
+        left of it minus Σ c_k E_k at zero velocities is the difference in forces; the rest is that in velocity terms.
+        """
+        rows = affine_rows(state.point, (self.equation, *equations_of(self.system)), state.unknowns)
+        c = state.point.solution(
             [list(column) for column in zip(*(r[:-1] for r in rows[1:]), strict=True)], rows[0][:-1]
         )
         if c is None:
             return None
-        still = bench.moving.with_values(dict.fromkeys(self.slots.velocities, bench.moving.number(0)))
-        rest = affine_rows(still, (self.equation, *equations_of(self.system)), bench.unknowns)
-        reduce, vanishes = bench.moving.arithmetic.reduce, bench.moving.arithmetic.vanishes
+        resting = state.point.with_values(dict.fromkeys(self.slots.velocities, state.point.number(0)))
+        rest = affine_rows(resting, (self.equation, *equations_of(self.system)), state.unknowns)
+        reduce, vanishes = state.point.arithmetic.reduce, state.point.arithmetic.vanishes
         at_rest = reduce(rest[0][-1] - sum(x * row[-1] for x, row in zip(c, rest[1:], strict=True)))
         moving = reduce(rows[0][-1] - sum(x * row[-1] for x, row in zip(c, rows[1:], strict=True)))
         return not vanishes(at_rest), not vanishes(reduce(moving - at_rest))
 
-    # Candidates: (cost, diagnosis), found at the first state
+    # Candidates: (cost, diagnosis), sought at the first state. Several changes may make the same equation right.
+    # The change of lowest cost that holds at all states is named; a common slip costs less than a rare one.
 
     def _by_number(self, residues: Sequence[list[Any]], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
-        """A wrong sign, or a wrong number in front of a term."""
+        """A wrong sign or a wrong numerical coefficient."""
         for term, residue in zip(self.terms, residues, strict=True):
             wanted = self._wanted(residue, total)
             number = None if wanted is None else self._as_number(wanted)
@@ -186,27 +293,24 @@ class _Search:
                 continue
             odd = number not in _USUAL and not _is_decimal(term)
             cost = 0.0 if number == -1 else 1.0 + 2.0 * odd - 0.5 * _is_decimal(term)
-            # where a number stands already, it is the wrong one
+            # A term that has a number already is likelier to have a wrong one.
             cost += 0.2 * (term.as_coeff_Mul()[0] in (1, -1)) + 0.1 * bool(self._is_inertia(term))
-            yield (
-                cost,
-                Diagnosis(None, _kind_of_factor(term, number, self.slots.velocities), term, number * term, number),
-            )
+            slip = _kind_of_factor(term, number, self.slots.velocities)
+            yield cost, Diagnosis(None, slip, term, number * term, number)
 
     def _by_another(self, residues: Sequence[list[Any]], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
-        """A term that should be another, or has a factor too many or too few."""
-        bench = self.benches[0]
-        reduce = bench.moving.arithmetic.reduce
+        """A term that should be another one, or has a factor too many or too few."""
+        state = self.states[0]
+        reduce = state.point.arithmetic.reduce
         for term, residue in zip(self.terms, residues, strict=True):
             for n, (slip, variant) in enumerate(variants(term, self.slots, self.parameters, self.angles)):
-                found = bench.residue(variant)
-                if found is None:
+                replaced = state.residue(variant)
+                if replaced is None:
                     continue
-                left = [reduce(a - b + c) for a, b, c in zip(total, residue, found, strict=True)]
-                if bench.vanishes(left):
+                if state.vanishes(reduce(a - b + c) for a, b, c in zip(total, residue, replaced, strict=True)):
                     yield _COSTS[slip] + 0.001 * n, Diagnosis(None, slip, term, variant)
             wanted = self._wanted(residue, total)
-            if wanted is None or bench.moving.arithmetic.vanishes(wanted):
+            if wanted is None or state.point.arithmetic.vanishes(wanted):
                 continue
             for cost, factor in self._factors_of(wanted, term):
                 slip = _kind_of_factor(term, factor, self.slots.velocities)
@@ -214,80 +318,78 @@ class _Search:
                 yield cost, Diagnosis(None, slip, term, factor * term, factor)
 
     def _wanted(self, residue: list[Any], total: list[Any]) -> Any | None:
-        """The factor that a term should have; None where no factor makes the equation right."""
-        ratio = self.benches[0].ratio(total, residue)
-        return None if ratio is None else self.benches[0].moving.arithmetic.reduce(1 - ratio)
+        """The value of the factor that a term should have; None if no factor makes the equation right."""
+        ratio = self.states[0].ratio(total, residue)
+        return None if ratio is None else self.states[0].point.arithmetic.reduce(1 - ratio)
 
     def _is_inertia(self, term: sp.Expr) -> bool:
         return not term.free_symbols.isdisjoint(self.slots.accelerations)
 
     def _by_missing(self, residues: Sequence[list[Any]], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
-        """A term of the derived equations that is missing; a term too many."""
-        bench = self.benches[0]
-        for term, mine in zip(self.terms, residues, strict=True):
-            wanted = self._wanted(mine, total)
-            if wanted is not None and bench.moving.arithmetic.vanishes(wanted) and len(self.terms) > 1:
+        """A term too many, or a term of the derived equations that is missing."""
+        state = self.states[0]
+        for term, own in zip(self.terms, residues, strict=True):
+            wanted = self._wanted(own, total)
+            if wanted is not None and state.point.arithmetic.vanishes(wanted) and len(self.terms) > 1:
                 yield 4.6, Diagnosis(None, Slip.EXTRA, term)
-        reduce = bench.moving.arithmetic.reduce
+        reduce = state.point.arithmetic.reduce
         for term in self._vocabulary:
-            residue = bench.residue(term)
-            ratio = None if residue is None else bench.ratio(total, residue)
+            residue = state.residue(term)
+            ratio = None if residue is None else state.ratio(total, residue)
             if ratio is None:
                 continue
             for cost, factor in self._scales_of(reduce(-ratio), term):
                 yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
 
     def _holds(self, diagnosis: Diagnosis) -> bool:
-        """Whether the change makes the equation right at the other states too, and leaves an equation of motion."""
+        """Whether the change makes the equation right at all states, and leaves an equation of motion."""
         changed = self.equation - (diagnosis.term or 0) + (diagnosis.right or 0)
         if not sp.expand(changed).free_symbols & {*self.slots.accelerations}:
             return False
-        for bench in self.benches:
+        for state in self.states:
             parts = [*(x for x in self.terms if x != diagnosis.term), diagnosis.right]
-            residues = [bench.residue(x) for x in parts if x is not None]
+            residues = [state.residue(x) for x in parts if x is not None]
             if not residues or any(r is None for r in residues):
                 return False
-            sums = [bench.moving.arithmetic.reduce(sum(c)) for c in zip(*residues, strict=True)]
-            if not bench.vanishes(sums):
+            sums = [state.point.arithmetic.reduce(sum(c)) for c in zip(*residues, strict=True)]
+            if not state.vanishes(sums):
                 return False
         return True
 
     # Factors
 
     def _factors_of(self, wanted: Any, term: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
-        """The simple factors that have a value at the first state, with their costs."""
-        bench = self.benches[0]
+        """The simple factors that have this value at the first state, with their costs."""
+        state = self.states[0]
         number = self._as_number(wanted)
         if number is not None:
             yield 1.0, number
             return
-        arithmetic = bench.moving.arithmetic
+        arithmetic = state.point.arithmetic
         for n, factor in enumerate(self._simple_factors):
             value = self._values[n]
             if value is None or factor.is_number:
                 continue
-            left = arithmetic.reduce(wanted * value[1])
-            number = self._as_number(left)
+            number = self._as_number(arithmetic.reduce(wanted * value[1]))
             if number is not None and (number in _USUAL or _is_decimal(term)):
                 yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
 
     def _scales_of(self, wanted: Any, term: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
-        """What a missing term is multiplied by: as the terms of the equation are multiples of the derived ones."""
-        bench = self.benches[0]
+        """The factor of a missing term, with its cost: first the factors between the answer and the derived terms."""
+        state = self.states[0]
         for factor, value in self._scales:
-            if bench.moving.arithmetic.vanishes(bench.moving.arithmetic.reduce(value - wanted)):
+            if state.point.arithmetic.vanishes(state.point.arithmetic.reduce(value - wanted)):
                 yield 0.0, factor
                 return
-        found = sorted(self._factors_of(wanted, term), key=lambda pair: pair[0])
-        for cost, factor in found[:1]:
+        for cost, factor in sorted(self._factors_of(wanted, term), key=lambda pair: pair[0])[:1]:
             yield 1.5 + cost, factor
 
     def _as_number(self, value: Any) -> sp.Rational | None:
-        """The small fraction that a value is."""
-        point = self.benches[0].moving
+        """A value as a fraction of small numbers; None if it is none."""
+        point = self.states[0].point
         if isinstance(point, FieldPoint):
-            found = reconstructed(value, point.p, _LARGEST)
-            return None if found is None else sp.Rational(found.numerator, found.denominator)
+            fraction = reconstructed(value, point.p, MAX_NUMERATOR)
+            return None if fraction is None else sp.Rational(fraction.numerator, fraction.denominator)
         return next(
             (n for n in (sp.S.One, *NUMBERS) if point.arithmetic.vanishes(value - point.number(n.p, n.q))), None
         )
@@ -299,48 +401,44 @@ class _Search:
     @cached_property
     def _values(self) -> list[tuple[Any, Any] | None]:
         """Each factor's value at the first state, and its inverse."""
-        bench = self.benches[0]
-        arithmetic = bench.moving.arithmetic
-        found: list[tuple[Any, Any] | None] = []
+        state = self.states[0]
+        arithmetic = state.point.arithmetic
+        values: list[tuple[Any, Any] | None] = []
         for factor in self._simple_factors:
-            value = bench.value(factor)
+            value = state.value(factor)
             usable = value is not None and not arithmetic.vanishes(value)
-            found.append((value, arithmetic.inverse(value)) if usable else None)
-        return found
+            values.append((value, arithmetic.inverse(value)) if usable else None)
+        return values
 
     @cached_property
     def _scales(self) -> list[tuple[sp.Expr, Any]]:
-        """t/T for the terms of the equation and of the derived ones, where that is simple."""
-        bench = self.benches[0]
+        """The ratios t/T of a term of the equation to a derived one, as far as they are simple, with their values."""
+        state = self.states[0]
         moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
-        found: dict[sp.Expr, Any] = {}
-        for mine in self.terms:
-            for theirs in self._vocabulary:
-                scale = mine / theirs
-                # of what moves only a factor of the whole equation is taken in: that of terms with accelerations
-                moves = bool(scale.free_symbols & moving) and not self._is_inertia(theirs)
+        scales: dict[sp.Expr, Any] = {}
+        for own in self.terms:
+            for derived in self._vocabulary:
+                scale = own / derived
+                # A ratio that moves is taken only from terms with accelerations, as a factor of the whole equation.
+                moves = bool(scale.free_symbols & moving) and not self._is_inertia(derived)
                 if (
-                    scale in found
+                    scale in scales
                     or moves
                     or scale.free_symbols & {*self.slots.accelerations}
-                    or scale.count_ops() > 12
+                    or scale.count_ops() > MAX_SCALE_OPERATIONS
                 ):
                     continue
-                value = bench.value(scale)
+                value = state.value(scale)
                 if value is not None:
-                    found[scale] = value
-        return list(found.items())
+                    scales[scale] = value
+        return list(scales.items())
 
     @cached_property
     def _vocabulary(self) -> list[sp.Expr]:
         """The terms of the derived equations."""
-        found: dict[sp.Expr, None] = {}
-        for e in self.system.equations:
-            found |= dict.fromkeys(x for x in terms_of(e) or ())
-        return list(found)
+        return list(dict.fromkeys(term for e in self.system.equations for term in terms_of(e) or ()))
 
 
-_LARGEST = 2000
 _USUAL = frozenset((sp.S.One, *NUMBERS))
 _COSTS = {
     Slip.FUNCTION: 1.2,
@@ -354,13 +452,13 @@ _COSTS = {
 
 
 def _is_decimal(term: sp.Expr) -> bool:
-    """Whether a number in it looks measured: 9.81, 0.33, 10."""
+    """Whether the number in a term looks measured: 9.81, 0.33, 10."""
     number = term.as_coeff_Mul()[0]
     return bool(number.is_Rational) and (number.q >= 10 or abs(number.p) >= 10)
 
 
 def _kind_of_factor(term: sp.Expr, factor: sp.Expr, velocities: Sequence[sp.Symbol]) -> Slip:
-    """What a wrong factor is called."""
+    """The name of a wrong factor."""
     if factor == -1:
         return Slip.SIGN
     number, rest = factor.as_coeff_Mul()

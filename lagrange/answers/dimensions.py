@@ -1,8 +1,9 @@
-"""Dimensions: whether the terms of an equation are of one kind.
+"""Dimensional analysis: whether the terms of an equation have the same dimension.
 
-The unit that a file gives to a symbol is a product of powers of units; its dimension is that of kg, m, s, A, K.
-Derivatives by time have one s less. A symbol without a unit has an unknown dimension, and nothing is said of what it
-occurs in; but what stands in a sine, an exponential or a logarithm is a number.
+The unit that a file gives to a symbol is a product of powers of units; its dimension is a vector of exponents of kg, m,
+s, A, K. A time derivative lowers the exponent of s by one. A symbol without a unit has an unknown dimension, and
+equations with such symbols are not judged, except that the argument of a sine, an exponential or a logarithm must be a
+number.
 """
 
 from __future__ import annotations
@@ -40,7 +41,7 @@ _PART = re.compile(r"\s*([*/·⋅ ]?)\s*\(?([A-Za-zΩ°%]+|1)\s*(?:\^?\s*\(?(-?\
 
 @record
 class Mismatch:
-    """A term whose dimension is not that of the others, and one of these."""
+    """A term whose dimension differs from that of the others, and one of these."""
 
     term: sp.Expr
     dimension: Dimension
@@ -49,28 +50,28 @@ class Mismatch:
 
 
 class _Unknown(Exception):  # noqa: N818 - nothing is wrong
-    """A dimension that is not known."""
+    """The dimension is not known."""
 
 
-class _Mismatched(Exception):  # noqa: N818 - it carries a finding
-    def __init__(self, found: Mismatch) -> None:
+class _Mismatched(Exception):  # noqa: N818 - it brings a result
+    def __init__(self, mismatch: Mismatch) -> None:
         super().__init__()
-        self.found = found
+        self.mismatch = mismatch
 
 
 def dimension_of_unit(unit: str) -> Dimension | None:
-    """The dimension of a unit such as `kg m^2/s`; None where it is not understood."""
+    """The dimension of a unit such as `kg m^2/s`; None if it is not understood."""
     text = re.sub(r"([A-Za-z])([⁰¹²³⁴⁵⁶⁷⁸⁹⁻]+)", lambda x: f"{x[1]}^{x[2].translate(_SUPERSCRIPTS)}", unit.strip())
     total, at, below = list(_NONE), 0, False
     while at < len(text):
-        found = _PART.match(text, at)
-        if found is None or found.end() == at or found[2] not in _UNITS:
+        part = _PART.match(text, at)
+        if part is None or part.end() == at or part[2] not in _UNITS:
             return None
-        below = found[1] == "/" or (below and found[1] not in ("*", "·", "⋅"))
-        power = int(found[3] or 1) * (-1 if below else 1)
-        total = [a + power * b for a, b in zip(total, _UNITS[found[2]], strict=True)]
-        below = below and found[1] == "/"
-        at = found.end()
+        below = part[1] == "/" or (below and part[1] not in ("*", "·", "⋅"))
+        power = int(part[3] or 1) * (-1 if below else 1)
+        total = [a + power * b for a, b in zip(total, _UNITS[part[2]], strict=True)]
+        below = below and part[1] == "/"
+        at = part.end()
     return tuple(total)
 
 
@@ -84,7 +85,7 @@ def written(dimension: Dimension) -> str:
 
 
 def mismatch(terms: Sequence[sp.Expr], units: Mapping[sp.Symbol, str]) -> Mismatch | None:
-    """The term of a sum that does not agree with the others; None where they agree, or that is not known."""
+    """The term of a sum that does not agree with the others; None if they agree, or if that is not known."""
     known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
     waves = (w for term in terms for w in term.atoms(sp.sin, sp.cos, sp.tan))
     angles = {base(s) for w in waves for s in w.args[0].free_symbols if base(s) not in known}
@@ -94,19 +95,20 @@ def mismatch(terms: Sequence[sp.Expr], units: Mapping[sp.Symbol, str]) -> Mismat
     except _Unknown:
         return None
     except _Mismatched as error:
-        return error.found
+        return error.mismatch
     return None
 
 
 def _sum(terms: Iterable[sp.Expr], known: Mapping[sp.Symbol, Dimension]) -> Dimension:
-    found = [(term, _dimension(term, known)) for term in terms if term != 0]
-    counts = Counter(d for _, d in found)
+    """The dimension of a sum. Raises _Mismatched at the first term that differs from the majority."""
+    dimensions = [(term, _dimension(term, known)) for term in terms if term != 0]
+    counts = Counter(d for _, d in dimensions)
     if len(counts) > 1:
-        usual = max(counts, key=lambda d: (counts[d], d == found[0][1]))
-        term, dimension = next((t, d) for t, d in found if d != usual)
-        other = next(t for t, d in found if d == usual)
+        usual = max(counts, key=lambda d: (counts[d], d == dimensions[0][1]))
+        term, dimension = next((t, d) for t, d in dimensions if d != usual)
+        other = next(t for t, d in dimensions if d == usual)
         raise _Mismatched(Mismatch(term, dimension, other, usual))
-    return found[0][1] if found else _NONE
+    return dimensions[0][1] if dimensions else _NONE
 
 
 def _dimension(e: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension:
@@ -134,8 +136,8 @@ def _dimension(e: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension:
 
 
 def _argument(e: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> None:
-    """What stands in a function is a number; symbols without a unit are taken for angles."""
+    """Checks that the argument of a function is a number; symbols without a unit are taken for angles."""
     angles = {s: _NONE for s in e.free_symbols if s not in known and "'" not in s.name}
-    found = _dimension(e, {**known, **angles})
-    if found != _NONE:
-        raise _Mismatched(Mismatch(e, found, sp.S.One, _NONE))
+    dimension = _dimension(e, {**known, **angles})
+    if dimension != _NONE:
+        raise _Mismatched(Mismatch(e, dimension, sp.S.One, _NONE))

@@ -1,101 +1,49 @@
 """Somebody else's equations of motion: are they right?
 
-An answer is read with the names of the problem only, and compared as a system: by its solutions, not by its form. It
-may use the file's coordinates and those of one choice together; coordinates that a choice replaces are rewritten
-through its substitution. It is tried against the file's own system and every choice, and the best verdict counts.
+An answer is read with the names of the problem only, and compared as a system, by its solutions and not by its form:
+at random states the row spaces of [A | b], affine in the accelerations and multipliers, must agree (`comparison`). It
+may use the file's coordinates together with those of one choice; coordinates that a choice replaces are rewritten by
+its substitution. It is compared with the file's own system and with that of every choice, and the best verdict counts.
+Wrong equations are then diagnosed, and right ones get the conditions under which they are valid.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from enum import StrEnum
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, is_zero
-from lagrange.answers.answer_readings import Reading, read_answer
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.conventions import Convention, other_convention
-from lagrange.answers.diagnosis import diagnosed, in_letters
+from lagrange.answers.diagnosis import diagnosed, in_symbols
 from lagrange.answers.hints import Advisor
-from lagrange.answers.recognition import Kind, recognised
-from lagrange.answers.references import Candidate, Reference
-from lagrange.answers.validity import Condition, conditions
+from lagrange.answers.limits import MAX_EQUATIONS
+from lagrange.answers.readings import Reading, read_answer
+from lagrange.answers.recognition import Recognised, recognised
+from lagrange.answers.references import Reference, ReferenceCandidate
+from lagrange.answers.validity import NonzeroCondition, conditions
+from lagrange.answers.verdicts import (
+    DIVIDES_BY_ZERO,
+    MIXED_CHOICES,
+    NOT_JUDGED,
+    WORST_TO_BEST,
+    AnswerVerdict,
+    EquationVerdict,
+    Verdict,
+)
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Slots, base
-from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import separated
 from lagrange.mechanics.dynamics.comparison import Standing, System, compare
 
-MAX_EQUATIONS = 12
-
-
-class Verdict(StrEnum):
-    """What is said of an answer, or of one of its equations."""
-
-    UNREADABLE = "unreadable"
-    WRONG = "wrong"
-    UNDECIDED = "undecided"
-    INCOMPLETE = "incomplete"
-    EQUIVALENT = "equivalent"
-    TRIVIAL = "trivial"
-
-
-EXIT_STATUS = {
-    Verdict.EQUIVALENT: 0,
-    Verdict.WRONG: 1,
-    Verdict.INCOMPLETE: 1,
-    Verdict.TRIVIAL: 1,
-    Verdict.UNREADABLE: 2,
-    Verdict.UNDECIDED: 3,
-}
-
-
-@record
-class EquationVerdict:
-    """The verdict on one equation, with what is wrong (`diagnosis`) and what is to be said beside (`remarks`).
-
-    sides  what is equal, as it was read, where the reading may surprise; empty otherwise
-    hints  of a wrong equation of motion: the diagnosis in three degrees of frankness, the last of them `diagnosis`
-    """
-
-    text: str
-    verdict: Verdict
-    diagnosis: str = ""
-    remarks: tuple[str, ...] = ()
-    sides: tuple[sp.Expr | Vector, ...] = ()
-    hints: tuple[str, ...] = ()
-
-    def hinted(self, degree: int) -> EquationVerdict:
-        """The same, with no more said of what is wrong than this degree allows: 1, 2 or 3."""
-        return replace(self, diagnosis=self.hints[degree - 1]) if self.hints else self
-
-    def as_json(self) -> dict[str, object]:
-        """FORMAT's JSON object."""
-        found = {"text": self.text, "verdict": self.verdict.value, "diagnosis": self.diagnosis}
-        return {**found, "remarks": list(self.remarks)}
-
-
-@record
-class AnswerVerdict:
-    """The verdict on a system of equations.
-
-    missing     how many independent equations it lacks
-    choice      the choice of coordinates that it was compared in; empty for the file's own
-    unreadable  what could not be read, with places
-    """
-
-    verdict: Verdict
-    equations: tuple[EquationVerdict, ...]
-    missing: int = 0
-    choice: str = ""
-    unreadable: tuple[Diagnostic, ...] = ()
-    notes: tuple[Diagnostic, ...] = ()
-
 
 def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnosing: bool = True) -> AnswerVerdict:
-    """The verdict on equations of motion; `diagnosing`: also what would make the wrong ones right."""
+    """The verdict on equations of motion; `diagnosing`: with the change that would make a wrong one right.
+
+    Raises ProblemError if there are no equations, or too many.
+    """
     answer = separated(answer)
     if not answer:
         raise ProblemError(
@@ -112,49 +60,39 @@ def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnos
     if not attempts:
         return _mixed(readings, errors, notes)
     best = max(attempts, key=lambda a: a.quality)
-    found = _with_reasons(best, readings, reference, diagnosing)
-    equations = tuple(replace(e, sides=r.surprising) for e, r in zip(found.equations, readings, strict=True))
-    return replace(found, equations=equations, unreadable=errors, notes=notes)
-
-
-_QUALITY = (
-    Verdict.UNREADABLE,
-    Verdict.WRONG,
-    Verdict.UNDECIDED,
-    Verdict.TRIVIAL,
-    Verdict.INCOMPLETE,
-    Verdict.EQUIVALENT,
-)
+    verdict = _with_reasons(best, readings, reference, diagnosing)
+    equations = tuple(replace(e, sides=r.surprising) for e, r in zip(verdict.equations, readings, strict=True))
+    return replace(verdict, equations=equations, unreadable=errors, notes=notes)
 
 
 @record
 class _Attempt:
     """An answer compared with one system.
 
-    components  of each equation, as they were compared; none of what cannot be read
-    standings   of these; none where it could not be decided, or nothing was compared
+    components  of each equation, as they were compared; empty for an equation that cannot be read
+    standings   of the components; empty if the comparison was undecided or not made
     """
 
     verdict: AnswerVerdict
-    candidate: Candidate
+    candidate: ReferenceCandidate
     components: tuple[tuple[sp.Expr, ...], ...] = ()
     standings: tuple[tuple[Standing, ...], ...] = ()
 
     @property
     def quality(self) -> tuple[int, int, int, bool]:
-        """The better verdict; of two wrong ones that with more right equations, then with more that are linear.
+        """The rank of the verdict; then the number of right equations, then that of linear ones.
 
-        Then with radii taken as positive: what is wrong there is not the sign of a radius.
+        Last, radii taken as positive are preferred: a mistake that remains there is not the sign of a radius.
         """
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
-        bent = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
-        return _QUALITY.index(self.verdict.verdict), right, -bent, bool(self.candidate.positive)
+        nonlinear = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
+        return WORST_TO_BEST.index(self.verdict.verdict), right, -nonlinear, bool(self.candidate.positive)
 
 
 def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_Attempt]:
-    """The verdicts in all sets of coordinates that know the answer's, until it is right in one.
+    """The verdicts in all sets of coordinates that have those of the answer, until it is right in one.
 
-    After that, where it is not right, with radii taken as positive.
+    If it is right in none, then also with radii taken as positive.
     """
     tried = []
     for candidate in reference.candidates:
@@ -165,14 +103,16 @@ def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_At
                 return
             tried.append((candidate, attempt))
     for candidate, before in tried:
-        there = candidate.where_positive
-        attempt = None if there is None else _attempt(readings, there, reference)
-        if there is not None and attempt is not None:
-            yield replace(attempt, verdict=_where_positive(attempt.verdict, before.verdict, there))
+        positive = candidate.with_positive_radii
+        attempt = None if positive is None else _attempt(readings, positive, reference)
+        if positive is not None and attempt is not None:
+            yield replace(attempt, verdict=_right_for_positive_radii(attempt.verdict, before.verdict, positive))
 
 
-def _where_positive(verdict: AnswerVerdict, before: AnswerVerdict, candidate: Candidate) -> AnswerVerdict:
-    """The verdict with a remark on the equations that are right only because radii are positive."""
+def _right_for_positive_radii(
+    verdict: AnswerVerdict, before: AnswerVerdict, candidate: ReferenceCandidate
+) -> AnswerVerdict:
+    """The verdict, with a remark on each equation that is right only if radii are positive."""
     where = " and ".join(f"{r} > 0" for r in candidate.positive)
     equations = tuple(
         replace(e, remarks=(*e.remarks, f"valid where {where}"))
@@ -183,8 +123,8 @@ def _where_positive(verdict: AnswerVerdict, before: AnswerVerdict, candidate: Ca
     return replace(verdict, equations=equations)
 
 
-def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Reference) -> _Attempt | None:
-    """The verdict in one set of coordinates; None where the answer uses others."""
+def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, reference: Reference) -> _Attempt | None:
+    """The verdict in one set of coordinates; None if the answer uses others."""
     used = {base(s).name for r in readings for e in r.components for s in e.free_symbols}
     if not used & reference.moving <= candidate.known:
         return None
@@ -202,18 +142,22 @@ def _attempt(readings: Sequence[Reading], candidate: Candidate, reference: Refer
         return _Attempt(_dividing_by_zero(readings, components, system, candidate.choice), candidate)
     if result is None:
         return _Attempt(_verdict(readings, None, 0, candidate.choice), candidate)
-    left = iter(result.standings)
-    standings = tuple(tuple(next(left) for _ in es) for es in components)
+    in_order = iter(result.standings)
+    standings = tuple(tuple(next(in_order) for _ in es) for es in components)
     verdict = _verdict(readings, standings, result.missing, candidate.choice)
     if candidate.named:
-        verdict = _saying_more(verdict, readings, candidate)
+        verdict = _without_redundancy(verdict, readings, candidate)
     if candidate.remarks:
-        verdict = _saying_what_is_meant(verdict, readings, candidate)
+        verdict = _with_meanings(verdict, readings, candidate)
+    # Unknown forces that only the answer has are columns that `compare` projects out of all its rows together. Then no
+    # row of a single equation is left in which the change of one term could be weighed: nothing is diagnosed.
     return _Attempt(verdict, candidate, () if free else components, standings)
 
 
-def _saying_more(verdict: AnswerVerdict, readings: Sequence[Reading], candidate: Candidate) -> AnswerVerdict:
-    """An equation with a reaction whose value is known here says that value too: it is not redundant."""
+def _without_redundancy(
+    verdict: AnswerVerdict, readings: Sequence[Reading], candidate: ReferenceCandidate
+) -> AnswerVerdict:
+    """The verdict, in which an equation with a reaction of known value is not redundant: it states that value too."""
     equations = tuple(
         replace(e, remarks=tuple(x for x in e.remarks if x != REDUNDANT))
         if any(s.name in candidate.named for c in r.components for s in c.free_symbols)
@@ -223,17 +167,17 @@ def _saying_more(verdict: AnswerVerdict, readings: Sequence[Reading], candidate:
     return replace(verdict, equations=equations)
 
 
-def _saying_what_is_meant(verdict: AnswerVerdict, readings: Sequence[Reading], candidate: Candidate) -> AnswerVerdict:
-    """The right equations, with what the names of forces in them are taken for."""
+def _with_meanings(verdict: AnswerVerdict, readings: Sequence[Reading], candidate: ReferenceCandidate) -> AnswerVerdict:
+    """The verdict, with a remark on each right equation about the meaning of the names of forces in it."""
     equations = tuple(
-        replace(e, remarks=(*e.remarks, *candidate.said_of(r.components))) if e.verdict is Verdict.EQUIVALENT else e
+        replace(e, remarks=(*e.remarks, *candidate.remarks_on(r.components))) if e.verdict is Verdict.EQUIVALENT else e
         for e, r in zip(verdict.equations, readings, strict=True)
     )
     return replace(verdict, equations=equations)
 
 
 def _without_constant(equation: sp.Expr, slots: Slots) -> sp.Expr:
-    """A finite relation x − R φ = const as one between velocities; what has velocities already stays as it is."""
+    """A finite relation x − R φ = const differentiated once; an equation with velocities is returned as it is."""
     if CONSTANT not in equation.free_symbols or equation.free_symbols & {*slots.velocities, *slots.accelerations}:
         return equation
     rate = slots.time_derivative(equation)
@@ -243,7 +187,7 @@ def _without_constant(equation: sp.Expr, slots: Slots) -> sp.Expr:
 def _verdict(
     readings: Sequence[Reading], standings: Sequence[Sequence[Standing]] | None, missing: int, choice: str
 ) -> AnswerVerdict:
-    """The verdicts on the equations and on the system. No standings: undecided."""
+    """The verdict on the system; undecided if there are no standings."""
     equations = []
     for n, r in enumerate(readings):
         if r.error is not None:
@@ -259,13 +203,13 @@ def _of_one(reading: Reading, standings: Sequence[Standing]) -> EquationVerdict:
     """The verdict on one equation, from those on its components."""
     text = reading.text
     if Standing.NOT_LINEAR in standings:
-        return EquationVerdict(text, Verdict.WRONG, WHAT_IT_IS[Kind.NOT_LINEAR])
+        return EquationVerdict(text, Verdict.WRONG, WHAT_IT_IS[Recognised.NOT_LINEAR])
     if Standing.CONTRADICTS in standings:
-        return EquationVerdict(text, Verdict.WRONG, WHAT_IT_IS[Kind.OTHER])
+        return EquationVerdict(text, Verdict.WRONG, WHAT_IT_IS[Recognised.OTHER])
     if all(s is Standing.CONSTRAINT for s in standings):
         identities = [is_zero(e) for e in reading.components]
         if all(identities):
-            return EquationVerdict(text, Verdict.TRIVIAL, "it is an identity, true of every motion")
+            return EquationVerdict(text, Verdict.TRIVIAL, "it is an identity, true for every motion")
         if None in identities and False not in identities:
             return EquationVerdict(text, Verdict.UNDECIDED, "it could not be decided whether it is an identity")
         return EquationVerdict(text, Verdict.EQUIVALENT, remarks=("it restates a constraint",))
@@ -276,29 +220,31 @@ def _of_one(reading: Reading, standings: Sequence[Standing]) -> EquationVerdict:
 
 REDUNDANT = "redundant: it follows from those before it"
 WHAT_IT_IS = {
-    Kind.SQUARE: "it is not linear in the accelerations: it is the square of an equation that is right",
-    Kind.SUM_OF_SQUARES: "it is not linear in the accelerations: it is made of squares and products of right equations",
-    Kind.POWER: "it is not linear in the accelerations: it is a power, or a product, of equations that are right",
-    Kind.HOLDS: "it is not linear in the accelerations, though it holds for the motion",
-    Kind.NOT_LINEAR: "it is not linear in the accelerations, as an equation of motion is",
-    Kind.ENERGY: "it is a first integral, that of energy; {derivative}",
-    Kind.MOMENTUM: "it is a first integral, that of a momentum; {derivative}",
-    Kind.INTEGRAL: "it is a first integral; {derivative}",
-    Kind.OF_PARAMETERS: "it says nothing of the motion, and is not true of all values of the parameters",
-    Kind.IMPOSSIBLE: "it can never hold",
-    Kind.NO_ACCELERATION: "there is no acceleration in it, and it does not hold in every state of motion",
-    Kind.OTHER: "it does not follow from the equations of motion",
+    Recognised.SQUARE: "it is not linear in the accelerations: it is the square of a correct equation",
+    Recognised.SUM_OF_SQUARES: (
+        "it is not linear in the accelerations: it is composed of squares and products of correct equations"
+    ),
+    Recognised.POWER: "it is not linear in the accelerations: it is a power, or a product, of correct equations",
+    Recognised.HOLDS: "it is not linear in the accelerations, though it holds for the motion",
+    Recognised.NOT_LINEAR: "it is not linear in the accelerations, as an equation of motion must be",
+    Recognised.ENERGY: "it is a first integral, that of energy; {derivative}",
+    Recognised.MOMENTUM: "it is a first integral, that of a momentum; {derivative}",
+    Recognised.INTEGRAL: "it is a first integral; {derivative}",
+    Recognised.OF_PARAMETERS: "it says nothing about the motion, and does not hold for all values of the parameters",
+    Recognised.IMPOSSIBLE: "it can never hold",
+    Recognised.NO_ACCELERATION: "it contains no acceleration, and does not hold in every state of motion",
+    Recognised.OTHER: "it does not follow from the equations of motion",
 }
 _DERIVATIVE = {
-    True: "its time derivative is the equation asked",
-    False: "its time derivative follows from the equations asked",
+    True: "its time derivative is the equation asked for",
+    False: "its time derivative follows from the equations asked for",
 }
 
 
 def _with_reasons(
     attempt: _Attempt, readings: Sequence[Reading], reference: Reference, diagnosing: bool
 ) -> AnswerVerdict:
-    """What is wrong with the wrong equations, and where the right ones say less than they should."""
+    """The verdict, with a diagnosis of each wrong equation and the conditions under which a right one is valid."""
     verdict = attempt.verdict
     if not attempt.components:
         return verdict
@@ -306,40 +252,43 @@ def _with_reasons(
     equations = list(verdict.equations)
     following = []
     advisor = Advisor(system.configuration.slots)
-    turned = _convention(attempt, system) if diagnosing else None
+    convention = _convention(attempt, system) if diagnosing else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
         if bad:
             equation, linear = bad[0][0], bad[0][1] is not Standing.NOT_LINEAR
             kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
-            asked = diagnosing and kind in _TO_BE_DIAGNOSED
-            change = diagnosed(equation, system) if asked else None
+            wanted = diagnosing and kind in _TO_BE_DIAGNOSED
+            change = diagnosed(equation, system) if wanted else None
             if change is not None and attempt.candidate.values:
                 written = readings[n].components[es.index(equation)]
-                change = in_letters(change, attempt.candidate.in_letters(written), attempt.candidate.values)
-            units = reference.mismatch(readings[n]) if asked else None
-            hints = advisor.hints(why, change, units, turned, readings[n].sides)
+                change = in_symbols(change, attempt.candidate.in_symbols(written), attempt.candidate.values)
+            units = reference.mismatch(readings[n]) if wanted else None
+            hints = advisor.hints(why, change, units, convention, readings[n].sides)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS:
             following.append((n, es[0]))
-    alone = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
-    found = conditions([e for _, e in following], system, complete=alone)
-    for (n, _), said in zip(following, found, strict=True):
-        equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, said)))
+    # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
+    complete = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
+    nonzero = conditions([e for _, e in following], system, complete=complete)
+    for (n, _), own in zip(following, nonzero, strict=True):
+        equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, own)))
     return replace(verdict, equations=tuple(equations))
 
 
-_TO_BE_DIAGNOSED = (Kind.OTHER, Kind.NO_ACCELERATION)
+_TO_BE_DIAGNOSED = (Recognised.OTHER, Recognised.NO_ACCELERATION)
 
 
 def _convention(attempt: _Attempt, system: System) -> Convention | None:
-    """Another way of measuring a coordinate for which the whole answer, wrong as it is, would be right."""
+    """The other way of measuring a coordinate with which the whole of a wrong answer would be right; None: none."""
     standings = [s for several in attempt.standings for s in several]
     if Standing.CONTRADICTS not in standings or Standing.NOT_LINEAR in standings:
         return None
-    found = other_convention([e for es in attempt.components for e in es], system)
-    return None if found is not None and found.coordinate in attempt.candidate.positive else found
+    convention = other_convention([e for es in attempt.components for e in es], system)
+    if convention is not None and convention.coordinate in attempt.candidate.positive:
+        return None
+    return convention
 
 
 def _has_one_equation(system: System) -> bool:
@@ -348,19 +297,19 @@ def _has_one_equation(system: System) -> bool:
     return len(configuration.slots.coordinates) - len(configuration.rows) == 1
 
 
-def _remark(condition: Condition) -> str:
+def _remark(condition: NonzeroCondition) -> str:
     how = "divided" if condition.divided else "multiplied"
     if condition.factor is None:
-        return f"valid only where what it is {how} by is not zero"
+        return f"valid only where the factor it is {how} by is not zero"
     factor = str(condition.factor).replace("**", "^")
     where = f"valid where {factor} != 0"
     if condition.together:
-        return f"{where}: only there are the accelerations determined"
+        return f"{where}: the accelerations are determined only there"
     return f"{where} ({how} by it)"
 
 
 def _of_all(verdicts: Sequence[Verdict], missing: int) -> Verdict:
-    """The first that applies: unreadable, wrong, undecided, trivial if all are, incomplete, equivalent."""
+    """The verdict on the system: the first that applies of unreadable, wrong, undecided, trivial if all are, ..."""
     for verdict in (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED):
         if verdict in verdicts:
             return verdict
@@ -372,7 +321,7 @@ def _of_all(verdicts: Sequence[Verdict], missing: int) -> Verdict:
 def _dividing_by_zero(
     readings: Sequence[Reading], components: Sequence[Sequence[sp.Expr]], system: System, choice: str
 ) -> AnswerVerdict:
-    """The equations that divide by what is exactly zero are unreadable; the others are not judged."""
+    """The verdict if an equation divides by exactly zero: that equation is unreadable, the others are not judged."""
     equations = []
     for r, es in zip(readings, components, strict=True):
         if r.error is not None:
@@ -380,17 +329,16 @@ def _dividing_by_zero(
             continue
         try:
             compare(es, system)
-            equations.append(EquationVerdict(r.text, Verdict.UNDECIDED, "not judged beside an unreadable equation"))
+            equations.append(EquationVerdict(r.text, Verdict.UNDECIDED, NOT_JUDGED))
         except DivisionByZeroError:
-            equations.append(EquationVerdict(r.text, Verdict.UNREADABLE, "it divides by what is exactly zero"))
+            equations.append(EquationVerdict(r.text, Verdict.UNREADABLE, DIVIDES_BY_ZERO))
     return AnswerVerdict(Verdict.UNREADABLE, tuple(equations), choice=choice)
 
 
 def _mixed(readings: Sequence[Reading], errors: tuple[Diagnostic, ...], notes: tuple[Diagnostic, ...]) -> AnswerVerdict:
-    """No set of coordinates knows all that the answer uses."""
-    diagnosis = "it mixes coordinates of several choices; use the file's coordinates and those of one choice"
+    """The verdict if no set of coordinates has all that the answer uses."""
     equations = tuple(
-        EquationVerdict(r.text, Verdict.UNREADABLE, r.error.diagnostics[0].message if r.error else diagnosis)
+        EquationVerdict(r.text, Verdict.UNREADABLE, r.error.diagnostics[0].message if r.error else MIXED_CHOICES)
         for r in readings
     )
     return AnswerVerdict(Verdict.UNREADABLE, equations, unreadable=errors, notes=notes)

@@ -1,7 +1,7 @@
-"""Answers compared: those that a problem file states, and somebody else's.
+"""Checking answers to every question about a problem: degrees of freedom, equations, equilibria, reactions, ...
 
-`compared_answers` is what every solve does with the file's own; `check_answer` and `check_own_answers` are what
-`lagsolve check` does.
+`compared_answers` compares the file's own answers after each solve; an `Examiner` solves a problem once and then checks
+any number of answers, as `lagsolve check` and `lagsolve grade` do.
 """
 
 from __future__ import annotations
@@ -9,102 +9,103 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.answer_readings import read_answer
-from lagrange.answers.equations import AnswerVerdict, EquationVerdict, Verdict, check_equations
+from lagrange.answers.equations import check_equations
 from lagrange.answers.reactions import AtRest, check_reaction
+from lagrange.answers.readings import read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import FIRST, CheckedAnswer, ComparedAnswer, missing_equilibria
+from lagrange.answers.verdicts import (
+    FIRST,
+    AnswerVerdict,
+    EquationVerdict,
+    Judgement,
+    Verdict,
+    missing_equilibria,
+)
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 from lagrange.expressions.latex_layout import separated
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.solution import OnStage, Solution, silent, solve
 from lagrange.problem.model import Answers, Problem
 
-if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
-
-def compared_answers(solution: Solution) -> Iterator[ComparedAnswer]:
-    """The file's own answers against the solution. Raises ProblemError where one cannot be read."""
+def compared_answers(solution: Solution) -> Iterator[AnswerVerdict]:
+    """The verdicts on the file's own answers. Raises ProblemError if one cannot be read."""
     answers = solution.problem.answers
     if answers is None:
         return
     yield from _before_equations(solution, answers)
     if answers.equations and (verdict := _equations(solution, answers)) is not None:
-        yield ComparedAnswer("equations", verdict)
+        yield AnswerVerdict(verdict)
     yield from map(_readable, _after_equations(solution, answers))
 
 
-def _readable(answer: ComparedAnswer) -> ComparedAnswer:
-    """An answer of the file; one that cannot be read is a mistake of the file."""
+def _readable(answer: AnswerVerdict) -> AnswerVerdict:
+    """The verdict on an answer of the file, without messages. Raises ProblemError if the answer cannot be read."""
     if answer.verdict is Verdict.UNREADABLE and answer.messages:
         raise ProblemError(answer.messages)
-    return replace(answer, messages=())
+    return replace(answer, unreadable=(), notes=())
 
 
-def _before_equations(solution: Solution, answers: Answers) -> Iterator[ComparedAnswer]:
-    """The answers about constraints."""
+def _before_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
+    """The verdicts on answers about the constraints."""
     classification = solution.classification
     if answers.degrees_of_freedom is not None:
-        yield ComparedAnswer(
-            "degrees_of_freedom", _agrees(answers.degrees_of_freedom == classification.degrees_of_freedom)
-        )
+        agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
+        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom")
     if answers.classification:
         yield _together("classification", {word: _class(solution, word) for word in answers.classification})
     if answers.integrable:
-        found = {c.constraint.name: c.integrable for c in classification.constraints}
-        said = {n: None if found.get(n) is None else found[n] == s for n, s in answers.integrable.items()}
-        yield _together("integrable", said)
+        derived = {c.constraint.name: c.integrable for c in classification.constraints}
+        agree = {n: None if derived.get(n) is None else derived[n] == s for n, s in answers.integrable.items()}
+        yield _together("integrable", agree)
 
 
-def _together(name: str, parts: Mapping[str, bool | None]) -> ComparedAnswer:
-    """The verdict on several statements, saying which are not right."""
-    verdict = _all_agree(iter(parts.values()))
+def _together(name: str, parts: Mapping[str, bool | None]) -> AnswerVerdict:
+    """The verdict on several statements, naming those that are not right."""
+    verdict = _agrees(False if False in parts.values() else None if None in parts.values() else True)
     named = [n for n, agrees in parts.items() if agrees is (False if verdict is Verdict.WRONG else None)]
     heading = "undecided" if verdict is Verdict.UNDECIDED else "not right"
     diagnosis = f"{heading}: {', '.join(named)}" if len(parts) > 1 and named else ""
-    return ComparedAnswer(name, verdict, diagnosis)
+    return AnswerVerdict(verdict, name=name, diagnosis=diagnosis)
 
 
-def _after_equations(solution: Solution, answers: Answers) -> Iterator[ComparedAnswer]:
-    """The answers about equilibria and reactions."""
+def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
+    """The verdicts on answers about equilibria, frequencies and reactions."""
     if answers.equilibrium:
         yield _equilibrium(solution, answers.equilibrium)
     if answers.frequencies:
         from lagrange.answers.frequencies import check_frequencies
 
-        found = [solution.linearization, *(c.linearization for c in solution.choices)]
-        there = [f for f in found if f is not None]
-        verdict = check_frequencies(answers.frequencies, there, reference_of_solution(solution))
-        yield ComparedAnswer("frequencies", verdict)
+        linearizations = [v.linearization for v in solution.views if v.linearization is not None]
+        verdict = check_frequencies(answers.frequencies, linearizations, reference_of_solution(solution))
+        yield AnswerVerdict(verdict, name="frequencies")
     if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
         yield of_reactions
 
 
-def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> ComparedAnswer:
+def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria."""
-    from lagrange.answers.equilibrium_answers import check_equilibria
+    from lagrange.answers.equilibria import check_equilibria
 
-    found = [e for e in (solution.equilibrium, *(c.equilibrium for c in solution.choices)) if e is not None]
-    linear = [solution.linearization, *(c.linearization for c in solution.choices)]
-    found = found or [f.equilibrium for f in linear if f is not None]
-    if not found:
-        return ComparedAnswer("equilibrium", Verdict.UNDECIDED, "the problem does not ask for equilibrium")
-    verdict = check_equilibria(alternatives, found, reference_of_solution(solution))
+    equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
+    if not equilibria:  # small oscillations are about an equilibrium too
+        equilibria = [v.linearization.equilibrium for v in solution.views if v.linearization is not None]
+    if not equilibria:
+        diagnosis = "the problem does not ask for equilibrium"
+        return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
+    verdict = check_equilibria(alternatives, equilibria, reference_of_solution(solution))
     diagnosis = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
-    messages = (*verdict.unreadable, *verdict.notes)
-    return ComparedAnswer("equilibrium", verdict.verdict, diagnosis, verdict.equations, messages)
+    return replace(verdict, name="equilibrium", diagnosis=diagnosis)
 
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:
-    """The verdict on the file's equations; None where they are in a choice of coordinates that was not asked for."""
-    if solution.motion is None:
+    """The verdict on the file's equations; None if they are in a choice of coordinates that was not asked for."""
+    if solution.own.motion is None:
         return Verdict.UNDECIDED
     verdict = check_equations(answers.equations, reference_of_solution(solution))
     if verdict.unreadable:
@@ -117,65 +118,61 @@ def _some_left_out(solution: Solution) -> bool:
     return len(solution.choices) < len(solution.problem.choices)
 
 
-def not_compared(solution: Solution, compared: Sequence[ComparedAnswer]) -> tuple[Diagnostic, ...]:
-    """A note on the answers of the file that are in coordinates of a choice that was not asked for."""
+def not_compared(solution: Solution, compared: Sequence[AnswerVerdict]) -> tuple[Diagnostic, ...]:
+    """A note on the answers of the file in coordinates of a choice that was not asked for."""
     answers = solution.problem.answers
     if answers is None or solution.law is None or not _some_left_out(solution):
         return ()
     parts = {a.name: a.equations for a in compared}
     left_out = ["equations"] if answers.equations and "equations" not in parts else []
     left_out += [f"reactions: {name}" for name in answers.reactions] if answers.reactions else []
-    said = {f"reactions: {p.text.partition(':')[0]}" for p in parts.get("reactions", ())}
-    names = ", ".join(f"`{name}`" for name in left_out if name not in said)
+    judged = {f"reactions: {p.text.partition(':')[0]}" for p in parts.get("reactions", ())}
+    names = ", ".join(f"`{name}`" for name in left_out if name not in judged)
     message = f"answers of the file in coordinates of other choices are not compared: {names}"
     return (Diagnostic("not-compared", message, help="without `--choice` all are").as_note(),) if names else ()
 
 
-def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> ComparedAnswer | None:
-    """The verdict on all stated reactions together, but those in coordinates of a choice that was not asked for."""
+def _reactions(solution: Solution, stated: Mapping[str, Fragment]) -> AnswerVerdict | None:
+    """The verdict on the stated reactions together, except those in a choice of coordinates that was not asked for."""
     if solution.law is None:
-        return ComparedAnswer("reactions", Verdict.UNDECIDED, "no reactions are derived for this problem")
+        diagnosis = "no reactions are derived for this problem"
+        return AnswerVerdict(Verdict.UNDECIDED, name="reactions", diagnosis=diagnosis)
     reactions = {r.name: r for r in solution.law.newton.reactions}
     reference = reference_of_solution(solution)
-    at_rest = _at_rest(solution) if solution.motion is None else None
+    at_rest = _at_rest(solution) if solution.own.motion is None else None
     parts: list[EquationVerdict] = []
-    messages: list[Diagnostic] = []
+    errors: list[Diagnostic] = []
     for name, fragment in stated.items():
         check = at_rest.check_stated if at_rest else partial(check_reaction, reference=reference)
         unreadable = EquationVerdict(f"{name}: {fragment.text}", Verdict.UNREADABLE)
         try:
-            found = check(fragment, reactions[name])
+            verdict = check(fragment, reactions[name])
         except ProblemError as error:
-            messages += error.diagnostics
-            found = unreadable
-        if found is not None or not _some_left_out(solution):
-            parts.append(found or unreadable)
+            errors += error.diagnostics
+            verdict = unreadable
+        if verdict is not None or not _some_left_out(solution):
+            parts.append(verdict or unreadable)
     if not parts:
         return None
     order = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
-    whole = next((v for v in order if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
-    return ComparedAnswer("reactions", whole, "", tuple(parts), tuple(messages))
+    together = next((v for v in order if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
+    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="reactions")
 
 
 def _at_rest(solution: Solution) -> AtRest | None:
-    """The reactions at the equilibria, where there are constraints."""
-    if solution.law is None or solution.reactions_at_rest is None:
+    """The reactions at the equilibria; None if there are no constraints."""
+    if solution.law is None or solution.own.reactions_at_rest is None:
         return None
-    found = [solution.reactions_at_rest, *(c.reactions_at_rest for c in solution.choices if c.reactions_at_rest)]
-    return AtRest(solution.law.newton, found, reference_of_solution(solution))
+    reactions = [v.reactions_at_rest for v in solution.views if v.reactions_at_rest]
+    return AtRest(solution.law.newton, reactions, reference_of_solution(solution))
 
 
 def _agrees(same: bool | None) -> Verdict:
     return Verdict.UNDECIDED if same is None else Verdict.EQUIVALENT if same else Verdict.WRONG
 
 
-def _all_agree(verdicts: Iterator[bool | None]) -> Verdict:
-    found = list(verdicts)
-    return _agrees(False if False in found else None if None in found else True)
-
-
 def _class(solution: Solution, word: str) -> bool | None:
-    """Whether the system is of a class; None where that is undecided."""
+    """Whether the system belongs to a class; None if that is undecided."""
     c = solution.classification
     positive = {"holonomic": c.holonomic, "scleronomic": c.scleronomic, "catastatic": c.catastatic}
     negative = {"nonholonomic": c.holonomic, "rheonomic": c.scleronomic, "acatastatic": c.catastatic}
@@ -187,35 +184,36 @@ def _class(solution: Solution, word: str) -> bool | None:
 
 @record
 class Examiner:
-    """Checks any number of answers to a problem that is solved once.
+    """Checks any number of answers to a problem, which is solved once.
 
-    solution  None where the file gives the equations outright
+    solution  None if the file gives the equations outright
     """
 
     problem: Problem
     solution: Solution | None
 
     @classmethod
-    def of(cls, problem: Problem) -> Examiner:
-        """Solves the problem, so that answers can be checked. Raises ProblemError where it cannot be solved."""
-        return cls(problem, None if problem.equations else solve(problem))
+    def of(cls, problem: Problem, on_stage: OnStage = silent) -> Examiner:
+        """Solves the problem, so that answers can be checked. Raises ProblemError if it cannot be solved."""
+        return cls(problem, None if problem.equations else solve(problem, on_stage=on_stage))
 
     @cached_property
     def reference(self) -> Reference:
-        """What equations of motion are compared with. Raises ProblemError where there is nothing of the kind."""
+        """The equations of motion that answers are compared with. Raises ProblemError if there are none."""
         return reference_of_equations(self.problem) if self.solution is None else _reference_of(self.solution)
 
-    def check(self, answer: tuple[Fragment, ...]) -> CheckedAnswer:
-        """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare with."""
+    def check(self, answer: tuple[Fragment, ...]) -> Judgement:
+        """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
         answer = separated(answer)
         solution = self.solution
-        at_rest = solution is not None and (solution.motion is None or not _moves(answer, solution))
-        if solution is not None and solution.equilibrium is not None and at_rest:
-            return _check_statics(answer, solution, solution.equilibrium)
-        return CheckedAnswer(check_equations(answer, self.reference))
+        at_rest = solution is not None and (solution.own.motion is None or not _moves(answer, solution))
+        if solution is not None and solution.own.equilibrium is not None and at_rest:
+            equations, statics, reactions = _check_statics(answer, solution)
+            return self._judgement(equations, statics=statics, reactions=reactions)
+        return self._judgement(check_equations(answer, self.reference))
 
-    def check_answers(self, answers: Answers, more: tuple[Fragment, ...] = ()) -> CheckedAnswer:
-        """The verdict on somebody's answers to all questions; `more` are equations beside them. Raises ProblemError."""
+    def check_answers(self, answers: Answers, more: tuple[Fragment, ...] = ()) -> Judgement:
+        """The verdict on answers to all questions; `more` are equations beside them. Raises ProblemError."""
         solution, equations = self.solution, (*answers.equations, *more)
         others = (
             tuple(_nothing_to_compare(answers))
@@ -223,71 +221,83 @@ class Examiner:
             else (*_before_equations(solution, answers), *_after_equations(solution, answers))
         )
         if not equations:
-            return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
+            return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
         return replace(self.check(equations), others=others)
 
-    def check_own(self) -> CheckedAnswer:
-        """The verdict on the answers that the problem file states. Raises ProblemError where it states none."""
+    def check_own(self) -> Judgement:
+        """The verdict on the answers that the problem file states. Raises ProblemError if it states none."""
         answers, solution = self.problem.answers or Answers(), self.solution
         if solution is None:
             return self.check(answers.equations)
         others = (*_before_equations(solution, answers), *map(_readable, _after_equations(solution, answers)))
         if not answers.equations and others:
-            return CheckedAnswer(AnswerVerdict(Verdict.EQUIVALENT, ()), others)
-        return CheckedAnswer(check_equations(answers.equations, self.reference), others)
+            return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), others)
+        return self._judgement(check_equations(answers.equations, self.reference), others)
 
-    def revealed(self, checked: CheckedAnswer) -> tuple[sp.Expr, ...]:
+    def revealed(self, judgement: Judgement) -> tuple[sp.Expr, ...]:
         """The derived equations, each zero, in the coordinates in which an answer was compared; none in statics."""
-        choice, solution = checked.equations.choice, self.solution
+        return self._derived(judgement.equations)
+
+    def _derived(self, equations: AnswerVerdict) -> tuple[sp.Expr, ...]:
+        choice, solution = equations.choice, self.solution
         if solution is None:
             return next(c.system.equations for c in self.reference.candidates if c.choice == choice)
-        motions = {"": solution.motion, **{c.name: c.motion for c in solution.choices}}
-        found = motions.get(choice) if checked.equations.equations else next(iter(motions.values()))
-        return found.expressions if found is not None else ()
+        motions = {v.name: v.motion for v in solution.views}
+        motion = motions.get(choice) if equations.equations else next(iter(motions.values()))
+        return motion.expressions if motion is not None else ()
+
+    def _judgement(
+        self,
+        equations: AnswerVerdict,
+        others: tuple[AnswerVerdict, ...] = (),
+        *,
+        statics: bool = False,
+        reactions: bool = False,
+    ) -> Judgement:
+        """The verdict on the whole."""
+        derived = self._derived(equations) if equations.equations else ()
+        return Judgement(equations, others, statics, reactions, problem=self.problem, derived=derived)
 
 
-def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> CheckedAnswer:
-    """The verdict on somebody's equations. Raises ProblemError where there are none, or none to compare them with."""
+def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> Judgement:
+    """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
     return Examiner.of(problem).check(answer)
 
 
-def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...] = ()) -> CheckedAnswer:
-    """The verdict on somebody's answers to all questions; `more` are equations beside them. Raises ProblemError."""
+def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...] = ()) -> Judgement:
+    """The verdict on answers to all questions; `more` are equations beside them. Raises ProblemError."""
     return Examiner.of(problem).check_answers(answers, more)
 
 
-def _nothing_to_compare(answers: Answers) -> Iterator[ComparedAnswer]:
-    """The answers that a reference system given outright says nothing about."""
+def _nothing_to_compare(answers: Answers) -> Iterator[AnswerVerdict]:
+    """The answers to questions that equations given outright do not settle: undecided."""
     why = "the problem gives its equations and no more: there is nothing to compare this with"
     for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions"):
         if getattr(answers, name) not in (None, (), {}):
-            yield ComparedAnswer(name, Verdict.UNDECIDED, why)
+            yield AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=why)
 
 
-def _check_statics(answer: Sequence[Fragment], solution: Solution, equilibrium: Equilibrium) -> CheckedAnswer:
-    """The verdict on equilibria, and on what is said of reactions there."""
-    from lagrange.answers.equilibrium_answers import alternatives_of, check_equilibria
+def _check_statics(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
+    """The verdict on equations without motion; whether they are about equilibria, and about reactions there."""
+    from lagrange.answers.equilibria import alternatives_of, check_equilibria
 
-    found = [equilibrium, *(c.equilibrium for c in solution.choices if c.equilibrium is not None)]
+    equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
     reference = reference_of_solution(solution)
     at_rest = _at_rest(solution)
     readings = [(f, read_answer(f, reference.scope)) for f in answer] if at_rest else []
-    about = [(f, r) for f, r in readings if at_rest and at_rest.is_about(r)]
+    about = [(f, r) for f, r in readings if at_rest and at_rest.mentions_reactions(r)]
     rest = [f for f in answer if all(f is not other for other, _ in about)]
     if not about or at_rest is None:
-        return CheckedAnswer(check_equilibria(alternatives_of(answer), found, reference), statics=True)
+        return check_equilibria(alternatives_of(answer), equilibria, reference), True, False
     stated = tuple(at_rest.check(r) for _, r in about)
     verdict = _all_stated(stated)
     notes = tuple(n for _, r in about for n in r.notes)
     if not rest:
-        return CheckedAnswer(AnswerVerdict(verdict, stated, notes=notes), reactions=True)
-    positions = check_equilibria(alternatives_of(rest), found, reference)
+        return AnswerVerdict(verdict, stated, notes=notes), False, True
+    positions = check_equilibria(alternatives_of(rest), equilibria, reference)
     both = next((v for v in FIRST if v in (positions.verdict, verdict) and v is not Verdict.TRIVIAL), positions.verdict)
-    return CheckedAnswer(
-        replace(positions, verdict=both, equations=(*positions.equations, *stated), notes=(*positions.notes, *notes)),
-        statics=True,
-        reactions=True,
-    )
+    equations, notes = (*positions.equations, *stated), (*positions.notes, *notes)
+    return replace(positions, verdict=both, equations=equations, notes=notes), True, True
 
 
 def _all_stated(stated: Sequence[EquationVerdict]) -> Verdict:
@@ -303,18 +313,18 @@ def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:
     return any(base(s) != s for r in readings for e in r.components for s in e.free_symbols)
 
 
-def check_own_answers(problem: Problem) -> CheckedAnswer:
-    """The verdict on the answers that the problem file states. Raises ProblemError where it states none."""
+def check_own_answers(problem: Problem) -> Judgement:
+    """The verdict on the answers that the problem file states. Raises ProblemError if it states none."""
     return Examiner.of(problem).check_own()
 
 
 def reference(problem: Problem) -> Reference:
-    """What answers to a problem are compared with: its solution, or the equations that it gives outright."""
+    """The reference for answers to a problem: its solution, or the equations that it gives outright."""
     return Examiner.of(problem).reference
 
 
 def _reference_of(solution: Solution) -> Reference:
-    if solution.motion is None:
+    if solution.own.motion is None:
         message = "the problem asks for no motion: there are no equations to compare with"
         help_ = "give the problem masses, and leave `find` out"
         raise ProblemError(Diagnostic("no-equations", message, help=help_))

@@ -1,9 +1,9 @@
 """Stated frequencies of small oscillations: are they right, and all of them?
 
-A list has the ω of one equilibrium: each a root of its characteristic equation, by exact substitution, so that this
-needs no closed form; as many different ones as there are, the frequency 0 left out or not. A root ω² that is negative
-whatever the parameters is no frequency, and is left out. Several lists are those of several equilibria. A list is tried
-at every equilibrium, in every set of coordinates, and the best verdict counts.
+A list has the frequencies ω of one equilibrium. Each must be a root of the characteristic equation, by exact
+substitution, so that no closed form is needed; all different ones must be there, with or without the frequency 0. A
+root ω² that is negative for all values of the parameters is no frequency. Several lists belong to several equilibria.
+A list is tried at every equilibrium, in every set of coordinates, and the best verdict counts.
 """
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
-from lagrange.algebra.exact.exact import DivisionByZeroError, is_zero
-from lagrange.answers.equations import Verdict
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.references import Reference
+from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import read_value
@@ -26,10 +26,10 @@ _BEST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRON
 
 
 def check_frequencies(
-    stated: Sequence[Sequence[Fragment]], found: Sequence[Linearization], reference: Reference
+    stated: Sequence[Sequence[Fragment]], linearizations: Sequence[Linearization], reference: Reference
 ) -> Verdict:
     """The verdict on all lists together."""
-    at = [s for f in found for s in f.at if s is not None and s.oscillates and s.characteristic is not None]
+    at = [s for f in linearizations for s in f.at if s is not None and s.oscillates and s.characteristic is not None]
     if not at:
         return Verdict.UNDECIDED
     try:
@@ -68,7 +68,7 @@ def _verdict(claims: Sequence[sp.Expr], s: SmallOscillations, values: dict[sp.Sy
 
 
 def _degrees(s: SmallOscillations) -> Iterator[int]:
-    """How many different frequencies each factor has, zero left out, and roots ω² that are known to be negative."""
+    """The number of different frequencies of each factor, without zero and roots ω² known to be negative."""
     factors = {f.factor: f for f in s.frequencies}
     growing = {(f.factor, f.square) for f in s.frequencies if f.square is not None and sign_of(f.square) == -1}
     for f in factors.values():

@@ -1,10 +1,9 @@
 """Is a stated reaction right?
 
-A textbook gives the reaction of a constraint as one expression: the multiplier, the tension or thrust of a rod, the
-normal force of a surface; or as an equation, T = .... It is right when the equation between it and one of these follows
-from the equations of motion with multipliers, in the file's coordinates or in those of a choice.
-
-Of a system at rest it is right when it holds at every equilibrium, exactly.
+A textbook gives the reaction of a constraint as one expression (the multiplier, the tension or thrust of a rod, the
+normal force of a surface), or as an equation, T = .... It is right if the equation between the two follows from the
+equations of motion with multipliers, in the file's coordinates or in those of a choice. For a system at rest it is
+right if it holds at every equilibrium, exactly.
 """
 
 from __future__ import annotations
@@ -14,15 +13,16 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, is_zero
-from lagrange.algebra.fourier.textbook import textbook_form
-from lagrange.answers.answer_readings import Reading
-from lagrange.answers.equations import EquationVerdict, Verdict
-from lagrange.answers.references import AS_MULTIPLIER, AS_THRUST, Candidate, Reference
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.answers.readings import Reading
+from lagrange.answers.references import AS_MULTIPLIER, AS_THRUST, Reference, ReferenceCandidate
+from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
-from lagrange.expressions.reader import MAX_ANSWER_CHARACTERS, read_equation, read_value
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.reader import read_equation, read_value
 from lagrange.mechanics.dynamics.comparison import Standing, compare
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 
@@ -31,10 +31,10 @@ if TYPE_CHECKING:
 
 
 def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference) -> EquationVerdict | None:
-    """The verdict on what is stated of one reaction; None where no set of coordinates has all that it uses.
+    """The verdict on the stated value of one reaction; None if no set of coordinates has all that it uses.
 
-    Where it is right with another meaning of the reaction than the derivation's, the remark says which was taken.
-    Raises ProblemError where it cannot be read.
+    If it is right with another meaning of the reaction than in the derivation, a remark names that meaning. Raises
+    ProblemError if it cannot be read.
     """
     return _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
 
@@ -45,7 +45,7 @@ def _stated(
     reference: Reference,
     judged: Callable[[str, Claim], Iterator[EquationVerdict]],
 ) -> EquationVerdict | None:
-    """The best verdict on all that may be meant; None where nothing is said of any of it."""
+    """The best verdict over all that may be meant; None if none of it is judged."""
     text = f"{reaction.name}: {fragment.text}"
     claims = _claims(fragment, reaction, reference)
     if not claims:
@@ -56,10 +56,10 @@ def _stated(
 _STATED = (Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG)
 
 
-def _best(found: Iterable[EquationVerdict], order: Sequence[Verdict]) -> EquationVerdict | None:
-    """The first with the first verdict of an order, otherwise any; None where there are none. No more are asked for."""
+def _best(verdicts: Iterable[EquationVerdict], order: Sequence[Verdict]) -> EquationVerdict | None:
+    """The best verdict in an order; None if there are none. After a best possible one no more are evaluated."""
     best: EquationVerdict | None = None
-    for judged in found:
+    for judged in verdicts:
         if judged.verdict is order[0]:
             return judged
         if best is None or _rank(judged.verdict, order) < _rank(best.verdict, order):
@@ -72,21 +72,21 @@ def _rank(verdict: Verdict, order: Sequence[Verdict]) -> int:
 
 
 def _judged(text: str, claim: Claim, reference: Reference) -> Iterator[EquationVerdict]:
-    """The verdicts on what may be meant, in all sets of coordinates that have what it uses."""
-    zero, said = claim
+    """The verdicts on a claim in all sets of coordinates that have what it uses."""
+    zero, remarks = claim
     for c in reference.candidates:
         verdict = _verdict(zero, c, reference)
         if verdict is not None:
             right = verdict is Verdict.EQUIVALENT
-            yield EquationVerdict(text, verdict, remarks=(*said, *c.said_of([zero])) if right else ())
+            yield EquationVerdict(text, verdict, remarks=(*remarks, *c.remarks_on([zero])) if right else ())
 
 
 Claim = tuple[sp.Expr, tuple[str, ...]]
-"""What may be meant, being zero; and what is to be said where it is right."""
+"""What may be meant, as an expression that is zero; and the remarks if it is right."""
 
 
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[Claim]:
-    """What may be meant, what the derivation means first. Raises ProblemError where it cannot be read."""
+    """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
     if "=" in fragment.text:
         equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS, latex=True)
         lhs, rhs = equation.lhs, equation.rhs
@@ -94,11 +94,11 @@ def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> lis
     value = read_value(fragment, reference.scope, [], latex=True)
     if isinstance(value, Vector):
         return []
-    return [(force - value, (said,) if said else ()) for force, said in _meanings(reaction)]
+    return [(force - value, (remark,) if remark else ()) for force, remark in _meanings(reaction)]
 
 
 def _meanings(reaction: Reaction) -> Iterator[tuple[sp.Expr, str]]:
-    """What the one number of a reaction may be, and what is to be said of that."""
+    """The forces that one number for a reaction may be, each with a remark."""
     multiplier = reaction.multiplier
     if reaction.rod is not None:
         tension = reaction.rod.factor * multiplier
@@ -114,8 +114,8 @@ def _meanings(reaction: Reaction) -> Iterator[tuple[sp.Expr, str]]:
         yield -size * multiplier, "it is taken as the normal force against the gradient of the constraint"
 
 
-def _verdict(claim: sp.Expr, candidate: Candidate, reference: Reference) -> Verdict | None:
-    """The verdict in one set of coordinates; None where the claim uses others."""
+def _verdict(claim: sp.Expr, candidate: ReferenceCandidate, reference: Reference) -> Verdict | None:
+    """The verdict in one set of coordinates; None if the claim uses others."""
     used = {base(s).name for s in claim.free_symbols}
     if not used & reference.moving <= candidate.known:
         return None
@@ -133,51 +133,51 @@ def _verdict(claim: sp.Expr, candidate: Candidate, reference: Reference) -> Verd
 
 
 class AtRest:
-    """What stated reactions of a system at rest are compared with.
+    """The reactions of a system at rest, with which stated ones are compared.
 
-    found  the reactions in the file's coordinates and in each choice
+    reactions  those in the file's coordinates and in each choice
     """
 
-    def __init__(self, newton: Newton, found: Sequence[StaticReactions], reference: Reference) -> None:
+    def __init__(self, newton: Newton, reactions: Sequence[StaticReactions], reference: Reference) -> None:
         self.newton = newton
-        self.found = found
+        self.reactions = reactions
         self.reference = reference
         self.names = {*newton.multipliers_by_name.values(), *newton.tensions}
 
     def check_stated(self, fragment: Fragment, reaction: Reaction) -> EquationVerdict | None:
-        """The verdict on what the file states of one reaction, as `check_reaction` gives it of a moving system."""
+        """The verdict on the stated value of one reaction, as `check_reaction` gives it for a moving system."""
         return _stated(fragment, reaction, self.reference, lambda text, claim: self._judged(text, claim[:1], claim[1]))
 
-    def is_about(self, reading: Reading) -> bool:
-        """Whether an equation of an answer says something of reactions."""
+    def mentions_reactions(self, reading: Reading) -> bool:
+        """Whether reactions occur in an equation of an answer."""
         return reading.error is None and any(e.free_symbols & self.names for e in reading.components)
 
     def check(self, reading: Reading) -> EquationVerdict:
-        """The verdict on an equation of an answer, which is about reactions."""
+        """The verdict on an equation of an answer that is about reactions."""
         order = (Verdict.TRIVIAL, *_STATED)
-        found = _best(self._judged(reading.text, reading.components), order)
-        verdict = found.verdict if found is not None else Verdict.UNREADABLE
+        best = _best(self._judged(reading.text, reading.components), order)
+        verdict = best.verdict if best is not None else Verdict.UNREADABLE
         diagnosis = {
             Verdict.WRONG: "it does not hold at every equilibrium",
-            Verdict.UNDECIDED: "it could not be decided whether it is right",
-            Verdict.UNREADABLE: "it divides by what is exactly zero, or mixes coordinates of several choices",
+            Verdict.UNDECIDED: UNDECIDED,
+            Verdict.UNREADABLE: f"{DIVIDES_BY_ZERO}, or mixes coordinates of several choices",
             Verdict.TRIVIAL: "it is an identity",
         }
-        return EquationVerdict(reading.text, verdict, diagnosis.get(verdict, ""), found.remarks if found else ())
+        return EquationVerdict(reading.text, verdict, diagnosis.get(verdict, ""), best.remarks if best else ())
 
-    def _judged(self, text: str, claims: Sequence[sp.Expr], said: tuple[str, ...] = ()) -> Iterator[EquationVerdict]:
-        """The verdicts on claims that are all meant, over the meanings of names and the sets of coordinates."""
+    def _judged(self, text: str, claims: Sequence[sp.Expr], remarks: tuple[str, ...] = ()) -> Iterator[EquationVerdict]:
+        """The verdicts on claims that are all meant, for each meaning of the names in each set of coordinates."""
         used = set().union(*(e.free_symbols for e in claims))
-        for meaning, words in self._meanings():
-            of_names = tuple(said_of for s, said_of in words.items() if s in used)
-            for found in self.found:
-                verdict = self._holds(claims, meaning, found)
+        for meaning, remarks_on_names in self._meanings():
+            of_names = tuple(remark for s, remark in remarks_on_names.items() if s in used)
+            for reactions in self.reactions:
+                verdict = self._holds(claims, meaning, reactions)
                 if verdict is not None:
                     right = verdict is Verdict.EQUIVALENT
-                    yield EquationVerdict(text, verdict, remarks=(*said, *of_names) if right else ())
+                    yield EquationVerdict(text, verdict, remarks=(*remarks, *of_names) if right else ())
 
     def _meanings(self) -> Iterator[tuple[Mapping[sp.Symbol, sp.Expr], Mapping[sp.Symbol, str]]]:
-        """What names of forces stand for; that of a rod its tension, thrust or multiplier, with what is said of it."""
+        """The meanings of the names of forces, with remarks; that of a rod is its tension, thrust or multiplier."""
         tensions = self.newton.tensions
         yield tensions, {}
         named = {r.tension: r.multiplier for r in self.newton.reactions if r.named and r.tension is not None}
@@ -186,25 +186,25 @@ class AtRest:
             yield {**tensions, **named}, {s: AS_MULTIPLIER.format(s) for s in named}
 
     def _holds(
-        self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], found: StaticReactions
+        self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], reactions: StaticReactions
     ) -> Verdict | None:
-        """Whether claims hold at every equilibrium of one configuration; None where they use other coordinates."""
-        configuration = found.configuration
+        """Whether claims hold at every equilibrium of one configuration; None if they use other coordinates."""
+        configuration = reactions.configuration
         used = {base(s).name for e in claims for s in e.free_symbols}
         known = {s.name for s in (*configuration.slots.coordinates, *configuration.expressed)}
-        if not used & {q.name for q in self.reference.scope.slots.coordinates} <= known or not found.at:
+        if not used & {q.name for q in self.reference.scope.slots.coordinates} <= known or not reactions.at:
             return None
         meant = [configuration.rewritten(e.xreplace(dict(meaning))) for e in claims]
         verdicts: list[bool | None] = []
         try:
             if all(is_zero(e) for e in meant):
                 return Verdict.TRIVIAL
-            for there in found.at:
-                if there is None or there.verified is not True:
+            for r in reactions.at:
+                if r is None or r.verified is not True:
                     verdicts.append(None)
                     continue
                 values = dict(self.reference.values)
-                verdicts += [there.points.holds(e.xreplace(there.rule), values) for e in meant]
+                verdicts += [r.points.holds(e.xreplace(r.rule), values) for e in meant]
         except DivisionByZeroError:
             return None
         return Verdict.WRONG if False in verdicts else Verdict.UNDECIDED if None in verdicts else Verdict.EQUIVALENT

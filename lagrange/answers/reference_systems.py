@@ -1,12 +1,13 @@
 """A reference system that a file gives outright under `equations`, to check answers against.
 
-It is believed, but for what would make every answer right or none: each equation must be linear in the accelerations
-and unknown forces and have one of them, and at a random state that satisfies the constraints there must be a solution,
+It is trusted, except for faults that would make every answer right, or none: each equation must be linear in the
+accelerations and unknown forces and contain one of them, and there must be a solution at a random state that satisfies
+the constraints,
 
     rank [A | b] = rank A .
 
-Multipliers, reactions and unknown forces that occur in it are unknowns beside the accelerations; others that only an
-answer has are eliminated from that. In each choice of coordinates of the file it is the same system, rewritten.
+Multipliers, reactions and unknown forces that occur in it are unknowns in addition to the accelerations; unknowns that
+only an answer has are eliminated from the answer. In each choice of coordinates the same system is rewritten.
 """
 
 from __future__ import annotations
@@ -16,12 +17,13 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, NoPointError, Point, UnsupportedError
-from lagrange.answers.answer_readings import read_answer
-from lagrange.answers.references import Candidate, Reference, occurring, units_of, values_of
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, UnsupportedError
+from lagrange.answers.readings import read_answer
+from lagrange.answers.references import Reference, ReferenceCandidate, occurring, units_of, values_of
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.mechanics.constraints.classification import classify
+from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
 from lagrange.mechanics.dynamics.comparison import System, agreed_in_motion
@@ -31,10 +33,10 @@ from lagrange.problem.model import Problem
 def reference_of_equations(problem: Problem) -> Reference:
     """The reference system of a file.
 
-    Raises ProblemError where an equation cannot be read or is none of motion, or the equations contradict one another.
+    Raises ProblemError if an equation cannot be read or is no equation of motion, or if they contradict one another.
     """
-    rows = classify(problem).rows if problem.constraints else ()
-    configuration = file_configuration(problem, rows)
+    constrained = classify(problem).constrained if problem.constraints else ConstrainedSystem(problem.slots, ())
+    configuration = file_configuration(problem, constrained)
     chosen = [generalized_coordinates(c, configuration) for c in problem.choices]
     signs = {s.name: s for c in chosen for s in c.signs}
     new = (q for c in chosen for q in c.configuration.slots.coordinates)
@@ -54,7 +56,7 @@ def reference_of_equations(problem: Problem) -> Reference:
     system = System(configuration, tuple(expressions), unknowns)
     values = values_of(problem)
     candidates = (
-        Candidate("", configuration, forces, lambda: system, values=values),
+        ReferenceCandidate("", configuration, forces, lambda: system, values=values),
         *(_rewritten(system, c, forces, values) for c in chosen),
     )
     _check(candidates[0].system, problem)
@@ -66,18 +68,18 @@ def _rewritten(
     chosen: GeneralizedCoordinates,
     forces: tuple[sp.Symbol, ...],
     values: dict[sp.Symbol, sp.Rational],
-) -> Candidate:
+) -> ReferenceCandidate:
     """The system in a choice of coordinates."""
     configuration: Configuration = chosen.configuration
 
     def build() -> System:
         return System(configuration, tuple(map(configuration.rewritten, system.equations)), system.multipliers)
 
-    return Candidate(chosen.choice.name, configuration, forces, build, values=values)
+    return ReferenceCandidate(chosen.choice.name, configuration, forces, build, values=values)
 
 
 def _foreign(components: Sequence[sp.Expr], fragment: Fragment, problem: Problem) -> Iterator[Diagnostic]:
-    """That an equation has coordinates of a choice."""
+    """The error that an equation contains coordinates of a choice."""
     own = {*problem.slots.coordinates, *problem.slots.prescribed}
     others = {q for c in problem.choices for q in c.coordinates} - own
     used = sorted({base(s) for e in components for s in e.free_symbols} & others, key=str)
@@ -88,11 +90,11 @@ def _foreign(components: Sequence[sp.Expr], fragment: Fragment, problem: Problem
 
 
 def _check(system: System, problem: Problem) -> None:
-    """Refuses what would make every answer right, or none."""
+    """Raises ProblemError at a fault that would make every answer right, or none."""
     unknowns = (*system.multipliers, *system.configuration.slots.accelerations)
     places = [f for f in problem.equations for _ in read_answer(f, problem.scope).components] or problem.equations
     try:
-        found = agreed_in_motion(
+        fault = agreed_in_motion(
             system.configuration,
             lambda moving: _fault(moving, system, unknowns),
             (*system.equations, *system.accelerated_constraints),
@@ -101,14 +103,14 @@ def _check(system: System, problem: Problem) -> None:
         message = f"the reference system divides by `{error.denominator}`, which is exactly zero"
         raise ProblemError(Diagnostic("division-by-zero", message, places[0].whole)) from None
     except (NoPointError, UnsupportedError):
-        found = None
-    if found is None or found == _NONE:
+        fault = None
+    if fault is None or fault == _NONE:
         return
-    if found == _CONTRADICTION:
+    if fault == _CONTRADICTION:
         message = "the equations of the reference system contradict one another, or the constraints"
         help_ = "give as many as there are accelerations and unknown forces, each true of the motion"
         raise ProblemError(Diagnostic("reference-contradictory", message, places[0].whole, help=help_))
-    place = places[min(found, len(places) - 1)].whole
+    place = places[min(fault, len(places) - 1)].whole
     message = "an equation of a reference system is linear in accelerations and unknown forces, and has one of them"
     help_ = "differentiate a first integral; put what holds between coordinates and velocities under `constraints`"
     raise ProblemError(Diagnostic("reference-not-linear", message, place, help=help_))
@@ -118,7 +120,7 @@ _NONE, _CONTRADICTION = -1, -2
 
 
 def _fault(moving: Point, system: System, unknowns: Sequence[sp.Symbol]) -> int:
-    """The number of an equation that is none of motion, or what is said of all of them."""
+    """The number of the first equation that is no equation of motion; otherwise `_CONTRADICTION` or `_NONE`."""
     constraints = system.accelerated_constraints
     rows = []
     for n, e in enumerate(system.equations):

@@ -1,9 +1,10 @@
-"""What answers are compared with: the derived system in every set of coordinates, and the names that answers may use.
+"""References for answers: the derived system in every set of coordinates, and the names that answers may use.
 
 A solved problem gives one system for the file's own coordinates and one for each choice, with the multipliers of the
-constraints that remain there as unknowns. An answer in the coordinates of a choice may use the multipliers of
-constraints that the choice has made disappear (the tension of a pendulum's rod, with the angle): it is compared with
-the file's own equations, rewritten in the choice.
+constraints that remain there as unknowns. An answer in the coordinates of a choice may also use the multipliers of
+constraints that these coordinates satisfy identically (the tension of a pendulum's rod, with the angle): it is compared
+with the file's own equations, rewritten in the choice. Names of forces in an answer are replaced by their meanings,
+T = −2 l λ; if several meanings are usual, each is tried.
 """
 
 from __future__ import annotations
@@ -14,38 +15,36 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.answers.answer_readings import Reading
 from lagrange.answers.dimensions import Mismatch, mismatch
-from lagrange.answers.edits import terms_of
-from lagrange.answers.radii import radii, where_positive
+from lagrange.answers.readings import Reading, radii, with_positive_radii
+from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
 from lagrange.core.symbols import prime, variation
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import multiplier_system
 from lagrange.mechanics.dynamics.comparison import System
-from lagrange.mechanics.dynamics.equations import EquationsOfMotion
-from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
-from lagrange.mechanics.dynamics.verification import multiplier_system
-from lagrange.mechanics.energy_symbols import letters
+from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.problem.model import Problem
 
 
 @record
-class Candidate:
-    """One system that an answer may be compared with; it is made when it is first wanted.
+class ReferenceCandidate:
+    """One system that an answer may be compared with; it is built on first use.
 
     choice       the choice of coordinates; empty for the file's own
-    multipliers  the unknowns beside the accelerations
-    meanings     names of forces that stand for multiples of multipliers: T = −2 l λ
-    named        what meanings know that is no multiple of a multiplier
-    only_for     names one of which an answer must use, for this reading of it to be another one
+    multipliers  the unknowns in addition to the accelerations
+    meanings     the meanings of names of forces in terms of multipliers: T = −2 l λ
+    named        names whose meanings are not multiples of multipliers
+    only_for     names one of which an answer must use; otherwise this candidate differs in nothing from another
     values       the numbers that the file gives to parameters
     certain      magnitudes and signs that the file settles: |N| is N
     positive     radii that are taken as positive
-    remarks      of names of forces that do not mean here what they mean in the derivation: what they are taken for
+    remarks      the meanings of names of forces that differ from those in the derivation, in words
     """
 
     choice: str
@@ -67,7 +66,7 @@ class Candidate:
 
     @property
     def known(self) -> set[str]:
-        """The names of coordinates and unknowns that its equations, or answers rewritten for it, may have."""
+        """The names of coordinates and unknowns that may occur in answers compared with it."""
         slots = self.configuration.slots
         own = (*slots.coordinates, *self.configuration.expressed, *self.multipliers)
         unknown = set(self.multipliers)
@@ -75,77 +74,77 @@ class Candidate:
         return {s.name for s in (*own, *meant)} | self.named
 
     def read(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of an answer, in the coordinates and the unknowns of the system, with the file's numbers."""
-        return self.in_letters(expression).xreplace(dict(self.values))
+        """An expression of an answer in the coordinates and unknowns of the system, with the file's numbers."""
+        return self.in_symbols(expression).xreplace(dict(self.values))
 
-    def in_letters(self, expression: sp.Expr) -> sp.Expr:
-        """The same, with parameters as letters where the file gives numbers."""
+    def in_symbols(self, expression: sp.Expr) -> sp.Expr:
+        """The same, with symbols for parameters to which the file gives numbers."""
         meant = expression.xreplace(dict(self.certain)).xreplace(dict(self.meanings))
-        there = self.configuration.rewritten(meant)
-        return where_positive(there, self.positive) if self.positive else there
+        rewritten = self.configuration.rewritten(meant)
+        return with_positive_radii(rewritten, self.positive) if self.positive else rewritten
 
     @cached_property
-    def where_positive(self) -> Candidate | None:
-        """The same at the states at which the radii are positive; None where their signs do not matter."""
+    def with_positive_radii(self) -> ReferenceCandidate | None:
+        """The same for positive radii; None if their signs do not matter."""
         positive = () if self.positive else radii(self.system)
         if not positive:
             return None
-        equations = tuple(where_positive(e, positive) for e in self.system.equations)
+        equations = tuple(with_positive_radii(e, positive) for e in self.system.equations)
         return replace(self, build=lambda: replace(self.system, equations=equations), positive=positive)
 
-    def said_of(self, expressions: Iterable[sp.Expr]) -> tuple[str, ...]:
-        """What is to be said of the names in the expressions of an answer that is right with these meanings."""
+    def remarks_on(self, expressions: Iterable[sp.Expr]) -> tuple[str, ...]:
+        """The remarks on the names in the expressions of an answer that is right with these meanings."""
         used = {s.name for e in expressions for s in e.free_symbols}
-        return tuple(said for name, said in self.remarks.items() if name in used)
+        return tuple(remark for name, remark in self.remarks.items() if name in used)
 
 
-AS_THRUST = "`{}` is taken as a force that pushes; in the derivation it is a tension, positive where it pulls"
+AS_THRUST = "`{}` is taken as a force that pushes; in the derivation it is a tension, positive if it pulls"
 AS_MULTIPLIER = "`{}` is taken as the multiplier of the constraint; in the derivation it is the tension"
 
 
 @record
 class Reference:
-    """What answers to a problem are compared with.
+    """The systems with which answers to a problem are compared.
 
     scope       the names that an answer may use
     candidates  the systems, those of the file's own coordinates first
     values      the numbers that the file gives to parameters
     unknowns    declared unknown forces
-    units       of parameters and coordinates, where the file gives them
+    units       units of parameters and coordinates, as far as the file gives them
     """
 
     scope: Scope
-    candidates: tuple[Candidate, ...]
+    candidates: tuple[ReferenceCandidate, ...]
     values: Mapping[sp.Symbol, sp.Rational]
     unknowns: tuple[sp.Symbol, ...] = ()
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
 
     def mismatch(self, reading: Reading) -> Mismatch | None:
-        """Terms of an equation that are not of one dimension; None where they are, or that is not known."""
+        """Terms of an equation whose dimensions differ; None if they agree, or if that is not known."""
         if not self.units or not self._units_agree or len(reading.components) != 1:
             return None
         return mismatch(terms_of(reading.components[0]) or (), self.units)
 
     @cached_property
     def _units_agree(self) -> bool:
-        """Whether the derived equations themselves are of one dimension: otherwise the units of the file are wrong."""
+        """Whether the derived equations are dimensionally consistent; otherwise the units of the file are wrong."""
         systems = (c.system for c in self.candidates)
         return all(mismatch(terms_of(e) or (), self.units) is None for s in systems for e in s.equations)
 
     @cached_property
     def moving(self) -> set[str]:
-        """The names of all coordinates and multipliers, which not every candidate knows."""
+        """The names of all coordinates and multipliers, of which each candidate knows some."""
         return {q.name for q in self.scope.slots.coordinates}.union(*(c.known for c in self.candidates))
 
 
 def reference_of_solution(solution: Solution) -> Reference:
-    """The reference that a solved problem is."""
+    """The reference that a solved problem gives."""
     problem = solution.problem
-    signs = {s.name: s for c in solution.choices for s in c.coordinates.signs}
+    signs = {s.name: s for c in solution.choices for s in c.signs}
     scope = problem.scope
     angles = [a for a in _angles_on_surfaces(solution) if a.name not in scope.names()]
     energies = _energies(solution)
-    general = [letters(solution).coordinate] if energies else []
+    general = [energy_symbols(solution).coordinate] if energies else []
     small = [x for x in small_displacements(solution) if x.name not in scope.names()]
     of_oscillations = {s.name: s for s in letters_of_oscillations(solution)}
     new = [*(q for c in problem.choices for q in c.coordinates), *angles, *general, *small]
@@ -173,12 +172,12 @@ def reference_of_solution(solution: Solution) -> Reference:
     return Reference(wider, candidates, values, problem.unknowns, units_of(problem))
 
 
-def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
-    """The candidates, with the names of forces explained.
+def _with_meanings(candidates: list[ReferenceCandidate], solution: Solution) -> Iterator[ReferenceCandidate]:
+    """The candidates, once for each usual meaning of the names of forces.
 
-    The name that a file gives to the reaction of a rod is its tension; but who follows R = λ ∂f/∂r may mean the
-    multiplier by it, and who thinks of a strut or of a sphere the thrust: that is right too, with a remark. Beside |λ|,
-    which is not linear, a multiplier is what it was found to be.
+    The name that a file gives to the reaction of a rod is its tension; but with R = λ ∂f/∂r in mind it may mean the
+    multiplier, and with a strut or a sphere in mind the thrust. These are right too, with a remark. If friction brings
+    in |λ|, which is not linear, λ is replaced by its derived value.
     """
     newton = solution.law.newton if solution.law else None
     tensions = newton.tensions if newton else {}
@@ -188,20 +187,20 @@ def _with_meanings(candidates: list[Candidate], solution: Solution) -> Iterator[
     as_multiplier: dict[sp.Symbol, sp.Expr] = {s: r.multiplier for s, r in named.items()}
     for meaning, words in ((as_thrust, AS_THRUST), (as_multiplier, AS_MULTIPLIER)):
         meanings, only = {**tensions, **meaning}, frozenset(s.name for s in named)
-        said = {s.name: words.format(s.name) for s in named}
-        yield from (replace(c, meanings=meanings, only_for=only, remarks=said) for c in candidates if only)
-    yield from _with_values_of_rubbed(candidates, solution)
+        remarks = {s.name: words.format(s.name) for s in named}
+        yield from (replace(c, meanings=meanings, only_for=only, remarks=remarks) for c in candidates if only)
+    yield from _with_values_of_reactions(candidates, solution)
 
 
-def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> Iterator[Candidate]:
-    """The candidates for answers with |λ| of a reaction that friction needs."""
-    dynamics = {"": solution.dynamics, **{c.name: c.dynamics for c in solution.choices}}
+def _with_values_of_reactions(candidates: list[ReferenceCandidate], solution: Solution) -> Iterator[ReferenceCandidate]:
+    """The candidates for answers with |λ| of a reaction with friction."""
+    dynamics = {v.name: v.dynamics for v in solution.views}
     for c in candidates:
-        there = dynamics[c.choice]
-        if there is None or there.reactions is None or not there.rubbed:
+        motion = dynamics[c.choice]
+        if motion is None or motion.reactions is None or not motion.friction_forces:
             continue
-        values = there.reactions.values
-        known = {r.reaction.multiplier: values.get(r.reaction.multiplier) for r in there.rubbed}
+        values = motion.reactions.values
+        known = {r.reaction.multiplier: values.get(r.reaction.multiplier) for r in motion.friction_forces}
         meant = {s: v for s, v in known.items() if v is not None}
         kept = tuple(m for m in c.multipliers if m not in meant)
         only = frozenset(s.name for s in meant)
@@ -209,34 +208,34 @@ def _with_values_of_rubbed(candidates: list[Candidate], solution: Solution) -> I
 
 
 def _settled(solution: Solution) -> dict[sp.Expr, sp.Expr]:
-    """The magnitudes and signs that the file settles for friction: |N| = N where the contact is said to be positive.
+    """The magnitudes and signs that the file settles for friction: |N| = N if the contact is declared positive.
 
-    |N| may also be written with the value of N: |m g cos α| is m g cos α then.
+    |N| may also be written with the value of N: then |m g cos α| is m g cos α.
     """
-    found: dict[sp.Expr, sp.Expr] = {}
-    for there in (solution.dynamics, *(c.dynamics for c in solution.choices)):
-        for r in there.rubbed if there is not None else ():
+    settled: dict[sp.Expr, sp.Expr] = {}
+    for motion in (v.dynamics for v in solution.views):
+        for r in motion.friction_forces if motion is not None else ():
             if r.friction.contact is not None:
                 multiplier = r.reaction.multiplier
-                found |= {sp.Abs(multiplier): r.contact * multiplier, sp.sign(multiplier): r.contact}
-                value = there.reactions.values.get(multiplier) if there and there.reactions else None
+                settled |= {sp.Abs(multiplier): r.contact * multiplier, sp.sign(multiplier): r.contact}
+                value = motion.reactions.values.get(multiplier) if motion and motion.reactions else None
                 inside = sp.Abs(value).atoms(sp.Abs) if value is not None else set()
-                found |= {a: r.contact * value * a / sp.Abs(value) for a in inside if len(inside) == 1}
+                settled |= {a: r.contact * value * a / sp.Abs(value) for a in inside if len(inside) == 1}
             if r.friction.slip is not None and r.speed is not None:
-                found |= {sp.Abs(r.speed): r.sense * r.speed, sp.sign(r.speed): r.sense}
-    return found
+                settled |= {sp.Abs(r.speed): r.sense * r.speed, sp.sign(r.speed): r.sense}
+    return settled
 
 
 def _angles_on_surfaces(solution: Solution) -> Iterator[sp.Symbol]:
-    """The angles with which a derivation writes forms on circles, spheres, ...: intermediate lines have them."""
+    """The angles with which a derivation writes forms on circles, spheres, ...; they occur in intermediate lines."""
     for c in solution.classification.constraints:
         if c.finite_form is not None and c.finite_form.restriction is not None:
             yield from (a.symbol for a in c.finite_form.restriction.angles)
 
 
 def _potential(solution: Solution) -> dict[str, sp.Expr]:
-    """V, as a derivation writes the given potential energy."""
-    potential = solution.configuration.potential
+    """V, the symbol of the given potential energy in a derivation."""
+    potential = solution.own.configuration.potential
     return {"V": potential} if potential != 0 and "V" not in solution.problem.scope.names() else {}
 
 
@@ -252,22 +251,22 @@ def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
 
 
 def _energies(solution: Solution) -> dict[str, sp.Expr]:
-    """T, V, L, v_P, p_k, Q_k, N_k of a derivation by Lagrange's equations; those of the file's coordinates prevail."""
-    found: dict[str, sp.Expr] = {}
-    named = letters(solution)
-    for dynamics in (*(c.dynamics for c in reversed(solution.choices)), solution.dynamics):
+    """T, V, L, v_P, p_k, Q_k, N_k in a derivation by Lagrange's equations; those of the file's coordinates prevail."""
+    energies: dict[str, sp.Expr] = {}
+    named = energy_symbols(solution)
+    for dynamics in (v.dynamics for v in reversed(solution.views)):
         if dynamics is not None and isinstance(dynamics.written, LagrangeMotion):
-            found |= {s.name: e for s, e in named.meanings(dynamics.written.principle).items()}
-    return found
+            energies |= {s.name: e for s, e in named.meanings(dynamics.written.principle).items()}
+    return energies
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:
-    """F_P of each particle P on which forces act, as a derivation writes it; F and r of a force that acts elsewhere.
+    """F_P of each particle P on which forces act, and F and r of a force that acts elsewhere, as in a derivation.
 
     Names of the file keep their meaning.
     """
     forces: dict[str, Vector] = {}
-    for load in solution.configuration.loads:
+    for load in solution.own.configuration.loads:
         name = f"F_{load.name if load.elsewhere else load.on}"
         if load.elsewhere and f"r_{load.name}" not in solution.problem.scope.names():
             forces[f"r_{load.name}"] = load.point
@@ -278,20 +277,20 @@ def _applied_forces(solution: Solution) -> dict[str, Vector]:
 
 def _of_bodies(solution: Solution) -> dict[str, Vector]:
     """H_B, M_B and delta(pi_B) of each body B. Names of the file keep their meaning."""
-    configuration = solution.configuration
+    configuration = solution.own.configuration
     variations = [variation(q) for q in configuration.slots.coordinates]
-    found: dict[str, Vector] = {}
+    vectors: dict[str, Vector] = {}
     for r in configuration.rotations:
-        found |= {f"H_{r.name}": r.momentum, f"M_{r.name}": configuration.moment_on(r.name)}
-        found[f"delta(pi_{r.name})"] = r.virtual(variations)
-        found |= {f"r_{f.name}": f.point for f in configuration.loads_beside(r.name)}
+        vectors |= {f"H_{r.name}": r.momentum, f"M_{r.name}": configuration.moment_on(r.name)}
+        vectors[f"delta(pi_{r.name})"] = r.virtual(variations)
+        vectors |= {f"r_{f.name}": f.point for f in configuration.loads_beside(r.name)}
     declared = solution.problem.scope.names()
-    return {name: vector for name, vector in found.items() if name not in declared}
+    return {name: vector for name, vector in vectors.items() if name not in declared}
 
 
 def _lengths(solution: Solution) -> dict[str, sp.Expr]:
     """d_s of each spring or damper s. Names of the file keep their meaning."""
-    configuration = solution.configuration
+    configuration = solution.own.configuration
     declared = solution.problem.scope.names()
     lengths = {link.length_symbol.name: link.distance for link in configuration.links}
     return {name: length for name, length in lengths.items() if name not in declared}
@@ -302,20 +301,20 @@ def _reactions(solution: Solution) -> dict[str, sp.Expr]:
     if solution.law is None:
         return {}
     newton = solution.law.newton
-    signs = solution.dynamics.signs if solution.dynamics is not None else ()
+    signs = solution.own.dynamics.signs if solution.own.dynamics is not None else ()
     named = (*newton.multipliers_by_name.values(), *newton.tensions, *signs)
     return {s.name: s for s in named}
 
 
 def _reaction_forces(solution: Solution) -> dict[str, Vector]:
-    """R_P and Gamma_B of each particle P and body B on which reactions act, as a derivation writes them."""
+    """R_P and Gamma_B of each particle P and body B on which reactions act, as in a derivation."""
     forces: dict[str, Vector] = {}
     for r in solution.law.newton.reactions if solution.law else ():
         for name in r.acts_on:
             for kind, vector in (("R", r.per_unit(name)), ("Gamma", r.moment_per_unit(name))):
                 if vector is not None:
-                    known = forces.get(f"{kind}_{name}", Vector.zero())
-                    forces[f"{kind}_{name}"] = known + vector * r.force
+                    sum_so_far = forces.get(f"{kind}_{name}", Vector.zero())
+                    forces[f"{kind}_{name}"] = sum_so_far + vector * r.force
     taken = solution.problem.scope.names()
     return {name: force for name, force in forces.items() if name not in taken}
 
@@ -335,13 +334,15 @@ def _with_values(system: System, values: Mapping[sp.Symbol, sp.Rational]) -> Sys
         for row in configuration.rows
     )
     equations = tuple(e.xreplace(values) for e in system.equations)
-    return System(replace(configuration, rows=rows), equations, system.multipliers)
+    return System(
+        replace(configuration, constrained=configuration.constrained.with_rows(rows)), equations, system.multipliers
+    )
 
 
 def units_of(problem: Problem) -> dict[sp.Symbol, str]:
     """The units that a file gives to parameters and coordinates."""
-    found = {p.symbol: p.unit for p in problem.parameters if p.unit}
-    return found | {q.symbol: q.unit for q in problem.coordinates if q.unit}
+    units = {p.symbol: p.unit for p in problem.parameters if p.unit}
+    return units | {q.symbol: q.unit for q in problem.coordinates if q.unit}
 
 
 def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
@@ -349,12 +350,12 @@ def values_of(problem: Problem) -> dict[sp.Symbol, sp.Rational]:
     return {p.symbol: p.value for p in problem.parameters if p.value is not None}
 
 
-def _candidates(solution: Solution) -> Iterator[Candidate]:
+def _candidates(solution: Solution) -> Iterator[ReferenceCandidate]:
     """The systems of the file's coordinates and of the choices."""
-    if solution.motion is None:
+    if solution.own.motion is None:
         return
     unknowns = solution.problem.unknowns
-    yield _candidate("", solution.motion, solution)
+    yield _candidate("", solution.own.motion, solution)
     reactions = tuple(c.reaction for c in solution.problem.constraints)
     tensions = solution.law.newton.tensions if solution.law else {}
     for c in solution.choices:
@@ -367,22 +368,25 @@ def _candidates(solution: Solution) -> Iterator[Candidate]:
 
         def rewritten(configuration: Configuration = configuration) -> System:
             """The file's own equations, with all multipliers, in the coordinates of the choice."""
-            own = _with_multipliers(solution.motion, solution)  # type: ignore[arg-type]
+            own = _with_multipliers(solution.own.motion, solution)  # type: ignore[arg-type]
             equations = tuple(configuration.rewritten(e) for e in own.equations)
             return System(configuration, equations, (*reactions, *occurring(unknowns, equations)))
 
+        # The choice satisfies some constraints identically, so their multipliers are in none of its own equations.
         if lost:
             names = {s.name for s in lost} | {s.name for s, e in tensions.items() if e.free_symbols & lost}
-            yield Candidate(c.name, configuration, (*reactions, *unknowns), rewritten, only_for=frozenset(names))
+            yield ReferenceCandidate(
+                c.name, configuration, (*reactions, *unknowns), rewritten, only_for=frozenset(names)
+            )
 
 
-def _candidate(choice: str, motion: EquationsOfMotion, solution: Solution) -> Candidate:
+def _candidate(choice: str, motion: EquationsOfMotion, solution: Solution) -> ReferenceCandidate:
     """The equations of one configuration, with the multipliers of the constraints that remain in it."""
     configuration = motion.configuration
     reactions = {c.name: c.reaction for c in solution.problem.constraints}
     multipliers = tuple(reactions[r.name] for r in configuration.rows)
     known = (*multipliers, *solution.problem.unknowns)
-    return Candidate(choice, configuration, known, lambda: _with_multipliers(motion, solution))
+    return ReferenceCandidate(choice, configuration, known, lambda: _with_multipliers(motion, solution))
 
 
 def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:
@@ -394,6 +398,6 @@ def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:
 
 
 def occurring(symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]) -> tuple[sp.Symbol, ...]:
-    """Those of the symbols that occur."""
+    """Those of the symbols that occur in the expressions."""
     used = set().union(*(e.free_symbols for e in expressions))
     return tuple(s for s in symbols if s in used)

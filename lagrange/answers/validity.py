@@ -1,15 +1,15 @@
-"""Where an answer says as much as the equations of motion: what must not vanish for it.
+"""Conditions under which a right answer is equivalent to the equations of motion: factors that must not vanish.
 
-An equation of an answer is a combination Σ c_k E_k of the derived ones, with c_k that depend on the state. Where all of
-them vanish it says nothing; where one has a pole it is not defined, or says more:
+An equation of an answer is a combination Σ c_k E_k of the derived ones, with c_k that depend on the state. If all of
+them vanish it is empty; if one has a pole it is not defined, or restricts the motion further:
 
-    θ' (m l² θ'' + m g l sin θ) = 0     c = θ',        valid where θ' ≠ 0
+    θ' (m l² θ'' + m g l sin θ) = 0     c = θ',              valid where θ' ≠ 0
     θ'' / sin θ + g/l = 0               c = 1/(m l² sin θ),  valid where sin θ ≠ 0
 
-Which c_k are zero is seen at a random state. An equation that is a multiple of one E_k has the ratio of two
-coefficients for its factor; several that mix them have the determinant of their coefficients, against that of the
-derived ones, det(C A) / det A = det C, as long as the determinants are small. A factor is named only where it can
-vanish: on the surface of the constraints, at a real point.
+Which c_k are zero is found at a random state. For a multiple of one E_k, the factor is the ratio of two coefficients;
+for several equations that mix the E_k it is the determinant of their coefficients over that of the derived equations,
+det(C A) / det A = det C, as long as the determinants are small. A factor is named only if it can vanish at a real point
+of the constraint surface.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import (
+from lagrange.algebra.exact.zero_test import (
     DivisionByZeroError,
     InadmissibleError,
     NoPointError,
@@ -29,29 +29,24 @@ from lagrange.algebra.exact.exact import (
     UnsupportedError,
     has_real_point,
 )
-from lagrange.algebra.fourier.common_factor import as_term
-from lagrange.algebra.fourier.terms import Factors, common_powers, divided, multiplied, number_apart
-from lagrange.algebra.fourier.textbook import textbook_form
-from lagrange.core.expression_size import Measures
+from lagrange.algebra.fourier.terms import Factors, as_term, common_powers, divided, multiplied, number_apart
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.answers.limits import MAX_CONDITIONS, MAX_DETERMINANT, MAX_EXPANDED_TERMS, MAX_NAMED_SIZE
+from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.mechanics.dynamics.comparison import System, affine_rows, state, symbols_of
-
-_LONGEST = 24  # terms of a factor that is brought to textbook form, multiplied out
-_LONGEST_NAMED = 60  # parts of a factor that is named
-_LARGEST = 4  # unknowns of a determinant
-_MOST_FACTORS = 8
 
 _BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
 
 
 @record
-class Condition:
-    """`factor` must not vanish, for an equation is multiplied by it (or divided).
+class NonzeroCondition:
+    """The condition that `factor` must not vanish, because an equation is multiplied by it.
 
-    together  it is the determinant of all equations that vanishes: they do not determine the accelerations there
-
-    Without a factor it is too long to be named, or to see whether it can vanish.
+    factor    None if it is too long to be named, or to find out whether it can vanish
+    divided   the equation is divided by it instead
+    together  it is a factor of the determinant of all equations, which do not determine the accelerations at its zeros
     """
 
     factor: sp.Expr | None
@@ -59,28 +54,30 @@ class Condition:
     together: bool = False
 
 
-def conditions(equations: Sequence[sp.Expr], system: System, *, complete: bool = True) -> list[tuple[Condition, ...]]:
-    """What must not vanish for each of some equations, each zero, that follow from a system and are independent.
+def conditions(
+    equations: Sequence[sp.Expr], system: System, *, complete: bool = True
+) -> list[tuple[NonzeroCondition, ...]]:
+    """The conditions for each of several independent equations, each zero, that follow from a system.
 
-    complete  they are all there is: no other equation determines the accelerations where these do not
+    complete  there are no other equations, which might determine the accelerations where these do not
 
-    Nothing is said of an equation where that cannot be found within bounds.
+    Empty if they cannot be found within bounds.
     """
     try:
         combinations = system.configuration.states.sampled(lambda p: _combinations(p, equations, system), 1)[0]
     except (NoPointError, UnsupportedError, DivisionByZeroError):
         return [()] * len(equations)
-    found = _Validity(equations, system, combinations).conditions()
-    return [tuple(c for c in own if complete or not c.together) for own in found]
+    every = _Validity(equations, system, combinations).conditions()
+    return [tuple(c for c in own if complete or not c.together) for own in every]
 
 
 @record
 class _Combination:
-    """An equation as one of constraints and derived equations.
+    """An equation as a combination of constraints and derived equations.
 
-    parts    the numbers of the derived equations that take part
-    pure     no constraint takes part
-    columns  the unknowns that the equation has
+    parts    the numbers of the derived equations with nonzero coefficients
+    pure     whether all constraints have the coefficient 0
+    columns  the numbers of the unknowns in the equation
     """
 
     parts: tuple[int, ...]
@@ -89,7 +86,7 @@ class _Combination:
 
 
 def _combinations(point: Point, equations: Sequence[sp.Expr], system: System) -> list[_Combination]:
-    """What each equation is made of, at one state."""
+    """Each equation as a combination, at one state."""
     constraints = system.accelerated_constraints
     unknowns = _unknowns(system)
     moving = state(point, system.configuration, symbols_of((*equations, *system.equations, *constraints)))
@@ -99,7 +96,7 @@ def _combinations(point: Point, equations: Sequence[sp.Expr], system: System) ->
         raise UnsupportedError("not linear")
     transposed: list[list[Any]] = [list(column) for column in zip(*known, strict=True)]
     vanishes = moving.arithmetic.vanishes
-    found = []
+    combinations = []
     for row in rows:
         c = moving.solution(transposed, row)
         if c is None:
@@ -107,8 +104,8 @@ def _combinations(point: Point, equations: Sequence[sp.Expr], system: System) ->
         used = [n for n, x in enumerate(c) if not vanishes(x)]
         parts = tuple(n - len(constraints) for n in used if n >= len(constraints))
         columns = frozenset(j for j, x in enumerate(row[:-1]) if not vanishes(x))
-        found.append(_Combination(parts, len(parts) == len(used), columns))
-    return found
+        combinations.append(_Combination(parts, len(parts) == len(used), columns))
+    return combinations
 
 
 def _unknowns(system: System) -> tuple[sp.Symbol, ...]:
@@ -116,81 +113,82 @@ def _unknowns(system: System) -> tuple[sp.Symbol, ...]:
 
 
 class _Validity:
-    """One answer against one system."""
+    """The conditions for one answer against one system."""
 
     def __init__(self, equations: Sequence[sp.Expr], system: System, combinations: Sequence[_Combination]) -> None:
         self.equations = equations
         self.system = system
         self.combinations = combinations
         self.unknowns = _unknowns(system)
-        self.measures = Measures()
+        self.measures = Sizes()
         self._known: dict[sp.Expr, Factors] = {}
         self.never = {f for e in system.equations for f in self._below(e)}
 
-    def conditions(self) -> list[tuple[Condition, ...]]:
-        """What must not vanish for each equation."""
+    def conditions(self) -> list[tuple[NonzeroCondition, ...]]:
+        """The conditions for each equation; those on the determinant are given with the last that it mixes."""
         factors = [self._own(e, c) for e, c in zip(self.equations, self.combinations, strict=True)]
         mixed = [n for n, c in enumerate(self.combinations) if not self._is_multiple(c)]
         rest = divided(self._determinant(mixed), _product(factors[n] for n in mixed)) if mixed else {}
-        found = []
+        every = []
         for n, e in enumerate(self.equations):
-            said = {f: Condition(f, divided=power < 0) for f, power in factors[n].items()}
-            said = {f: Condition(f, divided=True) for f in self._below(e)} | said
+            own = {f: NonzeroCondition(f, divided=power < 0) for f, power in factors[n].items()}
+            own = {f: NonzeroCondition(f, divided=True) for f in self._below(e)} | own
             if n in mixed[-1:]:
-                said = {f: Condition(f, divided=power < 0, together=power > 0) for f, power in rest.items()} | said
-            named = (replace(c, factor=None) if self._is_long(f) else c for f, c in [*said.items()][:_MOST_FACTORS])
-            found.append(tuple(dict.fromkeys(c for c in named if c.factor is None or self._counts(c.factor))))
-        return found
+                own = {f: NonzeroCondition(f, divided=power < 0, together=power > 0) for f, power in rest.items()} | own
+            named = (replace(c, factor=None) if self._is_long(f) else c for f, c in [*own.items()][:MAX_CONDITIONS])
+            every.append(tuple(dict.fromkeys(c for c in named if c.factor is None or self._counts(c.factor))))
+        return every
 
     def _is_multiple(self, c: _Combination) -> bool:
         return c.pure and len(c.parts) == 1
 
     def _own(self, equation: sp.Expr, c: _Combination) -> Factors:
-        """The factor of one equation: of a multiple of E_k the ratio, of another what its coefficients share."""
-        mine = {j: self._coefficient(equation, j) for j in sorted(c.columns)}
-        if not mine:
+        """The factor of one equation: for a multiple of E_k the ratio to it, otherwise what its coefficients share."""
+        own = {j: self._coefficient(equation, j) for j in sorted(c.columns)}
+        if not own:
             return {}
         if self._is_multiple(c):
-            theirs = {j: self._coefficient(self.system.equations[c.parts[0]], j) for j in mine}
-            j = min(mine, key=lambda j: self._size(mine[j]) + self._size(theirs[j]))
-            return divided(self._powers(mine[j]), self._powers(theirs[j]))
-        shared = _common(self._powers(a) for a in mine.values())
+            derived = {j: self._coefficient(self.system.equations[c.parts[0]], j) for j in own}
+            j = min(own, key=lambda j: self._size(own[j]) + self._size(derived[j]))
+            return divided(self._powers(own[j]), self._powers(derived[j]))
+        shared = _common(self._powers(a) for a in own.values())
         for k in c.parts:
-            all_of_it = (self._coefficient(self.system.equations[k], j) for j in range(len(self.unknowns)))
-            theirs_shared = _common(self._powers(a) for a in all_of_it if a != 0)
-            shared = {f: p for f, p in shared.items() if p > 0 and f not in theirs_shared}
+            coefficients = (self._coefficient(self.system.equations[k], j) for j in range(len(self.unknowns)))
+            shared_in_derived = _common(self._powers(a) for a in coefficients if a != 0)
+            shared = {f: p for f, p in shared.items() if p > 0 and f not in shared_in_derived}
         return shared
 
     def _determinant(self, mixed: Sequence[int]) -> Factors:
-        """det C of a complete answer; multiples of one E_k count as that, so that only what is mixed is left.
+        """The factors of det C for a complete answer; a multiple of one E_k counts as E_k, which leaves the mixed rows.
 
-        Where an answer has eliminated the multipliers, det C is known but for what vanishes where det A does.
+        If the answer has eliminated the multipliers, their columns are left out, and det C is known up to factors of
+        det A.
         """
         rows = [e if n in mixed else self.system.equations[self.combinations[n].parts[0]]
                 for n, e in enumerate(self.equations)]  # fmt: skip
         rows += self.system.accelerated_constraints
         columns = list(range(len(self.unknowns)))
-        head = len(self.system.multipliers)
+        head = len(self.system.multipliers)  # the first columns
         eliminated = head and not any(self.unknowns[j] in e.free_symbols for e in rows for j in range(head))
         if eliminated:
             columns = columns[head:]
-        if len(rows) != len(columns) or len(columns) > _LARGEST:
+        if len(rows) != len(columns) or len(columns) > MAX_DETERMINANT:
             return {}
-        mine = self._powers(self._expanded(rows, columns))
+        own = self._powers(self._expanded(rows, columns))
         derived = [*self.system.equations, *self.system.accelerated_constraints]
-        if len(derived) != len(self.unknowns) or len(derived) > _LARGEST + 1:
-            return {f: p for f, p in mine.items() if p > 0}
-        theirs = self._powers(self._expanded(derived, range(len(self.unknowns))))
+        if len(derived) != len(self.unknowns) or len(derived) > MAX_DETERMINANT + 1:
+            return {f: p for f, p in own.items() if p > 0}
+        of_derived = self._powers(self._expanded(derived, range(len(self.unknowns))))
         if eliminated:
-            return {f: p for f, p in mine.items() if p > 0 and f not in theirs}
-        return divided(mine, theirs)
+            return {f: p for f, p in own.items() if p > 0 and f not in of_derived}
+        return divided(own, of_derived)
 
     def _expanded(self, rows: Sequence[sp.Expr], columns: Iterable[int]) -> sp.Expr:
-        """The determinant of the coefficients of some unknowns, expanded by the first row again and again."""
+        """The determinant of the coefficients of some unknowns."""
         return _determinant([[self._coefficient(e, j) for j in columns] for e in rows])
 
     def _coefficient(self, equation: sp.Expr, column: int) -> sp.Expr:
-        """∂e/∂u, where e is affine in u: written as e is, with nothing multiplied out."""
+        """∂e/∂u for e affine in u, written as e is, with nothing multiplied out."""
         u = self.unknowns[column]
         if u not in equation.free_symbols:
             return sp.S.Zero
@@ -210,9 +208,9 @@ class _Validity:
         return self._known[e]
 
     def _pieces(self, e: sp.Expr) -> Factors:
-        """The factors of what is no product itself, in textbook form where that is not long."""
+        """The factors of an expression that is no product, brought to textbook form unless it is long."""
         measure = self.measures.of(e)
-        if e.is_Symbol or measure.widest > _LONGEST or measure.size > 4 * _LONGEST_NAMED:
+        if e.is_Symbol or measure.widest > MAX_EXPANDED_TERMS or measure.size > 4 * MAX_NAMED_SIZE:
             return {e: 1}
         form = textbook_form(e)
         if form == 0 or not form.is_Add:
@@ -223,7 +221,7 @@ class _Validity:
         return multiplied(shared, {_signed(rest): 1})
 
     def _below(self, e: sp.Expr) -> Iterator[sp.Expr]:
-        """What an expression, as it is written, divides by."""
+        """The factors by which an expression divides, as it is written."""
         stack, seen = [e], {e}
         while stack:
             part = stack.pop()
@@ -235,10 +233,10 @@ class _Validity:
             seen.update(part.args)
 
     def _is_long(self, factor: sp.Expr) -> bool:
-        return self._size(factor) > _LONGEST_NAMED and factor not in self.never
+        return self._size(factor) > MAX_NAMED_SIZE and factor not in self.never
 
     def _counts(self, factor: sp.Expr) -> bool:
-        """Whether a factor can vanish where the derived equations are defined."""
+        """Whether a factor can vanish at a real point at which the derived equations are defined."""
         if factor.is_nonzero or factor in self.never:
             return False
         configuration = self.system.configuration
@@ -257,6 +255,7 @@ class _Validity:
 
 
 def _determinant(rows: list[list[sp.Expr]]) -> sp.Expr:
+    """By expansion along the first row, again and again: nothing is divided or multiplied out."""
     if not rows:
         return sp.S.One
     first, *others = rows
@@ -281,10 +280,10 @@ def _product(factors: Iterable[Factors]) -> Factors:
 
 
 def _signed(e: sp.Expr) -> sp.Expr:
-    """A sum without its sign."""
+    """A sum up to sign."""
     return -e if e.is_Add and e.could_extract_minus_sign() else e
 
 
 def _is_wave(e: sp.Expr) -> bool:
-    """Whether this is a sine or cosine of something that moves freely."""
+    """Whether this is a sine or cosine of something that varies."""
     return isinstance(e, sp.sin | sp.cos) and bool(e.free_symbols)

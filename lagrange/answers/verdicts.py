@@ -1,77 +1,204 @@
-"""What `lagsolve check` says: the verdict on equations, those on answers to other questions, and a headline."""
+"""Verdicts on an answer, as records: on each equation, on each question, and on the whole, with its wording.
+
+An answer is equivalent if it has the same solutions as the derived equations; incomplete if it follows from them but
+has more solutions; trivial if it excludes nothing; wrong if some part does not follow. The verdict on the whole is the
+first of `FIRST` that a part has, else equivalent.
+
+A `Judgement` is written as JSON (FORMAT's object) or as plain text: a headline, then each part with its mark and its
+remarks. An equation that may have been misread is shown as it was read. The derived equations are never shown unless
+they are passed in as `revealed`.
+"""
 
 from __future__ import annotations
 
-from dataclasses import replace
+import re
+import textwrap
+from collections.abc import Iterator, Sequence
+from dataclasses import field, replace
+from enum import StrEnum
 
-from lagrange.answers.equations import EXIT_STATUS, AnswerVerdict, EquationVerdict, Verdict
+import sympy as sp
+
+from lagrange.answers.limits import MAX_SHOWN_CHARACTERS, WIDEST
 from lagrange.core.diagnostics import Diagnostic
 from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.document.math_writer import text as plain
+from lagrange.document.math_writer import unicode
+from lagrange.document.notation import Notation
+from lagrange.problem.model import Problem
+
+
+class Verdict(StrEnum):
+    """The verdict on an answer, or on one of its equations."""
+
+    UNREADABLE = "unreadable"
+    WRONG = "wrong"
+    UNDECIDED = "undecided"
+    INCOMPLETE = "incomplete"
+    EQUIVALENT = "equivalent"
+    TRIVIAL = "trivial"
+
+
+FIRST = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
+"""The verdict on several parts is the first of these that one of them has."""
+
+WORST_TO_BEST = (
+    Verdict.UNREADABLE,
+    Verdict.WRONG,
+    Verdict.UNDECIDED,
+    Verdict.TRIVIAL,
+    Verdict.INCOMPLETE,
+    Verdict.EQUIVALENT,
+)
+"""Of the verdicts in several sets of coordinates, the best counts."""
+
+NOT_JUDGED = "not judged, because another equation is unreadable"
+DIVIDES_BY_ZERO = "it divides by an expression that is exactly zero"
+MIXED_CHOICES = "it mixes coordinates of several choices; use the file's coordinates and those of one choice"
+UNDECIDED = "it could not be decided whether it is right"
+
+MARKS = {
+    Verdict.EQUIVALENT: "✓",
+    Verdict.WRONG: "✗",
+    Verdict.TRIVIAL: "·",
+    Verdict.UNREADABLE: "!",
+    Verdict.UNDECIDED: "?",
+    Verdict.INCOMPLETE: "·",
+}
 
 
 @record
-class ComparedAnswer:
-    """One answer that is no system of equations of motion, with the verdict on it.
+class EquationVerdict:
+    """The verdict on one equation, with what is wrong (`diagnosis`) and further remarks.
 
-    diagnosis  what is wrong with it, or why nothing is said
-    equations  the verdicts on its parts: equilibria, reactions
-    messages   what could not be read, with places, and how the rest was read
+    sides  both sides as they were read, if the reading may surprise; otherwise empty
+    hints  for a wrong equation of motion: the diagnosis at each of the three hint levels, the last being `diagnosis`
     """
 
-    name: str
+    text: str
     verdict: Verdict
     diagnosis: str = ""
-    equations: tuple[EquationVerdict, ...] = ()
-    messages: tuple[Diagnostic, ...] = ()
+    remarks: tuple[str, ...] = ()
+    sides: tuple[sp.Expr | Vector, ...] = ()
+    hints: tuple[str, ...] = ()
+
+    def at_hint_level(self, level: int) -> EquationVerdict:
+        """The verdict with the diagnosis of a hint level: 1, 2 or 3."""
+        return replace(self, diagnosis=self.hints[level - 1]) if self.hints else self
 
     def as_json(self) -> dict[str, object]:
-        """Name and verdict, and what else there is to say."""
-        found: dict[str, object] = {"name": self.name, "verdict": self.verdict.value}
-        found |= {"diagnosis": self.diagnosis} if self.diagnosis else {}
-        return found | ({"equations": [e.as_json() for e in self.equations]} if self.equations else {})
+        """FORMAT's JSON object."""
+        return {
+            "text": self.text,
+            "verdict": self.verdict.value,
+            "diagnosis": self.diagnosis,
+            "remarks": list(self.remarks),
+        }
+
+    def lines(self, notation: Notation, width: int, indent: str) -> Iterator[str]:
+        """The equation with its mark, and below it the reading, the diagnosis and the remarks."""
+        under = indent + _UNDER[len(_INDENT) :]
+        room = width - len(under)
+        written = " ".join(self.text.split())
+        if len(written) > MAX_SHOWN_CHARACTERS:
+            written = f"{written[:MAX_SHOWN_CHARACTERS]} ..."
+        yield from _wrapped(f"{MARKS[self.verdict]} {_breakable(written, room)}", width, indent, under)
+        if self.sides:
+            read = " = ".join(unicode(side, notation) for side in self.sides)
+            yield from _wrapped(f"read as {_breakable(read, room)}", width, under, under + _INDENT)
+        for sentence in (self.diagnosis, *self.remarks):
+            if sentence:
+                yield from _wrapped(sentence, width, under, under)
 
 
 @record
-class CheckedAnswer:
-    """The outcome of `lagsolve check`: the verdict on equations; of the file's own answers, on the others too.
+class AnswerVerdict:
+    """The verdict on the answer to one question.
 
+    equations   the verdicts on its equations; for equilibria and reactions, on each part
+    missing     how many independent equations (or solutions) are missing
+    choice      the choice of coordinates in which it was compared; empty for the file's own
+    unreadable  what could not be read, with its place
+    notes       how the rest was read, where that may surprise
+    name        the question, as the key of `answers` in a problem file
+    diagnosis   what is wrong with it, or why it is not judged
+    """
+
+    verdict: Verdict
+    equations: tuple[EquationVerdict, ...] = ()
+    missing: int = 0
+    choice: str = ""
+    unreadable: tuple[Diagnostic, ...] = ()
+    notes: tuple[Diagnostic, ...] = ()
+    name: str = "equations"
+    diagnosis: str = ""
+
+    @property
+    def messages(self) -> tuple[Diagnostic, ...]:
+        """What could not be read, then the notes."""
+        return (*self.unreadable, *self.notes)
+
+    def as_json(self) -> dict[str, object]:
+        """Name and verdict; diagnosis and equations if there are any."""
+        written: dict[str, object] = {"name": self.name, "verdict": self.verdict.value}
+        written |= {"diagnosis": self.diagnosis} if self.diagnosis else {}
+        return written | ({"equations": [e.as_json() for e in self.equations]} if self.equations else {})
+
+
+@record
+class Judgement:
+    """The verdict on an answer.
+
+    verdict    "equivalent", "wrong", "incomplete", "trivial", "unreadable" or "undecided"
+    each       the verdicts on the equations, in their order: `verdict`, `diagnosis`, `remarks`, `text`
+    equations  the verdict on the equations together
+    others     the verdicts on answers to other questions: degrees of freedom, equilibrium, reactions
     statics    whether the equations are those of an equilibrium
-    reactions  whether they are about the reactions there
+    reactions  whether they give the reactions there
+    messages   what could not be read, with its place, and how the rest was read where that may surprise
+    headline   the verdict in a sentence; `print` shows all of it
+    problem    the problem that was answered
+    derived    the derived equations, each zero, in the coordinates of the answer; none in statics
     """
 
     equations: AnswerVerdict
-    others: tuple[ComparedAnswer, ...] = ()
+    others: tuple[AnswerVerdict, ...] = ()
     statics: bool = False
     reactions: bool = False
+    problem: Problem = field(kw_only=True)
+    derived: tuple[sp.Expr, ...] = field(kw_only=True, default=())
 
     @property
     def verdict(self) -> Verdict:
         """The verdict on everything: the first that applies."""
-        found = [self.equations.verdict, *(a.verdict for a in self.others)]
-        return next((v for v in FIRST if v in found), self.equations.verdict)
+        verdicts = [self.equations.verdict, *(a.verdict for a in self.others)]
+        return next((v for v in FIRST if v in verdicts), self.equations.verdict)
 
     @property
-    def exit_status(self) -> int:
-        """0 equivalent; 1 wrong, incomplete or trivial; 2 unreadable; 3 undecided."""
-        return EXIT_STATUS[self.verdict]
+    def each(self) -> tuple[EquationVerdict, ...]:
+        """The verdict on each equation, in their order."""
+        return self.equations.equations
+
+    @property
+    def missing(self) -> int:
+        """How many independent equations the answer lacks."""
+        return self.equations.missing
+
+    @property
+    def choice(self) -> str:
+        """The choice of coordinates in which it was compared; empty for the file's own."""
+        return self.equations.choice
 
     @property
     def messages(self) -> tuple[Diagnostic, ...]:
         """What could not be read, with its place, and how the rest was read where that may surprise."""
-        return (*self.equations.unreadable, *self.equations.notes, *(m for a in self.others for m in a.messages))
+        return (*self.equations.messages, *(m for a in self.others for m in a.messages))
 
-    def hinted(self, degree: int) -> CheckedAnswer:
-        """The same, with no more said of what is wrong than this degree allows: 1, 2 or 3."""
-        equations = tuple(e.hinted(degree) for e in self.equations.equations)
+    def at_hint_level(self, level: int) -> Judgement:
+        """The same with the diagnoses of a hint level: 1, 2 or 3."""
+        equations = tuple(e.at_hint_level(level) for e in self.each)
         return replace(self, equations=replace(self.equations, equations=equations))
-
-    def as_json(self) -> dict[str, object]:
-        """The verdict as FORMAT's JSON object; `answers` are those of the file that are not equations."""
-        equations = [e.as_json() for e in self.equations.equations]
-        found: dict[str, object] = {"verdict": self.verdict.value, "equations": equations}
-        found["missing"] = self.equations.missing
-        answers = [a.as_json() for a in self.others]
-        return found | ({"answers": answers} if answers else {})
 
     @property
     def headline(self) -> str:
@@ -79,51 +206,128 @@ class CheckedAnswer:
         headlines = _HEADLINES | (_HEADLINES_OF_STATICS if self.statics else {})
         headlines |= _HEADLINES_OF_REACTIONS[self.statics] if self.reactions else {}
         headlines |= _HEADLINES_OF_ANSWERS if self.others else {}
-        missing = missing_equilibria if self.statics else _missing
-        return headlines[self.verdict].format(missing=missing(self.equations.missing))
+        missing = missing_equilibria if self.statics else _missing_equations
+        return headlines[self.verdict].format(missing=missing(self.missing))
+
+    def as_json(self, revealed: Sequence[sp.Expr] = ()) -> dict[str, object]:
+        """FORMAT's JSON object; `answers` are the others, `reference` the derived equations if they are revealed."""
+        written: dict[str, object] = {"verdict": self.verdict.value, "equations": [e.as_json() for e in self.each]}
+        written["missing"] = self.missing
+        if self.others:
+            written["answers"] = [a.as_json() for a in self.others]
+        if revealed:
+            notation = notation_of_problem(self.problem)
+            written["reference"] = [f"{plain(e, notation)} = 0" for e in revealed]
+        return written
+
+    def text(self, width: int, revealed: Sequence[sp.Expr] = ()) -> str:
+        """The verdict in lines of at most `width` characters; words that are wider stand on lines of their own.
+
+        revealed  derived equations, each zero, to be shown below it
+        """
+        notation, width = notation_of_problem(self.problem), min(width, WIDEST)
+        lines = [*self._lines(notation, width)]
+        if revealed:
+            lines += ["", *_wrapped("the derived equations:", width, "", "")]
+            for e in revealed:
+                lines += _wrapped(f"{plain(e, notation)} = 0", width, _INDENT, _UNDER)
+        return "".join(f"{line}\n" for line in lines)
+
+    def _lines(self, notation: Notation, width: int) -> Iterator[str]:
+        yield from _wrapped(self.headline, width, "", _INDENT)
+        for answer in self.others:
+            yield from _wrapped(f"{MARKS[answer.verdict]} {answer.name.replace('_', ' ')}", width, _INDENT, _UNDER)
+            if answer.diagnosis:
+                yield from _wrapped(answer.diagnosis, width, _UNDER, _UNDER)
+            for e in answer.equations:
+                yield from e.lines(notation, width, _INDENT + _INDENT)
+        for e in self.each:
+            yield from e.lines(notation, width, _INDENT)
+
+    def __str__(self) -> str:
+        return self.text(80).rstrip("\n")
+
+    def __repr__(self) -> str:
+        return f"<Judgement: {self.headline}>"
+
+    def _repr_markdown_(self) -> str:
+        """The text, for a notebook."""
+        return f"```text\n{self}\n```"
 
 
-FIRST = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
 _HEADLINES = {
     Verdict.EQUIVALENT: "equivalent: the equations have the same solutions as the derived ones",
     Verdict.WRONG: "wrong: not every equation follows from the equations of motion",
-    Verdict.INCOMPLETE: "incomplete: what is there follows, and {missing}",
-    Verdict.TRIVIAL: "trivial: the equations say nothing of the motion",
+    Verdict.INCOMPLETE: "incomplete: every equation follows, but {missing}",
+    Verdict.TRIVIAL: "trivial: the equations say nothing about the motion",
     Verdict.UNREADABLE: "unreadable: not every equation can be read",
     Verdict.UNDECIDED: "undecided: it could not be settled whether the equations follow",
 }
 _HEADLINES_OF_STATICS = {
     Verdict.EQUIVALENT: "equivalent: these are the positions of equilibrium, and all of them",
     Verdict.WRONG: "wrong: not every solution is an equilibrium",
-    Verdict.TRIVIAL: "trivial: the equations say nothing of the equilibrium",
+    Verdict.TRIVIAL: "trivial: the equations say nothing about the equilibrium",
     Verdict.UNDECIDED: "undecided: it could not be settled whether these are the equilibria",
 }
 _HEADLINES_OF_REACTIONS = {
     False: {
         Verdict.EQUIVALENT: "equivalent: these are reactions at every position of equilibrium",
         Verdict.WRONG: "wrong: these are not the reactions at every position of equilibrium",
-        Verdict.TRIVIAL: "trivial: the equations say nothing of the reactions",
+        Verdict.TRIVIAL: "trivial: the equations say nothing about the reactions",
         Verdict.UNDECIDED: "undecided: it could not be settled whether these are the reactions",
     },
     True: {
         Verdict.EQUIVALENT: "equivalent: these are the positions of equilibrium, all of them, and reactions there",
-        Verdict.WRONG: "wrong: not every solution is an equilibrium, or the reactions are others",
+        Verdict.WRONG: "wrong: not every solution is an equilibrium, or the reactions differ",
         Verdict.UNDECIDED: "undecided: it could not be settled whether these are the equilibria and reactions",
     },
 }
 _HEADLINES_OF_ANSWERS = {
-    Verdict.EQUIVALENT: "equivalent: the answers agree with what is derived",
-    Verdict.WRONG: "wrong: not all of the answers agree with what is derived",
-    Verdict.INCOMPLETE: "incomplete: what is there agrees with what is derived, and something is missing",
+    Verdict.EQUIVALENT: "equivalent: the answers agree with the derivation",
+    Verdict.WRONG: "wrong: not all of the answers agree with the derivation",
+    Verdict.INCOMPLETE: "incomplete: the answers agree with the derivation, but something is missing",
     Verdict.UNREADABLE: "unreadable: not every answer can be read",
     Verdict.UNDECIDED: "undecided: it could not be settled whether all of the answers are right",
 }
 
 
-def _missing(number: int) -> str:
+def _missing_equations(number: int) -> str:
     return "one independent equation is missing" if number == 1 else f"{number} independent equations are missing"
 
 
 def missing_equilibria(number: int) -> str:
-    """What is missing of an equilibrium."""
+    """What an incomplete answer about equilibria lacks."""
     return "an equation or a solution is missing" if number <= 1 else f"{number} solutions are missing"
+
+
+def notation_of_problem(problem: Problem) -> Notation:
+    """How the symbols of a problem are written."""
+    new = [q for c in problem.choices for q in c.coordinates]
+    return Notation(
+        coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new))),
+        prescribed=problem.slots.prescribed,
+        parameters=tuple(p.symbol for p in problem.parameters),
+        forces=problem.unknowns,
+        scalar_names=frozenset(problem.scope.scalars),
+    )
+
+
+_INDENT = "  "
+_UNDER = "      "
+_NO_BREAK = "\u00a0"
+
+
+def _breakable(equation: str, room: int) -> str:
+    """An equation that breaks before its signs and never inside brackets, unless a term is too long for the room."""
+    depth, characters = 0, []
+    for c in equation:
+        depth += (c in "([{") - (c in ")]}")
+        characters.append(_NO_BREAK if c == " " and depth > 0 else c)
+    words = re.sub("([-+=−]) ", rf"\1{_NO_BREAK}", "".join(characters)).split(" ")
+    return " ".join(w if len(w) < room else w.replace(_NO_BREAK, " ") for w in words)
+
+
+def _wrapped(line: str, width: int, first: str, others: str) -> list[str]:
+    """A line, broken at blanks where it is too wide, and inside a word only where that is wider than a line."""
+    lines = textwrap.wrap(line, max(width, 20), initial_indent=first, subsequent_indent=others, break_on_hyphens=False)
+    return [x.replace(_NO_BREAK, " ") for x in lines] or [first.rstrip()]

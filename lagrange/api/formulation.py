@@ -1,6 +1,7 @@
-"""The problem in one set of coordinates, as Python wants it: SymPy objects with known shapes, and numbers.
+"""A solved problem in one set of coordinates, for Python programs: SymPy objects of known shapes, and numbers.
 
-All that is here has been found by `solve`; n coordinates, of which k are independent, m constraints that are left.
+There are n coordinates, of which k are independent, and m constraints that they do not satisfy identically. Nothing is
+calculated here that `solve` has not found, except numbers.
 """
 
 from __future__ import annotations
@@ -12,23 +13,23 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.api.given_functions import Given
 from lagrange.api.numerical import RightHandSide, Values
-from lagrange.api.time_functions import TIME, in_functions_of_time
+from lagrange.api.time_functions import TIME, Given, in_functions_of_time
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
 from lagrange.document.notation import Notation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.reactions import Reactions
-from lagrange.mechanics.solution import ChoiceSolution, Solution
+from lagrange.mechanics.solution import InCoordinates
 from lagrange.problem.model import Assumption, Parameter, Problem
 
 if TYPE_CHECKING:
     from lagrange.core.vectors import Vector
     from lagrange.mechanics.dynamics.conservation import Integral
-    from lagrange.mechanics.dynamics.quasi_verification import InSpeeds
-    from lagrange.mechanics.dynamics.spot_values import Spot
+    from lagrange.mechanics.dynamics.equations import WithMultipliers
+    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
+    from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
@@ -38,29 +39,27 @@ if TYPE_CHECKING:
 class Formulation:
     """The problem in one set of coordinates: the file's own, or those of a choice.
 
-    Velocities and accelerations are symbols that are called `theta'` and `theta''`; `in_time` writes functions of time
-    and their derivatives for them. What was not asked for is empty or None.
+    Velocities and accelerations are symbols named `theta'` and `theta''`; `in_time` replaces them by derivatives of
+    functions of time. What was not asked for is empty or None.
 
-    problem   what was solved
+    problem   the problem that was solved
     notation  how symbols are written
-    found     the part of the solution that this is
+    view      the solution in these coordinates
     """
 
     problem: Problem
     notation: Notation
-    found: Solution | ChoiceSolution
+    view: InCoordinates
 
     @property
     def name(self) -> str:
         """The name of the choice; empty for the file's own coordinates."""
-        return self.found.name if isinstance(self.found, ChoiceSolution) else ""
+        return self.view.name
 
     @property
     def configuration(self) -> Configuration:
         """Positions, velocities, forces and constraints in these coordinates."""
-        return (
-            self.found.coordinates.configuration if isinstance(self.found, ChoiceSolution) else self.found.configuration
-        )
+        return self.view.configuration
 
     @property
     def coordinates(self) -> tuple[sp.Symbol, ...]:
@@ -79,55 +78,55 @@ class Formulation:
 
     @property
     def substitution(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """Each coordinate of the file that is replaced, in the present ones."""
+        """Each replaced coordinate of the file in terms of the present ones."""
         return MappingProxyType(dict(self.configuration.expressed))
 
     @property
     def signs(self) -> tuple[sp.Symbol, ...]:
         """The signs ±1 of square roots that these coordinates leave open."""
-        return self.found.coordinates.signs if isinstance(self.found, ChoiceSolution) else ()
+        return self.view.signs
 
     @property
     def constraints(self) -> tuple[sp.Expr, ...]:
-        """What the coordinates still have to satisfy, each zero, shape (m,): g(q, t), or φ(q, q', t)."""
+        """The constraints on these coordinates, each zero, shape (m,): g(q, t), or φ(q, q', t)."""
         slots = self.configuration.slots
         return tuple(r.velocity_form(slots) if r.finite is None else r.finite for r in self.configuration.rows)
 
     @property
     def equations(self) -> tuple[sp.Expr, ...]:
         """The equations of motion, each zero, shape (k,); `constraints` complete them."""
-        return () if self.found.motion is None else tuple(e.expression for e in self.found.motion.final)
+        return () if self.view.motion is None else tuple(e.expression for e in self.view.motion.final)
 
     @property
     def conditions(self) -> tuple[sp.Expr, ...]:
-        """What has been divided by and may vanish: the equations are good where none of it does."""
-        return () if self.found.motion is None else self.found.motion.conditions
+        """The divisors that may vanish, shape (c,): the equations of motion hold where none of them does."""
+        return () if self.view.motion is None else self.view.motion.conditions
 
     @property
     def equations_with_multipliers(self) -> tuple[sp.Eq, ...]:
-        """D_k = Σ λ_j a_jk for each coordinate, shape (n,); empty where no constraint is left."""
-        found = self.found.dynamics.with_multipliers if self.found.dynamics else None
-        return () if found is None else tuple(sp.Eq(a, b, evaluate=False) for a, b in found.equations)
+        """D_k = Σ λ_j a_jk for each coordinate, shape (n,); empty if no constraint is left."""
+        form = self._with_multipliers
+        return () if form is None else tuple(sp.Eq(a, b, evaluate=False) for a, b in form.equations)
 
     @property
     def multipliers(self) -> tuple[sp.Symbol, ...]:
         """λ of the constraints that are left, shape (m,)."""
-        found = self.found.dynamics.with_multipliers if self.found.dynamics else None
-        return () if found is None else found.multipliers
+        form = self._with_multipliers
+        return () if form is None else form.multipliers
 
     @property
     def mass_matrix(self) -> sp.ImmutableMatrix:
-        """M of M q'' = f + Aᵀ λ, shape (n, n), symmetric. Raises ProblemError where no motion was asked for."""
+        """M of M q'' = f + Aᵀ λ, shape (n, n), symmetric. Raises ProblemError if no motion was asked for."""
         return sp.ImmutableMatrix(self._dynamics.matrices.mass)
 
     @property
     def force_vector(self) -> sp.ImmutableMatrix:
-        """f, shape (n, 1): applied forces, and the terms of the inertia with velocities."""
+        """f, shape (n, 1): applied forces and velocity terms of the inertia."""
         return sp.ImmutableMatrix(self._dynamics.matrices.force)
 
     @property
     def constraint_matrix(self) -> sp.ImmutableMatrix:
-        """A of A q'' = b, shape (m, n); m is 0 where the coordinates are independent."""
+        """A of A q'' = b, shape (m, n); m is 0 if the coordinates are independent."""
         rows = self._dynamics.matrices.constraint_matrix
         return sp.ImmutableMatrix(len(rows), len(self.coordinates), [a for row in rows for a in row])
 
@@ -139,17 +138,17 @@ class Formulation:
 
     @property
     def solved(self) -> Mapping[sp.Symbol, sp.Expr]:
-        """q'' -> its value in q, q' and t; empty where that would be long. `right_hand_side` does without."""
-        return MappingProxyType(dict(self.found.dynamics.accelerations) if self.found.dynamics else {})
+        """q'' in terms of q, q' and t; empty if that would be long. `right_hand_side` does not need it."""
+        return MappingProxyType(dict(self.view.dynamics.accelerations) if self.view.dynamics else {})
 
     @property
     def reactions(self) -> Mapping[str, sp.Expr | None]:
-        """The multiplier of each constraint of the file in q, q' and t; None where it is too long to be written."""
+        """The multiplier of each constraint of the file in q, q' and t; None if it is too long to be written."""
         return MappingProxyType(dict(self._reactions.multipliers) if self._reactions else {})
 
     @property
     def tensions(self) -> Mapping[str, sp.Expr]:
-        """The tension of each constraint that is a rod: positive where it pulls."""
+        """The tension of each constraint that is a rod, positive if it pulls."""
         return MappingProxyType(dict(self._reactions.tensions) if self._reactions else {})
 
     @property
@@ -160,32 +159,32 @@ class Formulation:
     @property
     def conserved(self) -> tuple[Integral, ...]:
         """First integrals: each with its `expression` in q, q' and t, its `quantity`, and `because`."""
-        return self.found.conserved.integrals if self.found.conserved else ()
+        return self.view.conserved.integrals if self.view.conserved else ()
 
     @property
     def equilibrium(self) -> Equilibrium | None:
         """Positions of equilibrium: `branches`, each with `equations` and `conditions`."""
-        return self.found.equilibrium
+        return self.view.equilibrium
 
     @property
     def stability(self) -> SecondVariation | None:
-        """Their stability: `verdicts`, one a branch."""
-        return self.found.stability
+        """Their stability: `verdicts`, one for each branch."""
+        return self.view.stability
 
     @property
     def linearization(self) -> Linearization | None:
         """Small oscillations."""
-        return self.found.linearization
+        return self.view.linearization
 
     @property
-    def in_speeds(self) -> InSpeeds | None:
+    def in_speeds(self) -> QuasiVelocityForm | None:
         """The kinematic equations and the equations of motion in the quasi-velocities of the file."""
-        return self.found.in_speeds
+        return self.view.in_speeds
 
     @property
-    def spot(self) -> Spot | None:
+    def spot(self) -> SpotValue | None:
         """Numbers in, accelerations out: `values` and `accelerations`."""
-        return self.found.spot
+        return self.view.spot
 
     def in_time(self, expression: sp.Expr, time: sp.Symbol = TIME) -> sp.Expr:
         """An expression with functions of time: `theta''` as `Derivative(theta(t), (t, 2))`; t is `Symbol("t")`.
@@ -196,8 +195,8 @@ class Formulation:
 
     def equations_in_time(self, time: sp.Symbol = TIME) -> tuple[sp.Eq, ...]:
         """The equations of motion, then the constraints, in functions of time, shape (k + m,)."""
-        whole = (*self.equations, *self.constraints)
-        return tuple(sp.Eq(self.in_time(e, time), sp.S.Zero, evaluate=False) for e in whole)
+        expressions = (*self.equations, *self.constraints)
+        return tuple(sp.Eq(self.in_time(e, time), sp.S.Zero, evaluate=False) for e in expressions)
 
     def right_hand_side(
         self,
@@ -211,15 +210,15 @@ class Formulation:
         """The equations of motion as a function dy/dt = f(t, y), with y = (q, q') of shape (2 n,).
 
         values      a number for each parameter, by name or symbol; a `value` of the problem file need not be repeated
-        functions   what undefined functions, prescribed motions and unknown forces are, by name (`given_functions`)
+        functions   undefined functions, prescribed motions and unknown forces by name (`time_functions`)
         speeds      in quasi-velocities: y = (q, u), of shape (n + k,)
-        stabilised  α: what the constraints are off by dies out like exp(−α t); 0: they are only differentiated
-        module      "math", or "numpy" for arrays, where that is installed
+        stabilised  α, with which violations of the constraints decay like exp(−α t); 0: these are only differentiated
+        module      "math", or "numpy" for arrays, if that is installed
 
-        Constraints that are left are differentiated, and their multipliers eliminated in numbers. Raises ValueError
-        where a number or a function is missing or not admitted, ProblemError where there are no equations of motion.
+        Constraints that are left are differentiated, and their multipliers eliminated numerically. Raises ValueError if
+        a number or a function is missing or not admissible, ProblemError if there are no equations of motion.
         """
-        from lagrange.api.first_order import in_coordinates, in_speeds
+        from lagrange.api.numerical import in_coordinates, in_speeds
 
         if stabilised < 0:
             raise ValueError(f"`stabilised` is a rate, 0 or more, and not {stabilised!r}")
@@ -237,12 +236,12 @@ class Formulation:
 
     @cached_property
     def _dynamics(self) -> Motion:
-        if self.found.dynamics is None:
+        if self.view.dynamics is None:
             message = "the problem asks for no motion: there are no equations of motion"
             raise ProblemError(
                 Diagnostic("no-equations", message, help="give the problem masses, and leave `find` out")
             )
-        return self.found.dynamics
+        return self.view.dynamics
 
     @property
     def _open_signs(self) -> tuple[Parameter, ...]:
@@ -254,8 +253,12 @@ class Formulation:
         return (*branches, *senses)
 
     @property
+    def _with_multipliers(self) -> WithMultipliers | None:
+        return self.view.dynamics.with_multipliers if self.view.dynamics else None
+
+    @property
     def _reactions(self) -> Reactions | None:
-        return self.found.dynamics.reactions if self.found.dynamics else None
+        return self.view.dynamics.reactions if self.view.dynamics else None
 
     def __repr__(self) -> str:
         listed = ", ".join(q.name for q in self.coordinates)
@@ -263,15 +266,15 @@ class Formulation:
         return f"<Formulation in {listed}: {where}>"
 
     def _repr_markdown_(self) -> str:
-        """What a notebook shows: the equations of motion and the constraints."""
+        """The equations of motion and the constraints, for a notebook."""
         from lagrange.document.math_writer import latex
 
-        whole = (*self.equations, *self.constraints)
-        return "\n\n".join(f"$$\n{latex(e, self.notation)} = 0\n$$" for e in whole) or repr(self)
+        expressions = (*self.equations, *self.constraints)
+        return "\n\n".join(f"$$\n{latex(e, self.notation)} = 0\n$$" for e in expressions) or repr(self)
 
 
 def _check_names(functions: Mapping[str, Given], problem: Problem) -> None:
-    """Refuses a function for which the problem has no name."""
+    """Raises ValueError at a function that the problem does not declare."""
     known = [*(f.name for f in problem.functions), *(u.name for u in (*problem.slots.prescribed, *problem.unknowns))]
     for name in functions:
         if name not in known:

@@ -1,10 +1,10 @@
-"""What `import lagrange` offers: a problem is loaded, solved, and answers to it are checked.
+"""The functions of `import lagrange`: load a problem, solve it, and check answers to it.
 
     problem = lagrange.load("ex11-ideal-pendulum")
     result = lagrange.solve(problem)
     lagrange.check(result, "l theta'' + g sin theta = 0").verdict
 
-Whatever is wrong with a problem is a `ProblemError`, whose text is what the command prints.
+Everything that is wrong with a problem is raised as a `ProblemError`, whose text is what the command prints.
 """
 
 from __future__ import annotations
@@ -15,28 +15,24 @@ from typing import IO
 
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.references import reference_of_solution
-from lagrange.answers.verdicts import CheckedAnswer
-from lagrange.api.judgement import Judgement
+from lagrange.answers.verdicts import Judgement, notation_of_problem
 from lagrange.api.result import Result
-from lagrange.api.sympy_answers import answer_of
+from lagrange.api.time_functions import answer_of
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.explain.report import report
 from lagrange.mechanics.dynamics.motion import Method
-from lagrange.problem.library import named, path_of
-from lagrange.problem.loader import read_problem, read_source
+from lagrange.problem.library import is_file_name, path_of
+from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Answers, Problem
-from lagrange.problem.yaml_nodes import decode
-from lagrange.render.verdict import notation_of_problem
-
-ENDINGS = (".yaml", ".yml")
+from lagrange.problem.sources import decode, read_source
 
 
 def load(problem: str | os.PathLike[str] | IO[str] | IO[bytes]) -> Problem:
     """The problem of a file, or of the shipped library.
 
-    problem  a path, an open file, or the name of a shipped problem: "ex11-ideal-pendulum", "ex11" where that is clear
+    problem  a path, an open file, or the name of a shipped problem: "ex11-ideal-pendulum", or the prefix "ex11"
 
-    Raises ProblemError with all mistakes of the file, or where there is none.
+    Raises ProblemError with all mistakes of the file, or if there is no such problem.
     """
     if isinstance(problem, str):
         return read_problem(_named(problem))
@@ -49,20 +45,17 @@ def load(problem: str | os.PathLike[str] | IO[str] | IO[bytes]) -> Problem:
 
 
 def _named(name: str) -> Source:
-    """A file, or else a problem of the library."""
+    """The text of a file, or else of a shipped problem."""
     if "\n" in name:
-        message = "a text is not the name of a problem"
+        message = "expected a file name or the name of a problem, got a text of several lines"
         raise ProblemError(
             Diagnostic("no-such-problem", message, help="`lagrange.loads` reads a problem from its text")
         )
-    as_file = name.endswith(ENDINGS) or os.path.exists(name)
-    if as_file and not (os.path.isdir(name) and named(name)):
-        return read_source(Path(name))
-    return read_source(path_of(name))
+    return read_source(Path(name) if is_file_name(name) else path_of(name))
 
 
 def loads(text: str, name: str = "problem") -> Problem:
-    """The problem that a text states; `name` is what messages call it. Raises ProblemError with all its mistakes."""
+    """The problem in a text; `name` is its name in messages. Raises ProblemError with all its mistakes."""
     return read_problem(Source(name, text.replace("\r\n", "\n").replace("\r", "\n")))
 
 
@@ -70,11 +63,10 @@ def solve(problem: Problem, choice: str | None = None, *, method: str = "dalembe
     """A problem, solved, checked and explained.
 
     choice  only this choice of generalized coordinates
-    method  by what equations of motion are derived: "dalembert", or "lagrange" for T, V and Lagrange's equations
+    method  how the equations of motion are derived: "dalembert", or "lagrange" for T, V and Lagrange's equations
 
-    Raises ProblemError where the problem contradicts itself; UndecidedError and NotCoveredError, which are
-    ProblemErrors, where it cannot be solved; ValueError where there is no such method. Whether the checks held is
-    `holds` of the result.
+    Raises ProblemError if the problem contradicts itself; UndecidedError and NotCoveredError, which are ProblemErrors,
+    if it cannot be solved; ValueError if there is no such method. `holds` of the result tells whether all checks held.
     """
     _check_problem(problem, "solve")
     if method not in [*Method]:
@@ -85,12 +77,12 @@ def solve(problem: Problem, choice: str | None = None, *, method: str = "dalembe
 def check(problem: Problem | Result, equations: object = None) -> Judgement:
     """The verdict on somebody's equations.
 
-    problem    or its result, where it has been solved already
+    problem    the problem, or its result if it has been solved already
     equations  one, or a list, tuple or matrix of them: texts, plain or in LaTeX, and SymPy's `Eq`, or expressions that
                vanish, in symbols of the problem or in functions of time with `Derivative`. Lists in a list are
-               alternatives, of an equilibrium. None: what the problem file itself states.
+               alternatives for an equilibrium. None: the answers that the problem file states.
 
-    An equation that cannot be read is part of the verdict. Raises ProblemError where the problem cannot be solved, or
+    An equation that cannot be read is part of the verdict. Raises ProblemError if the problem cannot be solved, or if
     there is nothing to compare.
     """
     if isinstance(problem, Result):
@@ -98,14 +90,6 @@ def check(problem: Problem | Result, equations: object = None) -> Judgement:
     else:
         _check_problem(problem, "check")
         examiner = Examiner.of(problem)
-    found = _checked(examiner, equations)
-    derived = examiner.revealed(found) if found.equations.equations else ()
-    return Judgement(
-        found.equations, found.others, found.statics, found.reactions, problem=examiner.problem, derived=derived
-    )
-
-
-def _checked(examiner: Examiner, equations: object) -> CheckedAnswer:
     if equations is None:
         return examiner.check_own()
     solution = examiner.solution
@@ -118,7 +102,7 @@ def _checked(examiner: Examiner, equations: object) -> CheckedAnswer:
 
 
 def _check_problem(problem: object, called: str) -> None:
-    """Refuses what is not a problem: mostly its name."""
+    """Raises TypeError if this is no problem, but most likely its name."""
     if not isinstance(problem, Problem):
         meant = f": lagrange.{called}(lagrange.load({problem!r}))" if isinstance(problem, str | Path) else ""
         raise TypeError(f"`{called}` takes a problem, and not {type(problem).__name__}{meant}")

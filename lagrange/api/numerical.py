@@ -1,8 +1,18 @@
-"""The equations of motion as a function that a computer integrates: dy/dt = f(t, y).
+"""Equations of motion as a function for numerical integration: dy/dt = f(t, y).
 
-The linear equations for accelerations and multipliers are solved in numbers at each call, never in symbols
-(`first_order`). The code that Python compiles (`sympy.lambdify`) has no name in it that a file declares: every symbol
-has been replaced by y0, y1, ... before.
+In coordinates q, which may be subject to constraints, y = (q, q') and
+
+    M q'' − Aᵀ λ = f ,     A q'' = b .
+
+The constraints are differentiated until accelerations occur: a motion satisfies them if its initial state does, up to
+the errors of the integration. With `stabilised` α, for a finite relation g = 0 and for a kinematic constraint φ = 0,
+
+    A q'' = b − 2α dg/dt − α² g ,     A q'' = b − α φ ,
+
+so that errors decay like exp(−α t) (J. Baumgarte, Stabilization of constraints and integrals of motion, 1972). In
+quasi-velocities y = (q, u), with q' = B u + b and the equations of motion for u'; kinematic constraints then hold
+identically. The linear equations are solved numerically at each call, never symbolically. The code that Python compiles
+(`sympy.lambdify`) contains no name from a file: every symbol has been replaced by y0, y1, ... before.
 """
 
 from __future__ import annotations
@@ -13,28 +23,110 @@ from typing import Any, SupportsFloat
 
 import sympy as sp
 
-from lagrange.api.first_order import FirstOrder
-from lagrange.api.given_functions import Given, with_given
+from lagrange.api.time_functions import Given, with_given
 from lagrange.core.diagnostics import nearest
-from lagrange.core.symbols import t
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots, prime, t
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.dynamics.motion import Motion
+from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
 from lagrange.problem.model import Assumption, Parameter
+
+
+@record
+class FirstOrder:
+    """A system of first-order equations, in symbols.
+
+    slots        the coordinates
+    speeds       q', or quasi-velocities, shape (p,)
+    rates        q' in q, the speeds and t, shape (n,)
+    unknowns     the rates of the speeds, then the multipliers, shape (p + m,)
+    matrix       shape (p + m, p + m)
+    right        shape (p + m,): matrix · unknowns = right
+    constraints  expressions that vanish along the motion: g and dg/dt of finite relations, φ of other constraints
+    """
+
+    slots: Slots
+    speeds: tuple[sp.Symbol, ...]
+    rates: tuple[sp.Expr, ...]
+    unknowns: tuple[sp.Symbol, ...]
+    matrix: tuple[tuple[sp.Expr, ...], ...]
+    right: tuple[sp.Expr, ...]
+    constraints: tuple[sp.Expr, ...]
+
+    @property
+    def state(self) -> tuple[sp.Symbol, ...]:
+        """The components of y, shape (n + p,)."""
+        return (*self.slots.coordinates, *self.speeds)
+
+
+def in_coordinates(motion: Motion, stabilised: float = 0) -> FirstOrder:
+    """The equations in coordinates and velocities, without constraints that follow from others."""
+    form = motion.matrices
+    slots, rows = form.configuration.slots, form.configuration.rows
+    used = [n for n in range(len(rows)) if n not in motion.equations.elimination.unused]
+    zeros = (sp.S.Zero,) * len(used)
+    upper = [
+        (*mass, *(-form.constraint_matrix[n][k] for n in used)) for k, mass in enumerate(form.mass)
+    ]  # M q'' − Aᵀ λ
+    lower = [(*form.constraint_matrix[n], *zeros) for n in used]
+    bound = [form.constraint_vector[n] - _pull(rows[n], slots, stabilised) for n in used]
+    return FirstOrder(
+        slots=slots,
+        speeds=slots.velocities,
+        rates=slots.velocities,
+        unknowns=(*slots.accelerations, *(motion.multipliers[rows[n].name] for n in used)),
+        matrix=(*upper, *lower),
+        right=(*form.force, *bound),
+        constraints=tuple(_conditions(rows, slots)),
+    )
+
+
+def _pull(row: Row, slots: Slots, stabilised: float) -> sp.Expr:
+    """2α dg/dt + α² g, or α φ."""
+    if not stabilised:
+        return sp.S.Zero
+    rate = row.velocity_form(slots)
+    return stabilised * rate if row.finite is None else 2 * stabilised * rate + stabilised**2 * row.finite
+
+
+def _conditions(rows: Sequence[Row], slots: Slots) -> list[sp.Expr]:
+    return [e for r in rows for e in (r.finite, r.velocity_form(slots)) if e is not None]
+
+
+def in_speeds(equations: QuasiEquations) -> FirstOrder:
+    """The equations in coordinates and quasi-velocities."""
+    quasi = equations.quasi
+    slots = quasi.configuration.slots
+    unknowns = tuple(prime(s) for s in quasi.symbols)
+    at_rest = dict.fromkeys(unknowns, sp.S.Zero)
+    return FirstOrder(
+        slots=slots,
+        speeds=quasi.symbols,
+        rates=tuple(quasi.shown(quasi.rates[v]) for v in slots.velocities),
+        unknowns=unknowns,
+        matrix=tuple(tuple(e.diff(a) for a in unknowns) for e in equations.expressions),
+        right=tuple(-e.xreplace(at_rest) for e in equations.expressions),
+        constraints=quasi.configuration.finite_constraints,
+    )
+
 
 MODULES = ("math", "numpy")
 Values = Mapping[str | sp.Symbol, SupportsFloat]
 Vector = Sequence[float]
 Solve = Callable[[list[list[float]], list[float]], Any]
-SMALLEST = 1e-14
-"""A pivot that is smaller, where the largest entry of each row is 1, is one that vanishes."""
+SMALLEST_PIVOT = 1e-14
+"""A smaller pivot counts as zero, if the largest entry of each row is 1: fifty rounding errors of 2e-16."""
 
 
 class RightHandSide:
-    """f(t, y) = dy/dt, ready for `scipy.integrate.solve_ivp` and whatever else integrates.
+    """f(t, y) = dy/dt, for `scipy.integrate.solve_ivp` or any other integrator.
 
-    names       what the components of y are: ("theta", "theta'"), shape (n + p,)
-    values      the numbers that stand for parameters, by name
+    names       the names of the components of y: ("theta", "theta'"), shape (n + p,)
+    values      the values of parameters, by name
 
-    Called with t and y of shape (n + p,) it returns dy/dt of that shape: a list of floats, with `module="numpy"` an
-    array. It raises ArithmeticError where the accelerations are not determined, or not finite.
+    Called with t and y of shape (n + p,) it returns dy/dt of that shape: a list of floats, or with `module="numpy"` an
+    array. Raises ArithmeticError if the accelerations are not determined, or not finite.
     """
 
     def __init__(
@@ -52,9 +144,9 @@ class RightHandSide:
         self._equations = equations
         size = len(equations.unknowns)
         flat = [e for row in equations.matrix for e in row]
-        whole = [*equations.rates, *flat, *equations.right, *equations.constraints]
+        expressions = [*equations.rates, *flat, *equations.right, *equations.constraints]
         self._code = _Code(equations, functions, parameters, values, module, unknowns)
-        run = self._code.compiled(whole)
+        run = self._code.compiled(expressions)
         self.values: Mapping[str, float] = self._code.values
         n = len(equations.rates)
 
@@ -71,15 +163,14 @@ class RightHandSide:
         """dy/dt, shape (n + p,)."""
         rates, matrix, right, _ = self._parts(time, y)
         speeds = len(self._equations.speeds)
-        found = [float(x) for x in (*rates, *self._unknowns(time, matrix, right)[:speeds])]
-        return self._listed(found)
+        return self._listed([float(x) for x in (*rates, *self._unknowns(time, matrix, right)[:speeds])])
 
     def __repr__(self) -> str:
         listed = ", ".join(f"{name}={value:g}" for name, value in self.values.items())
         return f"<f(t, y) with y = ({', '.join(self.names)}); {listed}>"
 
     def state(self, values: Mapping[str | sp.Symbol, SupportsFloat]) -> list[float]:
-        """y from values by name; what is left out is 0. Raises ValueError where a name is not in y."""
+        """y from values by name; missing ones are 0. Raises ValueError if a name is not in y."""
         given = {str(k): float(v) for k, v in values.items()}
         for name in given:
             if name not in self.names:
@@ -87,25 +178,25 @@ class RightHandSide:
         return [given.get(name, 0.0) for name in self.names]
 
     def multipliers(self, time: float, y: Vector) -> dict[str, float]:
-        """The multipliers of the constraints that these coordinates do not satisfy by themselves, by name."""
+        """The multipliers of the constraints that these coordinates do not satisfy identically, by name."""
         _, matrix, right, _ = self._parts(time, y)
         speeds = len(self._equations.speeds)
-        found = self._unknowns(time, matrix, right)[speeds:]
-        return {s.name: float(v) + 0.0 for s, v in zip(self._equations.unknowns[speeds:], found, strict=True)}
+        multipliers = self._unknowns(time, matrix, right)[speeds:]
+        return {s.name: float(v) + 0.0 for s, v in zip(self._equations.unknowns[speeds:], multipliers, strict=True)}
 
     def violation(self, time: float, y: Vector) -> list[float]:
-        """What the constraints are off by: g and dg/dt of each finite relation g = 0, φ of each other constraint φ = 0.
+        """The errors in the constraints: g and dg/dt of each finite relation g = 0, φ of each other constraint φ = 0.
 
-        It should vanish in the state that an integration begins with.
+        It should vanish in the initial state of an integration.
         """
         return [float(x) for x in self._parts(time, y)[3]]
 
     def function(self, expression: sp.Expr) -> Callable[[float, Vector], float]:
         """An expression of coordinates, velocities, accelerations, multipliers, t and parameters, as a function (t, y).
 
-        Symbols are known by their names: `Symbol("theta'")` is the velocity.
+        Symbols are identified by their names: `Symbol("theta'")` is the velocity.
 
-        Raises ValueError where there is something else in it.
+        Raises ValueError if there are other symbols in it.
         """
         equations = self._equations
         slots = equations.slots
@@ -127,18 +218,18 @@ class RightHandSide:
 
     def _unknowns(self, time: float, matrix: list[list[float]], right: list[float]) -> Any:
         try:
-            found = self._solved(matrix, right)
+            unknowns = self._solved(matrix, right)
         except ZeroDivisionError:
             raise ArithmeticError(f"at t = {float(time):g} the accelerations are not determined") from None
-        if not all(map(math.isfinite, found)):
+        if not all(map(math.isfinite, unknowns)):
             raise ArithmeticError(f"at t = {float(time):g} the accelerations are not finite")
-        return found
+        return unknowns
 
 
 class _Code:
-    """Expressions as functions of t, y and the unknowns, with numbers for parameters.
+    """Compiles expressions to functions of t, y and the unknowns, with numbers for parameters.
 
-    Raises ValueError where a number is missing, or is not one that the problem admits.
+    Raises ValueError if a number is missing or contradicts the problem.
     """
 
     def __init__(
@@ -165,7 +256,7 @@ class _Code:
     def compiled(
         self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol] = ()
     ) -> Callable[..., list[float]]:
-        """run(t, y) or run(t, y, unknowns), which gives a list of numbers."""
+        """A function run(t, y) or run(t, y, unknowns) that returns a list of numbers."""
         first = not unknowns
         written, calls = with_given(expressions, self._functions, self._equations.slots, self._forces)
         arguments = [t, *self._equations.state, *unknowns]
@@ -181,13 +272,13 @@ class _Code:
         def run(time: float, y: Vector, solved: Vector = ()) -> list[float]:
             if len(y) != size:
                 raise ValueError(f"y has {size} components, and {len(y)} are given")
-            found: list[float] = compiled(time, *y, *solved, *constants)
-            return found
+            numbers: list[float] = compiled(time, *y, *solved, *constants)
+            return numbers
 
         return run
 
     def _check_values(self, needed: Sequence[sp.Symbol], all_known: bool) -> None:
-        """What stands in the equations has a number; what has a number stands in the problem."""
+        """Checks that every parameter in the equations has a number, and every number a parameter of the problem."""
         names = {s.name for s in needed}
         known = self._known | names
         strange = sorted(self._given - known) if all_known else []
@@ -211,8 +302,8 @@ class _Code:
 
 
 def _described(symbol: sp.Symbol, parameters: Mapping[str, Parameter]) -> str:
-    found = parameters.get(symbol.name)
-    return f"`{symbol}` ({found.meaning})" if found and found.meaning else f"`{symbol}`"
+    parameter = parameters.get(symbol.name)
+    return f"`{symbol}` ({parameter.meaning})" if parameter and parameter.meaning else f"`{symbol}`"
 
 
 def _number(name: str, value: SupportsFloat) -> float:
@@ -226,7 +317,7 @@ def _number(name: str, value: SupportsFloat) -> float:
 
 
 def _check_assumption(parameter: Parameter, number: float) -> None:
-    """Refuses a number that contradicts what the derivation has assumed."""
+    """Raises ValueError if a number contradicts an assumption of the derivation."""
     allowed = {
         Assumption.POSITIVE: number > 0,
         Assumption.NONNEGATIVE: number >= 0,
@@ -241,7 +332,7 @@ def _check_assumption(parameter: Parameter, number: float) -> None:
 
 
 def _solved(matrix: list[list[float]], right: list[float]) -> list[float]:
-    """x with matrix · x = right, by elimination with partial pivoting. Raises ZeroDivisionError where there is none."""
+    """x of matrix · x = right, by elimination with partial pivoting. Raises ZeroDivisionError if there is no such x."""
     rows = []
     for row, b in zip(matrix, right, strict=True):
         size = max(map(abs, row))
@@ -249,7 +340,7 @@ def _solved(matrix: list[list[float]], right: list[float]) -> list[float]:
     count = len(rows)
     for k in range(count):
         best = max(range(k, count), key=lambda r: abs(rows[r][k]))
-        if not abs(rows[best][k]) > SMALLEST:
+        if not abs(rows[best][k]) > SMALLEST_PIVOT:
             raise ZeroDivisionError
         rows[k], rows[best] = rows[best], rows[k]
         pivot = rows[k]
@@ -257,11 +348,11 @@ def _solved(matrix: list[list[float]], right: list[float]) -> list[float]:
             share = rows[r][k] / pivot[k]
             if share:
                 rows[r] = [a - share * b for a, b in zip(rows[r], pivot, strict=True)]
-    found = [0.0] * count
+    x = [0.0] * count
     for k in reversed(range(count)):
-        known = math.fsum(rows[k][j] * found[j] for j in range(k + 1, count))
-        found[k] = (rows[k][-1] - known) / rows[k][k]
-    return found
+        known = math.fsum(rows[k][j] * x[j] for j in range(k + 1, count))
+        x[k] = (rows[k][-1] - known) / rows[k][k]
+    return x
 
 
 def _in_lists() -> tuple[Solve, Callable[[list[float]], Any]]:
@@ -269,7 +360,7 @@ def _in_lists() -> tuple[Solve, Callable[[list[float]], Any]]:
 
 
 def _in_arrays() -> tuple[Solve, Callable[[list[float]], Any]]:
-    """Raises ImportError where NumPy is not installed."""
+    """Raises ImportError if NumPy is not installed."""
     import numpy
 
     def solved(matrix: list[list[float]], right: list[float]) -> Any:

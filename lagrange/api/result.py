@@ -1,4 +1,4 @@
-"""What `lagrange.solve` gives: all that was found, by the names of the field."""
+"""The result of `lagrange.solve`: the solution under the names of the field, and its derivation in every format."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from lagrange.answers.verdicts import ComparedAnswer
+from lagrange.answers.verdicts import AnswerVerdict
 from lagrange.api.formulation import Formulation
 from lagrange.core.diagnostics import Diagnostic, suggestion
 from lagrange.core.records import record
@@ -17,7 +17,7 @@ from lagrange.explain.report import Report
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
-from lagrange.mechanics.dynamics.verification import Check
+from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.solution import Solution
 from lagrange.problem.model import Problem
 
@@ -28,7 +28,7 @@ FORMATS = ("pretty", "latex", "markdown", "html", "json")
 class Result:
     """A problem, solved and explained: n coordinates in the file, m constraints.
 
-    `own` and `choices` have equations of motion, reactions and what is conserved, each in one set of coordinates;
+    `own` and `choices` have equations of motion, reactions and conserved quantities, each in one set of coordinates;
     `result["angle"]` is the choice `angle`, `result[""]` the file's own coordinates. A notebook shows the derivation.
     """
 
@@ -41,7 +41,7 @@ class Result:
 
     @property
     def solution(self) -> Solution:
-        """Everything that was found, as the stages of the derivation have left it."""
+        """The results of all stages of the derivation."""
         return self.report.solution
 
     @property
@@ -56,7 +56,7 @@ class Result:
 
     @property
     def constraints(self) -> tuple[ConstraintAnalysis, ...]:
-        """What each constraint is, shape (m,): `row` its form, `integrable`, `integral`, `exactness`, ..."""
+        """The analysis of each constraint, shape (m,): `row` (its form), `integrable`, `integral`, `exactness`, ..."""
         return self.classification.constraints
 
     @property
@@ -72,11 +72,11 @@ class Result:
     @property
     def dependent_displacements(self) -> Mapping[sp.Symbol, sp.Expr]:
         """Each dependent delta(q) in terms of the independent ones."""
-        return self.solution.elimination.solved(self.problem.slots)
+        return self.solution.own.elimination.solved(self.problem.slots)
 
     @property
     def newton(self) -> tuple[sp.Eq, ...]:
-        """Newton's law with reactions, component by component; empty where coordinates give no free bodies."""
+        """Newton's law with reactions, component by component; empty if the coordinates define no free bodies."""
         law = self.solution.law
         pairs = (law.newton.equations if law else None) or ()
         return tuple(sp.Eq(a, b, evaluate=False) for a, b in pairs)
@@ -84,7 +84,7 @@ class Result:
     @cached_property
     def own(self) -> Formulation:
         """The problem in the file's own coordinates."""
-        return Formulation(self.problem, self.report.notation, self.solution)
+        return Formulation(self.problem, self.report.notation, self.solution.own)
 
     @cached_property
     def choices(self) -> Mapping[str, Formulation]:
@@ -106,28 +106,28 @@ class Result:
         return self.solution.checks
 
     @property
-    def answers(self) -> tuple[ComparedAnswer, ...]:
+    def answers(self) -> tuple[AnswerVerdict, ...]:
         """The answers that the file states, each with its `verdict`."""
         return self.report.answers
 
     @property
     def holds(self) -> bool:
-        """Whether every check held, nothing is undecided, and the answers of the file agree."""
+        """Whether all checks held, nothing is undecided, and the answers of the file agree."""
         return self.report.holds
 
     @property
     def shortcomings(self) -> tuple[Diagnostic, ...]:
-        """What is undecided, which checks did not hold, which answers of the file do not agree."""
+        """The undecided questions, the checks that failed, and the answers of the file that do not agree."""
         return self.report.shortcomings
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What is to be said of how the file was read."""
+        """Notes on how the file was read."""
         return self.report.notes
 
     @property
     def derivation(self) -> Derivation:
-        """What is printed, as data: steps of prose, equations and tables."""
+        """The derivation as data: steps of prose, equations and tables."""
         return self.report.derivation
 
     def render(self, format: str = "pretty", *, detail: str = "steps", width: int = 80) -> str:
@@ -135,9 +135,9 @@ class Result:
 
         format  "pretty" (plain text), "latex", "markdown", "html" or "json"
         detail  "brief", "steps" or "full"; JSON has everything
-        width   of plain text
+        width   characters in a line of plain text
 
-        Raises ValueError where there is no such format or detail.
+        Raises ValueError if there is no such format or detail.
         """
         if format not in FORMATS:
             raise ValueError(f"there is no format `{format}`; {suggestion(format, FORMATS, 'formats')}")
@@ -149,9 +149,9 @@ class Result:
             return json.render([self.report])
         shown, written = Detail[detail.upper()], (self.derivation, self.report.notation)
         if format == "pretty":
-            from lagrange.render import terminal as pretty
+            from lagrange.render import terminal
 
-            return pretty.text(*written, width, shown)
+            return terminal.text(*written, width, shown)
         from lagrange.render import html, latex, markdown
 
         if format == "latex":
@@ -172,5 +172,7 @@ class Result:
         return f"<Result of {self.problem.title!r}: {', '.join([freedom, *classes])}{listed}>"
 
     def _repr_markdown_(self) -> str:
-        """What a notebook shows: the derivation."""
-        return self.report._repr_markdown_()
+        """The derivation, for a notebook."""
+        from lagrange.render import markdown
+
+        return markdown.body(self.report.derivation, self.report.notation)

@@ -1,37 +1,51 @@
-"""Slots and functions of time: q, q', q'' on one side, q(t), dq/dt, d²q/dt² as SymPy writes them on the other.
+"""Slots and functions of time: q, q', q'' in one notation, q(t), dq/dt, d²q/dt² as SymPy writes them in the other.
 
-The program calculates in slots, plain symbols that are called `theta`, `theta'`, `theta''`. Other programs for SymPy
-want `Function("theta")(t)` and `Derivative`. An undefined function f(X, Y) is `Function("f")`, its partial derivative
-at a place `Subs(Derivative(f(X, Y), X), (X, Y), place)`. What comes from outside is read by the names in it, whatever
-is assumed of its symbols: `Symbol("m")` is the mass that the problem declares as positive.
+The program calculates in slots, plain symbols named `theta`, `theta'`, `theta''`; other programs for SymPy use
+`Function("theta")(t)` and `Derivative`. An undefined function f(X, Y) is `Function("f")`, its partial derivative at a
+place `Subs(Derivative(f(X, Y), X), (X, Y), place)`. Input is read by the names in it, whatever is assumed of its
+symbols: `Symbol("m")` is the mass that the problem declares as positive. So are answers made with SymPy; they need no
+text, and texts may be among them.
+
+For a motion in numbers, prescribed motions u(t) and functions f(X, Y) must be given, in one of three ways:
+
+    an expression of SymPy           0.1*sin(3*t), X**2/4: in t, or in the names of the arguments, and in parameters
+    a function made of SymPy         lambda X, Y: X**2/4 + Y
+    functions of numbers             (u, du, ddu), a function of one argument with its derivatives in order, or
+                                     {(0, 0): f, (1, 0): f_X, ...} by orders of differentiation
+
+The first two are differentiated exactly; nothing is ever differentiated by finite differences.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import field
+from itertools import count
+from typing import Any, TypeAlias
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.logic.boolalg import BooleanAtom
 
-from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.answers.readings import GivenEquation, Reading
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, Unspecified, base, t
-from lagrange.expressions.bounded import SCALAR_FUNCTIONS, Arithmetic
-from lagrange.expressions.constants import RefusedError
-from lagrange.expressions.lexicon import FUNCTIONS
+from lagrange.document.math_writer import text
+from lagrange.document.notation import Notation
+from lagrange.expressions.bounded_arithmetic import SCALAR_FUNCTIONS, BoundedArithmetic, TooExpensiveError
 from lagrange.expressions.scope import Scope
-from lagrange.expressions.spelling import help_for_function, help_for_symbol
+from lagrange.expressions.suggestions import help_for_function, help_for_symbol
+from lagrange.expressions.syntax_tree import FUNCTIONS
 
 TIME = sp.Symbol("t")
 """The time of `sympy.physics.mechanics.dynamicsymbols`."""
 
 
 def in_functions_of_time(expression: sp.Expr, slots: Slots, time: sp.Symbol = TIME) -> sp.Expr:
-    """An expression of slots in functions of time, derivatives not carried out further.
+    """An expression of slots in functions of time; derivatives are not carried out further.
 
-    slots  what moves: their coordinates and prescribed motions become functions of `time`; all else stays a symbol
+    slots  the coordinates and prescribed motions that become functions of `time`; all other symbols stay symbols
     """
     moving = {*slots.coordinates, *slots.prescribed}
     rule: dict[sp.Basic, sp.Basic] = {t: time}
@@ -61,15 +75,15 @@ def _function(f: Unspecified) -> sp.Expr:
 class Reader:
     """Reads SymPy's expressions, of slots or of functions of time, as expressions of a problem.
 
-    scope   what is declared: the only names that have a meaning
-    formal  symbols that mean themselves: the places of a derivative inside `Subs`
+    scope   the declared names, the only ones with a meaning
+    formal  symbols that mean themselves: the arguments of a derivative inside `Subs`
     """
 
     scope: Scope
     formal: Mapping[str, sp.Symbol] = field(default_factory=dict)
 
     def equation(self, given: sp.Basic) -> tuple[sp.Expr, sp.Expr]:
-        """The two sides of an equation; an expression is one that vanishes. Raises ProblemError."""
+        """The two sides of an equation; those of an expression are the expression and 0. Raises ProblemError."""
         if isinstance(given, BooleanAtom):  # what SymPy makes of 0 = 0 and 1 = 0
             return sp.S.Zero, sp.S.Zero if given == sp.true else sp.S.One
         if isinstance(given, sp.Equality):
@@ -79,7 +93,7 @@ class Reader:
         raise _not_understood(given)
 
     def expression(self, e: sp.Basic) -> sp.Expr:
-        """The expression of the problem. Raises ProblemError where a name is not declared, or has no meaning here."""
+        """The expression of the problem. Raises ProblemError if a name is not declared, or has no meaning here."""
         if isinstance(e, sp.Symbol):
             return self._symbol(e.name)
         if isinstance(e, sp.Float):
@@ -109,12 +123,12 @@ class Reader:
         return self._rate(value, len(name) - len(plain))
 
     def _rate(self, value: sp.Expr, order: int) -> sp.Expr:
-        """Total time derivatives, within the bounds of those in a text: two of a coordinate, four of a given motion."""
-        arithmetic = Arithmetic(self.scope.slots)
+        """A total time derivative, as far as in a text: two of a coordinate, four of a prescribed motion."""
+        arithmetic = BoundedArithmetic(self.scope.slots)
         try:
             for _ in range(order):
                 value = arithmetic.rate(value)
-        except RefusedError as refused:
+        except TooExpensiveError as refused:
             raise ProblemError(Diagnostic(refused.code, refused.message.format(value), help=refused.help)) from None
         return value
 
@@ -130,14 +144,14 @@ class Reader:
         raise ProblemError(Diagnostic("unknown-function", f"`{e}` is not declared", help=help_))
 
     def _derivative(self, e: sp.Derivative) -> sp.Expr:
-        """Derivatives by time are total ones, others partial."""
+        """A total derivative for those with respect to time, otherwise a partial one."""
         value = self.expression(e.expr)
-        for variable, count in e.variable_count:
+        for variable, order in e.variable_count:
             by = self.expression(variable)
             if by == t:
-                value = self._rate(value, int(count))
+                value = self._rate(value, int(order))
             elif by.is_Symbol:
-                value = value.diff(by, int(count))
+                value = value.diff(by, int(order))
             else:
                 raise _not_understood(e)
         return value
@@ -152,7 +166,7 @@ class Reader:
 
 
 def _not_understood(e: object) -> ProblemError:
-    """An object of SymPy, or of something else, that no problem has a meaning for."""
+    """The error about an object that has no meaning in a problem."""
     what = getattr(getattr(e, "func", None), "__name__", type(e).__name__)
     help_ = f"an expression has numbers, declared names, + - * / **, derivatives, and {', '.join(sorted(FUNCTIONS))}"
     return ProblemError(Diagnostic("unknown-function", f"`{what}` has no meaning in an equation of motion", help=help_))
@@ -165,3 +179,107 @@ def flattened(given: object) -> Iterable[object]:
             yield from flattened(part)
     else:
         yield given
+
+
+Given: TypeAlias = (
+    sp.Expr | Callable[..., Any] | Sequence[Callable[..., float]] | Mapping[tuple[int, ...], Callable[..., float]]
+)
+Calls: TypeAlias = dict[str, Callable[..., float]]
+
+
+def with_given(
+    expressions: Sequence[sp.Expr], functions: Mapping[str, Given], slots: Slots, unknowns: Sequence[sp.Symbol] = ()
+) -> tuple[list[sp.Expr], Calls]:
+    """The expressions after substitution of the given functions, and the functions of numbers that they call.
+
+    unknowns  forces that may be given as expressions of t, coordinates and velocities
+
+    Raises ValueError if something is missing.
+    """
+    maker = _Maker(functions, slots)
+    symbols = set().union(*(e.free_symbols for e in expressions)) if expressions else set()
+    rule: dict[sp.Basic, sp.Expr] = {}
+    for s in sorted(symbols, key=lambda s: str(s.name)):
+        if base(s) in slots.prescribed:
+            rule[s] = maker.derivative(base(s).name, ("t",), (len(s.name) - len(base(s).name),), (t,))
+        elif s in unknowns and s.name in functions:
+            rule[s] = maker.derivative(s.name, (), (), ())
+
+    def put(f: Unspecified) -> sp.Expr:
+        return maker.derivative(f.name, f.argument_names, f.orders, f.arguments)
+
+    taken = (e.replace(lambda a: isinstance(a, Unspecified), put) for e in expressions)
+    return [e.xreplace(rule) for e in taken], maker.calls
+
+
+class _Maker:
+    """Derivatives of given functions; functions of numbers are named call0, call1, ..."""
+
+    def __init__(self, functions: Mapping[str, Given], slots: Slots) -> None:
+        self.calls: Calls = {}
+        self._functions = functions
+        self._moving = {s.name: s for s in (t, *slots.coordinates, *slots.velocities)}
+        self._numbers = count()
+        self._known: dict[tuple[str, tuple[int, ...]], Any] = {}
+
+    def derivative(
+        self, name: str, names: Sequence[str], orders: tuple[int, ...], arguments: Sequence[sp.Expr]
+    ) -> sp.Expr:
+        """The derivative of these orders of a function, at its arguments."""
+        if name not in self._functions:
+            listed = ", ".join(names)
+            help_ = f"functions={{{name!r}: an expression in {listed}}} gives it"
+            raise ValueError(f"the equations contain {name}({listed}), which is not given; {help_}")
+        given = self._functions[name]
+        if isinstance(given, Mapping | list | tuple):
+            return self._call(name, given, orders)(*arguments)
+        places = [sp.Dummy(n, real=True) for n in names]
+        e = self._expression(name, given, dict(zip(names, places, strict=True)))
+        by = [(x, n) for x, n in zip(places, orders, strict=True) if n]
+        return (e.diff(*by) if by else e).xreplace(dict(zip(places, arguments, strict=True)))
+
+    def _expression(self, name: str, given: Any, places: Mapping[str, sp.Symbol]) -> sp.Expr:
+        """A given function of the symbols for its arguments; t, coordinates and velocities are found by name."""
+        if callable(given) and not isinstance(given, sp.Basic):
+            given = _called(name, given, list(places.values()))
+        e = sp.sympify(given, strict=True)
+        meant = {**self._moving, **places}
+        return e.xreplace({s: meant[s.name] for s in e.free_symbols if s.name in meant})
+
+    def _call(self, name: str, given: Any, orders: tuple[int, ...]) -> Any:
+        """A symbolic function for a function of numbers."""
+        key = (name, orders)
+        if key not in self._known:
+            by_orders = given if isinstance(given, Mapping) else {(n,): f for n, f in enumerate(given)}
+            if orders not in by_orders:
+                which = orders[0] if len(orders) == 1 else orders
+                raise ValueError(f"the equations contain the derivative of `{name}` of order {which}: give it too")
+            self._known[key] = sp.Function(f"call{next(self._numbers)}")
+            self.calls[self._known[key].__name__] = by_orders[orders]
+        return self._known[key]
+
+
+def _called(name: str, function: Callable[..., Any], places: Sequence[sp.Symbol]) -> Any:
+    """The value of a function made of SymPy's functions."""
+    try:
+        return function(*places)
+    except (TypeError, ValueError, AttributeError) as error:
+        help_ = "make it of SymPy's functions, or give a tuple of functions of numbers: itself and its derivatives"
+        raise ValueError(f"`{name}` cannot be differentiated: {error}; {help_}") from error
+
+
+def answer_of(equations: object, scope: Scope, notation: Notation) -> tuple[Fragment, ...]:
+    """An answer from texts and SymPy's equations, or lists and matrices of them; an expression is meant to vanish."""
+    parts = enumerate(flattened(equations), start=1)
+    return tuple(_fragment(e, f"equation {n}", scope, notation) for n, e in parts)
+
+
+def _fragment(equation: object, name: str, scope: Scope, notation: Notation) -> Fragment:
+    if isinstance(equation, str):
+        return Fragment.of(equation, name)
+    try:
+        lhs, rhs = Reader(scope).equation(equation)
+    except ProblemError as error:
+        return GivenEquation.of_reading(Reading(str(equation), error=error), name)
+    written = f"{text(lhs, notation)} = {text(rhs, notation)}"
+    return GivenEquation.of_reading(Reading(written, (lhs - rhs,)), name)

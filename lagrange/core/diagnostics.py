@@ -1,11 +1,11 @@
-"""What is wrong with a text, where, and what to do about it.
+"""Diagnostics: what is wrong with a text, where, and what to do about it.
 
-A `Diagnostic` is one finding: a stable code, one sentence, the place, and a way out. A `Fragment` is a piece of
-text that remembers where in its file it stands, so that an error inside an expression inside a YAML scalar points
-at the very characters. `ProblemError` carries all the findings of one reading; it knows how to show itself.
+A `Diagnostic` is one finding: a stable code, one sentence, the place, and a suggestion. A `Fragment` is a piece of text
+that remembers its position in the file, so that an error inside an expression inside a YAML scalar points at the exact
+characters. `ProblemError` holds all the findings of one read and can print itself.
 
-Wording: messages begin with a lower-case letter and have no full stop; names stand in backticks; the label under
-the caret makes sense without the message; one mistake is reported once.
+Wording: messages begin with a lower-case letter and have no full stop; names are in backticks; the label under the
+caret makes sense without the message; each mistake is reported once.
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from functools import cached_property
 from lagrange.core.records import record
 
 
-class Level(StrEnum):
-    """How bad it is."""
+class Severity(StrEnum):
+    """Whether a finding is an error or a note."""
 
     ERROR = "error"
     NOTE = "note"
@@ -30,14 +30,14 @@ class Level(StrEnum):
 
 @record
 class Source:
-    """A text as it was read, with the name it is known by (a path, `<stdin>`, `answer 1`)."""
+    """A text as it was read, with its name (a path, `<stdin>`, `answer 1`)."""
 
     name: str
     text: str
 
     @cached_property
     def _starts(self) -> list[int]:
-        """Where the lines begin: found once, for a file may have a thousand findings."""
+        """The offsets of the lines, computed once: a file may have a thousand findings."""
         return [0, *(n + 1 for n, c in enumerate(self.text) if c == "\n")]
 
     def position(self, offset: int) -> tuple[int, int]:
@@ -67,8 +67,8 @@ class Span:
 class Fragment:
     """A piece of a source that is read on its own: an expression.
 
-    `start` is where the text begins in the source when it stands there character for character. Where it does not
-    (an escaped or folded YAML scalar), `start` is None and `whole` is blamed for everything.
+    start  where the text begins in the source, if it occurs there character for character; None if it does not (an
+           escaped or folded YAML scalar): every finding then points at `whole`
     """
 
     text: str
@@ -77,11 +77,11 @@ class Fragment:
 
     @classmethod
     def of(cls, text: str, name: str = "expression") -> Fragment:
-        """A text that is a source of its own."""
+        """A text that is its own source."""
         return cls(text, Span(Source(name, text), 0, len(text)), 0)
 
     def span(self, start: int, end: int) -> Span:
-        """Where characters `start` to `end` of the text stand in the source."""
+        """The place of characters `start` to `end` in the source."""
         if self.start is None:
             return self.whole
         return Span(self.whole.source, self.start + start, self.start + end)
@@ -96,11 +96,11 @@ class Diagnostic:
     span: Span | None = None
     label: str = ""
     help: str = ""
-    level: Level = field(default=Level.ERROR)
+    level: Severity = field(default=Severity.ERROR)
 
     def as_note(self) -> Diagnostic:
-        """The same finding, as something to know and not a mistake."""
-        return replace(self, level=Level.NOTE)
+        """The same finding as a note."""
+        return replace(self, level=Severity.NOTE)
 
     def __str__(self) -> str:
         head = f"{self.level}[{self.code}]: {self.message}"
@@ -112,28 +112,24 @@ class Diagnostic:
 
 
 class ProblemError(Exception):
-    """A text that cannot be used, with everything that is wrong with it. Exit status 2."""
-
-    exit_status = 2
+    """The error for a text that cannot be used, with everything that is wrong with it."""
 
     def __init__(self, diagnostics: Diagnostic | Iterable[Diagnostic]) -> None:
-        found = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
-        super().__init__("; ".join(d.message for d in found))
-        self.diagnostics: tuple[Diagnostic, ...] = found
+        findings = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
+        super().__init__("; ".join(d.message for d in findings))
+        self.diagnostics: tuple[Diagnostic, ...] = findings
 
     def show(self) -> str:
-        """All findings in the order of the file, a blank line between them."""
+        """All findings in file order, separated by blank lines."""
         ordered = sorted(self.diagnostics, key=lambda d: d.span.start if d.span else -1)
         return "\n\n".join(str(d) for d in ordered)
 
     def __str__(self) -> str:
-        return self.show()  # what Python prints under a traceback is what the command prints
+        return self.show()  # so that Python prints under a traceback what the command prints
 
 
 class UndecidedError(ProblemError):
-    """A question on which the derivation depends, and which could not be settled. Exit status 3."""
-
-    exit_status = 3
+    """The error for a question that the derivation depends on and that could not be decided."""
 
     def __init__(self, question: str, span: Span | None = None) -> None:
         help_ = "nothing is guessed: simplify the expressions, or choose other coordinates"
@@ -141,16 +137,14 @@ class UndecidedError(ProblemError):
 
 
 class NotCoveredError(ProblemError):
-    """Something that the format allows and the program does not do yet. Exit status 3."""
-
-    exit_status = 3
+    """The error for something that the format allows and the program cannot do yet."""
 
     def __init__(self, what: str, span: Span | None = None) -> None:
         super().__init__(Diagnostic("not-covered", f"{what} cannot be treated yet", span))
 
 
 def nearest(name: str, known: Iterable[str]) -> str | None:
-    """The known name closest to `name`, if one is close: other case first, then spelling."""
+    """The known name closest to `name`, if any is close: one that differs in case first, then in spelling."""
     names = sorted(set(known))
     for candidate in names:
         if candidate.casefold() == name.casefold():
@@ -160,7 +154,7 @@ def nearest(name: str, known: Iterable[str]) -> str | None:
 
 
 def suggestion(name: str, known: Sequence[str], what: str = "names") -> str:
-    """`did you mean ...?`, or the list of what there is."""
+    """`did you mean ...?`, or the list of known names."""
     near = nearest(name, known)
     if near:
         return f"did you mean `{near}`?"
@@ -189,7 +183,7 @@ def _window(span: Span, label: str) -> list[str]:
 
 
 def _around(line: str, column: int, width: int = 100) -> tuple[str, int]:
-    """The part of a long line that surrounds the place, and where the place is in it."""
+    """The part of a long line around a column, and the column in that part."""
     if len(line) <= width:
         return line, column
     start = max(0, min(column - width // 3, len(line) - width))
@@ -205,6 +199,6 @@ def _cells(char: str) -> int:
 
 
 def _visible(text: str) -> str:
-    """Characters that are not to be seen shown as a box, so that nothing a file says reaches the terminal raw."""
+    """The text with invisible characters as boxes, so that no control sequence of a file reaches the terminal."""
     hidden = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
     return "".join(c if c == "\t" or unicodedata.category(c) not in hidden else "\N{WHITE SQUARE}" for c in text)

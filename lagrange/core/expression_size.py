@@ -1,10 +1,9 @@
-"""How much an expression amounts to, without working anything out.
+"""Size and cost estimates of an expression, without evaluating it.
 
-Abbreviations share their parts, so that a short file can write down an expression with 2^60 leaves:
-everything here is found once for each different part, in time proportional to their number. Two costs are
-estimated: that of a derivative, which turns each factor of each product and each function in turn, and that
-of the sign of an expression, for which SymPy isolates the roots of every polynomial in one parameter of known
-sign.
+Abbreviations share their parts, so that a short file can define an expression with 2^60 leaves: everything here is
+computed once for each distinct part, in time proportional to their number. Two costs are estimated: that of a
+derivative, which differentiates each factor of each product and each function in turn, and that of the sign of an
+expression, for which SymPy isolates the roots of every polynomial in one parameter of known sign.
 """
 
 from __future__ import annotations
@@ -19,25 +18,25 @@ from lagrange.core.symbols import base
 
 _CUT = 10**9
 _INFINITE = (sp.S.NaN, sp.S.ComplexInfinity, sp.S.Infinity, sp.S.NegativeInfinity)
-_SEVERAL = sp.Dummy()  # in place of the only symbol, where there are more
+_SEVERAL = sp.Dummy()  # as `Size.symbol` where there are several
 
 
-class Measure(NamedTuple):
-    """What an expression amounts to.
+class Size(NamedTuple):
+    """The size of an expression.
 
-    size         nodes of its tree
-    layers       nodes on the longest way from its root to a leaf
+    size         nodes of its tree, shared parts counted each time
+    layers       nodes on the longest path from its root to a leaf
     power        the highest numeric power in it, nested ones multiplied
     denominator  the largest denominator of such a power
-    bits         of its longest number
-    terms        how many it has at most when it is multiplied out
-    widest       the same of any of its parts
-    symbol       the only one in it, None in a constant
-    degree       in that symbol
-    doubt        what it costs to find its sign, in units of 0.1 ms
-    is_constant  it is a number
-    is_finite    no division by zero occurs in it
-    is_real      no root of a negative number occurs in it
+    bits         length of its longest number
+    terms        upper bound on the number of its terms when it is multiplied out
+    widest       the largest `terms` of its parts
+    symbol       its only symbol; None in a constant
+    degree       its degree in that symbol
+    doubt        the cost of finding its sign, in units of 0.1 ms
+    is_constant  whether it is a number
+    is_finite    whether it has no division by zero
+    is_real      whether it has no root of a negative number
     """
 
     size: int = 1
@@ -55,43 +54,43 @@ class Measure(NamedTuple):
     is_real: bool = True
 
 
-class Measures:
-    """Measures, each found once."""
+class Sizes:
+    """The sizes of expressions, each computed once."""
 
     def __init__(self) -> None:
-        self._found: dict[sp.Basic, Measure] = {}
+        self._known: dict[sp.Basic, Size] = {}
 
-    def of(self, expression: sp.Basic) -> Measure:
-        """The measure of an expression."""
-        found = self._found.get(expression)
-        if found is None:
+    def of(self, expression: sp.Basic) -> Size:
+        """The size of an expression."""
+        size = self._known.get(expression)
+        if size is None:
             parts = [self.of(a) for a in expression.args]
-            found = _of_compound(expression, parts) if parts else _of_atom(expression)
-            self._found[expression] = found
-        return found
+            size = _of_compound(expression, parts) if parts else _of_atom(expression)
+            self._known[expression] = size
+        return size
 
     def derivative_cost(self, expressions: Iterable[sp.Expr], moving: Set[sp.Symbol]) -> float:
-        """What it costs to differentiate by each of the moving symbols, in units of 0.1 ms."""
+        """The cost of differentiating with respect to each of the moving symbols, in units of 0.1 ms."""
         estimate = _DerivativeEstimate(self, moving)
         sizes = sum(0.2 * size + 5 * len(symbols) for size, symbols in map(estimate.of, expressions))
         return sizes + 1.5 * estimate.cost
 
 
 class _DerivativeEstimate:
-    """The size of a derivative, from above, and the cost of the steps to it, each different part once."""
+    """Upper bound on the size of a derivative, and the cost of the steps to it, each distinct part once."""
 
-    def __init__(self, measures: Measures, moving: Set[sp.Symbol]) -> None:
+    def __init__(self, sizes: Sizes, moving: Set[sp.Symbol]) -> None:
         self.cost = 0.0
-        self._measures = measures
+        self._sizes = sizes
         self._moving = moving
-        self._found: dict[sp.Basic, tuple[float, frozenset[sp.Symbol]]] = {}
+        self._known: dict[sp.Basic, tuple[float, frozenset[sp.Symbol]]] = {}
 
     def of(self, e: sp.Basic) -> tuple[float, frozenset[sp.Symbol]]:
-        """The size of the derivative, and the moving symbols that occur."""
-        found = self._found.get(e)
-        if found is None:
-            found = self._found[e] = self._of_symbol(e) if e.is_Symbol else self._of_compound(e)
-        return found
+        """The size of the derivative, and the moving symbols in it."""
+        estimate = self._known.get(e)
+        if estimate is None:
+            estimate = self._known[e] = self._of_symbol(e) if e.is_Symbol else self._of_compound(e)
+        return estimate
 
     def _of_symbol(self, e: sp.Symbol) -> tuple[float, frozenset[sp.Symbol]]:
         moves = e in self._moving or base(e) in self._moving
@@ -105,23 +104,23 @@ class _DerivativeEstimate:
         if e.is_Add:
             self.cost += 0.5 * len(together) * len(parts)
         else:
-            size += dependences * self._measures.of(e).size
+            size += dependences * self._sizes.of(e).size
             step = 2 + 0.12 * len(parts) ** 2 if e.is_Mul else 10 if e.is_Pow else 30
             self.cost += dependences * step
         return size, together
 
 
-def _of_atom(e: sp.Basic) -> Measure:
+def _of_atom(e: sp.Basic) -> Size:
     if e.is_Rational:
-        return Measure(bits=max(abs(e.p).bit_length(), e.q.bit_length()), is_constant=True)
+        return Size(bits=max(abs(e.p).bit_length(), e.q.bit_length()), is_constant=True)
     if e.is_Symbol:
-        return Measure(symbol=e, degree=1)
-    return Measure(is_constant=bool(e.is_number), is_finite=e not in _INFINITE, is_real=e is not sp.I)
+        return Size(symbol=e, degree=1)
+    return Size(is_constant=bool(e.is_number), is_finite=e not in _INFINITE, is_real=e is not sp.I)
 
 
-def _of_compound(e: sp.Basic, parts: Sequence[Measure]) -> Measure:
+def _of_compound(e: sp.Basic, parts: Sequence[Size]) -> Size:
     terms, symbol, degree = _terms(e, parts), _only_symbol(parts), _degree(e, parts)
-    return Measure(
+    return Size(
         size=min(1 + sum(p.size for p in parts), _CUT),
         layers=1 + max(p.layers for p in parts),
         power=_power(e, parts),
@@ -146,13 +145,13 @@ def _is_imaginary(e: sp.Basic) -> bool:
     return bool(e.is_Pow and e.base.is_Number and e.base.is_negative and not e.exp.is_Integer)
 
 
-def _power(e: sp.Basic, parts: Sequence[Measure]) -> float:
+def _power(e: sp.Basic, parts: Sequence[Size]) -> float:
     if _is_power(e):
         return max(abs(int(e.exp.p)) / int(e.exp.q), 1.0) * parts[0].power
     return max(p.power for p in parts) if e.is_Add or e.is_Mul else 1.0
 
 
-def _terms(e: sp.Basic, parts: Sequence[Measure]) -> int:
+def _terms(e: sp.Basic, parts: Sequence[Size]) -> int:
     if e.is_Add:
         return min(sum(p.terms for p in parts), _CUT)
     if e.is_Mul:
@@ -166,12 +165,12 @@ def _terms(e: sp.Basic, parts: Sequence[Measure]) -> int:
     return 1
 
 
-def _only_symbol(parts: Sequence[Measure]) -> sp.Symbol | None:
+def _only_symbol(parts: Sequence[Size]) -> sp.Symbol | None:
     symbols = {p.symbol for p in parts} - {None}
     return symbols.pop() if len(symbols) == 1 else _SEVERAL if symbols else None
 
 
-def _degree(e: sp.Basic, parts: Sequence[Measure]) -> int:
+def _degree(e: sp.Basic, parts: Sequence[Size]) -> int:
     if e.is_Mul:
         return sum(p.degree for p in parts)
     if e.is_Pow and e.exp.is_Integer:
@@ -180,7 +179,7 @@ def _degree(e: sp.Basic, parts: Sequence[Measure]) -> int:
 
 
 def _own_doubt(e: sp.Basic, symbol: sp.Symbol | None, degree: int) -> float:
-    """Of a sum in one symbol of known sign: the roots of a polynomial."""
+    """The cost that a node adds: for a sum in one symbol of known sign, the isolation of the roots of a polynomial."""
     if not e.is_Add or symbol is None or symbol is _SEVERAL or degree < 2:
         return 0.0
     return 30.0 * degree**2 if symbol.is_nonnegative else 0.0

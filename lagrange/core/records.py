@@ -1,8 +1,9 @@
-"""Records: values with named parts that are not changed once they are made.
+"""Records: immutable values with named fields.
 
-A record is a dataclass, to `dataclasses.fields` and `replace` as to the type checker, that is frozen and compared part
-by part. `@dataclass(frozen=True)` compiles six methods for each class, and compiling those of two hundred classes is a
-tenth of what a short run takes beyond importing SymPy; here `__init__` alone is compiled, the others are shared.
+A record is a frozen dataclass, for `dataclasses.fields` and `replace` as well as for the type checker, and is compared
+field by field. `@dataclass(frozen=True)` compiles six methods for each class, and compiling those of two hundred
+classes is a tenth of what a short run takes beyond importing SymPy; here only `__init__` is compiled, and the other
+methods are shared.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ Made = TypeVar("Made")
 
 @dataclass_transform(frozen_default=True, field_specifiers=(field,))
 def record(cls: type[Made]) -> type[Made]:
-    """Makes a class a record. Methods of these names that the class has itself are left as they are."""
+    """Make a class a record. Methods that the class defines itself are kept."""
     made: Any = dataclass(eq=False, repr=False)(cls)
     made.__init__ = _initializer(made.__init__)
     made.__compared__ = tuple(f.name for f in fields(made) if f.compare)
@@ -28,37 +29,37 @@ def record(cls: type[Made]) -> type[Made]:
 
 
 class _Open:
-    """What may be assigned to."""
+    """An object without protection, which shares the `__dict__` of a record while its fields are set."""
 
 
 def _initializer(plain: Callable[..., None]) -> Callable[..., None]:
-    """`__init__` of a class that refuses assignments, from that of one that does not."""
+    """The `__init__` of a class that refuses assignments, made from one that assigns."""
 
     @wraps(plain)
-    def initialize(one: Any, /, *parts: Any, **named: Any) -> None:
-        there = _Open()
-        there.__dict__ = one.__dict__
-        plain(there, *parts, **named)
+    def initialize(self: Any, /, *values: Any, **named: Any) -> None:
+        unprotected = _Open()
+        unprotected.__dict__ = self.__dict__
+        plain(unprotected, *values, **named)
 
     return initialize
 
 
-def _compared(one: Any) -> list[Any]:
-    parts = one.__dict__
-    return [parts[name] for name in one.__compared__]
+def _compared(instance: Any) -> list[Any]:
+    values = instance.__dict__
+    return [values[name] for name in instance.__compared__]
 
 
-def _equal(one: Any, other: object) -> bool:
-    return one is other or _compared(one) == _compared(other) if type(other) is type(one) else NotImplemented
+def _equal(self: Any, other: object) -> bool:
+    return self is other or _compared(self) == _compared(other) if type(other) is type(self) else NotImplemented
 
 
-def _hash(one: Any) -> int:
-    return hash(tuple(_compared(one)))
+def _hash(self: Any) -> int:
+    return hash(tuple(_compared(self)))
 
 
-def _shown(one: Any) -> str:
-    shown = ", ".join(f"{f.name}={getattr(one, f.name)!r}" for f in fields(one) if f.repr)
-    return f"{type(one).__qualname__}({shown})"
+def _repr(self: Any) -> str:
+    shown = ", ".join(f"{f.name}={getattr(self, f.name)!r}" for f in fields(self) if f.repr)
+    return f"{type(self).__qualname__}({shown})"
 
 
 def _set(_: Any, name: str, __: object) -> None:
@@ -72,7 +73,7 @@ def _delete(_: Any, name: str) -> None:
 _SHARED: dict[str, Callable[..., Any]] = {
     "__eq__": _equal,
     "__hash__": _hash,
-    "__repr__": _shown,
+    "__repr__": _repr,
     "__setattr__": _set,
     "__delattr__": _delete,
 }

@@ -5,9 +5,9 @@ derivative is an explicit sum,
 
     d/dt = ∂/∂t + Σ q' ∂/∂q + Σ q'' ∂/∂q' ,
 
-so that ∂T/∂q' is an ordinary partial derivative. A prescribed motion u(t) has slots of the same kind, but belongs to
-time: ∂/∂t at a frozen configuration takes u along. The name of a symbol is its text form in the language of problem
-files (`theta''`, `d(x)`, `delta(x)`, `lambda_rod`), so that what is printed can be read back.
+so that ∂T/∂q' is an ordinary partial derivative. A prescribed motion u(t) has slots of the same kind, but is a
+function of time alone: ∂/∂t at a frozen configuration includes its rate u'. The name of a symbol is its text form in
+the language of problem files (`theta''`, `d(x)`, `delta(x)`, `lambda_rod`), so that printed text can be read back.
 """
 
 from __future__ import annotations
@@ -25,16 +25,16 @@ from lagrange.core.records import record
 t = sp.Symbol("t", real=True)
 
 CONSTANT = sp.Symbol("const", real=True)
-"""The value that a finite relation keeps: x − R φ = const."""
+"""The constant value of a finite relation: x − R φ = const."""
 
 
 class Sign(sp.Symbol):
-    """A symbol that is +1 or -1; its even powers are 1."""
+    """A symbol with the value +1 or -1; its even powers are 1."""
 
     __slots__ = ()
 
     def __new__(cls, name: str) -> Sign:
-        """The sign of this name."""
+        """The sign with this name."""
         symbol: Sign = super().__new__(cls, name, real=True, nonzero=True)
         return symbol
 
@@ -48,7 +48,7 @@ class Sign(sp.Symbol):
 
 
 class UnitVector(sp.Symbol):
-    """i, j, k, e_r, ...: what components are printed with. A scalar `k` is another symbol."""
+    """A unit vector i, j, k, e_r, ..., for printing components. A scalar `k` is another symbol."""
 
     __slots__ = ()
 
@@ -66,7 +66,7 @@ class FormSymbol(sp.Symbol):
 
 
 class Unspecified(sp.Expr):
-    """An undefined function, or a partial derivative of one, at its arguments.
+    """An undefined function, or a partial derivative of one, at given arguments.
 
     `Unspecified(f, (X, Y, Z), (1, 0, 0), x - u*t, y, z)` is ∂f/∂X at X = x - u t, Y = y, Z = z.
     """
@@ -76,13 +76,13 @@ class Unspecified(sp.Expr):
     is_extended_real = True
 
     def __new__(cls, name: Str, names: sp.Tuple, orders: sp.Tuple, *arguments: sp.Expr) -> Unspecified:
-        """The function `name`, differentiated `orders` times by each of its arguments `names`."""
+        """The function `name`, differentiated `orders` times with respect to each of its arguments `names`."""
         function: Unspecified = super().__new__(cls, name, names, orders, *arguments)
         return function
 
     @classmethod
     def of(cls, name: str, names: Iterable[str], *arguments: sp.Expr) -> Unspecified:
-        """The function itself at the given arguments; `names` are what its arguments are called."""
+        """The function itself at the given arguments, which are called `names`."""
         slots = sp.Tuple(*(Str(n) for n in names))
         return cls(Str(name), slots, sp.Tuple(*([0] * len(slots))), *arguments)
 
@@ -93,17 +93,17 @@ class Unspecified(sp.Expr):
 
     @property
     def argument_names(self) -> tuple[str, ...]:
-        """What the arguments are called: X, Y, Z."""
+        """The names of the arguments: X, Y, Z."""
         return tuple(str(n) for n in self.args[1])
 
     @property
     def orders(self) -> tuple[int, ...]:
-        """How often it is differentiated by each argument."""
+        """The order of the derivative with respect to each argument."""
         return tuple(int(n) for n in self.args[2])
 
     @property
     def arguments(self) -> tuple[sp.Expr, ...]:
-        """Where it is taken."""
+        """The arguments at which it is taken."""
         return tuple(self.args[3:])
 
     def _sympystr(self, printer: StrPrinter) -> str:
@@ -114,7 +114,7 @@ class Unspecified(sp.Expr):
         return text
 
     def partial(self, index: int) -> Unspecified:
-        """The partial derivative by argument `index`."""
+        """The partial derivative with respect to argument `index`."""
         orders = [n + (k == index) for k, n in enumerate(self.orders)]
         return Unspecified(self.args[0], self.args[1], sp.Tuple(*orders), *self.arguments)
 
@@ -144,18 +144,18 @@ def multiplier(constraint: str) -> sp.Symbol:
 
 
 def counting(name: str) -> str:
-    """A name to sort by, with its numbers as numbers: m_2 before m_10."""
+    """A sort key for a name, with its numbers as numbers: m_2 before m_10."""
     return re.sub(r"\d+", lambda n: n[0].zfill(4), name)
 
 
 def base(symbol: sp.Symbol) -> sp.Symbol:
-    """The coordinate that a slot belongs to: q'' -> q."""
+    """The coordinate of a slot: q'' -> q."""
     return sp.Symbol(symbol.name.rstrip("'"), real=True) if symbol.name.endswith("'") else symbol
 
 
 @record
 class Slots:
-    """What moves: the coordinates, and the prescribed motions u(t) that move by themselves."""
+    """The quantities that change in time: the coordinates q, and the prescribed motions u(t)."""
 
     coordinates: tuple[sp.Symbol, ...]
     prescribed: tuple[sp.Symbol, ...] = ()
@@ -175,7 +175,7 @@ class Slots:
         return self._derivative(expression, {*self.coordinates, *self.prescribed})
 
     def frozen_derivative(self, expression: sp.Expr) -> sp.Expr:
-        """∂/∂t with the configuration and the velocities frozen; prescribed motions go on."""
+        """∂/∂t with the configuration and the velocities frozen; prescribed motions continue."""
         return self._derivative(expression, set(self.prescribed))
 
     def _derivative(self, expression: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
@@ -188,29 +188,29 @@ class Slots:
 
 
 def derivative(expression: sp.Expr, rate: Callable[[sp.Symbol], sp.Expr]) -> sp.Expr:
-    """The derivative of an expression whose symbols have the given derivatives, in one pass.
+    """The derivative Σ ∂e/∂s · rate(s) of an expression whose symbols s have the derivatives `rate(s)`.
 
-    It is Σ ∂e/∂s · rate(s), with shared parts differentiated once; SymPy alone would take a pass for each symbol.
+    Shared parts are differentiated once, and one pass serves all symbols; SymPy would need one pass for each.
     """
     known: dict[sp.Basic, sp.Expr] = {}
 
     def of(e: sp.Basic) -> sp.Expr:
-        found = known.get(e)
-        if found is None:
-            found = known[e] = _by_chain_rule(e, of, rate)
-        return found
+        result = known.get(e)
+        if result is None:
+            result = known[e] = _by_chain_rule(e, of, rate)
+        return result
 
     return of(expression)
 
 
 @lru_cache(maxsize=1 << 15)
 def partial(expression: sp.Expr, symbol: sp.Symbol) -> sp.Expr:
-    """∂/∂symbol. Parts of expressions that occur again, as positions along a chain do, are differentiated once."""
+    """∂/∂symbol. Parts that occur in several expressions, as positions along a chain do, are differentiated once."""
     return _by_chain_rule(expression, lambda e: partial(e, symbol), lambda s: sp.S.One if s == symbol else sp.S.Zero)
 
 
 def _by_chain_rule(e: sp.Basic, of: Callable[[sp.Basic], sp.Expr], rate: Callable[[sp.Symbol], sp.Expr]) -> sp.Expr:
-    """One step down: the derivative from those of the arguments, which `of` gives."""
+    """The derivative of a node from those of its arguments, which `of` returns."""
     if e.is_Symbol:
         return rate(e)
     if not e.args:
@@ -233,21 +233,21 @@ def _by_chain_rule(e: sp.Basic, of: Callable[[sp.Basic], sp.Expr], rate: Callabl
 
 
 class Inert(sp.Expr):
-    """An operation that is shown and not carried out."""
+    """An operation that is printed and not carried out."""
 
     is_commutative = True
 
 
-class Dot(Inert):
+class DotProduct(Inert):
     """a·b of two vectors that are named or given by their components."""
 
 
 class Partial(Inert):
-    """∂e/∂x, standing for the derivative that is about to be taken."""
+    """∂e/∂x, for printing a derivative before it is carried out."""
 
 
-class Rate(Inert):
-    """d/dt(e), standing for the total derivative that is about to be taken."""
+class TimeDerivative(Inert):
+    """d/dt(e), for printing a total derivative before it is carried out."""
 
 
 class Wedge(Inert):

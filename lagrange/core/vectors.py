@@ -1,18 +1,27 @@
-"""Vectors as components in an orthonormal triad: the fixed i, j, k, or one that turns.
+"""Vectors as components in an orthonormal triad, the fixed i, j, k or a rotating one, and the rotations of triads.
 
 A triad is given by its directions (rows: the unit vectors in i, j, k) and by its angular velocity ω = Σ ω_k q_k',
-linear in the velocities, in its own components. With it
+linear in the velocities, in its own components. With these
 
     ∂a/∂q_k = (∂a_n/∂q_k) e_n + ω_k × a ,      da/dt = (da_n/dt) e_n + ω × a ,
 
-so that vectors in a turning triad stay as short as on paper: a = (r'' - r φ'^2) e_r + (r φ'' + 2 r' φ') e_phi.
-Two vectors of one triad are combined there; a fixed one and a turning one meet in the turning triad for a dot
-product, and in the fixed one for a sum.
+so that vectors in a rotating triad stay as short as on paper: a = (r'' - r φ'^2) e_r + (r φ'' + 2 r' φ') e_phi.
+Two vectors of one triad are combined in it. For a fixed and a rotating one, a dot or cross product is taken in the
+rotating triad, a sum in the fixed one.
+
+A rotation by an angle α about an axis n has the angular velocity α' n. In a sequence of rotations about body axes
+(`313`: first about e_3, then about the new e_1, then about the new e_3) the earlier rotations carry the axis n_k of
+rotation k along, and rotation k leaves it invariant. So with R_k the matrices of the rotations,
+
+    ω = Σ a_k' n_k ,      n_k = R_1 ... R_{k-1} e = R_1 ... R_k e  (in i, j, k) ,
+
+and the components of n_k in the triad after d ≥ k rotations are (R_{k+1} ... R_d)ᵀ e. The columns of R_1 ... R_d are
+the axes of that triad. For any other triad ω follows from its axes: ω·e_1 = e_2'·e_3, and so on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 import sympy as sp
 
@@ -26,10 +35,10 @@ Components = tuple[sp.Expr, sp.Expr, sp.Expr]
 class Triad:
     """Three orthonormal right-handed unit vectors.
 
-    names       of e_1, e_2, e_3
+    names       names of e_1, e_2, e_3
     directions  shape (3, 3); row n is e_n in i, j, k; None for the fixed triad itself
     turning     pairs (q_k, ω_k): the angular velocity is Σ ω_k q_k', each ω_k in components of this triad; q_k may
-                be t, for a triad that is driven
+                be t, for a driven triad
     """
 
     names: tuple[str, str, str]
@@ -44,7 +53,7 @@ class Triad:
 
 
 FIXED = Triad(("i", "j", "k"))
-"""The triad that does not turn."""
+"""The inertial triad i, j, k."""
 
 UNITS = {unit.name: unit for unit in FIXED.units}
 """i, j, k as symbols, by name."""
@@ -64,7 +73,7 @@ class Vector:
 
     @property
     def is_zero(self) -> bool:
-        """Whether all components are written as 0."""
+        """Whether all components are literally 0."""
         return all(c == 0 for c in self.components)
 
     def __add__(self, other: Vector) -> Vector:
@@ -126,7 +135,7 @@ class Vector:
         return sp.sqrt(self.dot(self))
 
     def partial(self, symbol: sp.Symbol) -> Vector:
-        """The partial derivative by a coordinate: the components change, and the triad turns."""
+        """The partial derivative with respect to a coordinate: the components change, and the triad rotates."""
         changed = self.map(lambda c: partial(c, symbol))
         for q, w in self.triad.turning:
             if q == symbol:
@@ -150,7 +159,7 @@ class Vector:
         return changed
 
     def change(self, rate: Callable[[sp.Symbol], sp.Expr]) -> Vector:
-        """Its change where every symbol changes by `rate`: Σ (∂a_n/∂s) rate(s) e_n + Σ rate(q_k) ω_k × a."""
+        """Σ (∂a_n/∂s) rate(s) e_n + Σ rate(q_k) ω_k × a, the change of the vector where s changes by rate(s)."""
         changed = self.map(lambda c: derivative(c, rate))
         for q, w in self.triad.turning:
             if rate(q) != 0:
@@ -158,7 +167,7 @@ class Vector:
         return changed
 
     def xreplace(self, rule: dict[sp.Basic, sp.Basic]) -> Vector:
-        """The vector with symbols replaced, in i, j, k if its triad is changed by that."""
+        """The vector with symbols replaced; in i, j, k if that changes its triad."""
         if self.triad.directions is None or not (self.triad.directions.free_symbols & set(rule)):
             return self.map(lambda c: c.xreplace(rule))
         return self.fixed().map(lambda c: c.xreplace(rule))
@@ -178,7 +187,7 @@ def _cross(a: Components, b: Components) -> Components:
 
 
 def _common(a: Vector, b: Vector) -> tuple[Vector, Vector]:
-    """Both in one triad: the turning one, if the other is fixed."""
+    """Both vectors in one triad: the rotating one if the other is fixed."""
     if a.triad == b.triad:
         return a, b
     if a.triad.directions is None:
@@ -186,3 +195,110 @@ def _common(a: Vector, b: Vector) -> tuple[Vector, Vector]:
     if b.triad.directions is None:
         return a, b.along(a.triad)
     return a.fixed(), b.fixed()
+
+
+Rotations = Sequence[tuple[int, sp.Expr]]
+"""Rotations, each given by the number of its axis, 1 to 3, and its angle."""
+
+Axes = tuple[Vector, Vector, Vector]
+
+
+def turned_axes(rotations: Rotations) -> Axes:
+    """The axes after a sequence of rotations, in i, j, k."""
+    matrix = sp.eye(3)
+    for axis, angle in rotations:
+        matrix = matrix * _matrix(axis, angle)
+    a, b, c = (Vector(_column(matrix, k)) for k in range(3))
+    return a, b, c
+
+
+def angular_velocity(rotations: Rotations, slots: Slots) -> Vector:
+    """The angular velocity ω of a sequence of rotations, in i, j, k."""
+    spin = Vector.zero()
+    for n, (axis, angle) in enumerate(rotations):
+        spin = spin + turned_axes(rotations[:n])[axis - 1] * slots.time_derivative(angle)
+    return spin
+
+
+def turned_triad(names: tuple[str, str, str], rotations: Rotations, slots: Slots) -> Triad:
+    """The triad carried along by a sequence of rotations."""
+    rows = [v.components for v in turned_axes(rotations)]
+    turning = _turning(slots, lambda s: _rates(rotations, rotations, lambda angle: angle.diff(s)))
+    return Triad(names, sp.ImmutableMatrix(rows), turning)
+
+
+def spin_in(triad: Triad, rotations: Rotations, depth: int, slots: Slots) -> Vector:
+    """ω of all the rotations, in the triad after the first `depth` of them; `depth` is less than their number."""
+    return Vector(_rates(rotations, rotations[:depth], slots.time_derivative), triad)
+
+
+def triad_along(names: tuple[str, str, str], axes: Axes, slots: Slots, tidy: Callable[[sp.Expr], sp.Expr]) -> Triad:
+    """The triad of three perpendicular unit vectors; that of a frame if they are its unit vectors."""
+    own = axes[0].triad
+    units = [tuple(sp.S.One if n == m else sp.S.Zero for m in range(3)) for n in range(3)]
+    if all(v.triad == own and v.components == unit for v, unit in zip(axes, units, strict=True)):
+        return own
+    e1, e2, e3 = (v.fixed() for v in axes)
+
+    def rate(s: sp.Symbol) -> Components:
+        d1, d2, d3 = (v.map(lambda c: c.diff(s)) for v in (e1, e2, e3))
+        return tidy(d2.dot(e3)), tidy(d3.dot(e1)), tidy(d1.dot(e2))
+
+    return Triad(names, sp.ImmutableMatrix([v.components for v in (e1, e2, e3)]), _turning(slots, rate))
+
+
+def turning_rate(triad: Triad, slots: Slots) -> Vector:
+    """The angular velocity of a triad itself, in its own components."""
+    total = Vector.zero(triad)
+    moving = {*slots.coordinates, *slots.prescribed}
+    for s, w in triad.turning:
+        if s == t or s in moving:
+            total = total + Vector(w, triad) * (sp.S.One if s == t else prime(s))
+    return total
+
+
+def triad_in(triad: Triad, expressed: Mapping[sp.Symbol, sp.Expr], slots: Slots) -> Triad:
+    """The same triad after the coordinates `expressed` are substituted by functions of those of `slots`."""
+    if triad.directions is None or not expressed:
+        return triad
+    rule = dict(expressed)
+    parts = [(s, Vector(w, triad).map(lambda c: c.xreplace(rule)).components) for s, w in triad.turning]
+
+    def rate(new: sp.Symbol) -> Components:
+        total = [sp.S.Zero] * 3
+        for s, w in parts:
+            factor = expressed[s].diff(new) if s in expressed else sp.Integer(int(s == new))
+            total = [a + factor * b for a, b in zip(total, w, strict=True)]
+        return total[0], total[1], total[2]
+
+    return Triad(triad.names, sp.ImmutableMatrix(triad.directions.xreplace(rule)), _turning(slots, rate))
+
+
+def _turning(slots: Slots, rate: Callable[[sp.Symbol], Components]) -> tuple[tuple[sp.Symbol, Components], ...]:
+    rates = ((s, rate(s)) for s in (*slots.coordinates, *slots.prescribed, t))
+    return tuple((s, w) for s, w in rates if any(c != 0 for c in w))
+
+
+def _rates(rotations: Rotations, taken: Rotations, rate: Callable[[sp.Expr], sp.Expr]) -> Components:
+    """Σ rate(a_k) n_k over all rotations, in components of the triad after the rotations `taken`."""
+    total = sp.zeros(3, 1)
+    for n, (axis, angle) in enumerate(rotations):
+        after = sp.eye(3)
+        for later in taken[n + 1 :]:
+            after = after * _matrix(*later)
+        total = total + after.T[:, axis - 1] * rate(angle)
+    return _column(total, 0)
+
+
+def _matrix(axis: int, angle: sp.Expr) -> sp.Matrix:
+    """The rotation by `angle` about coordinate axis 1, 2 or 3; columns are the turned axes."""
+    s, c = sp.sin(angle), sp.cos(angle)
+    a, b = {1: (1, 2), 2: (2, 0), 3: (0, 1)}[axis]
+    matrix = sp.eye(3)
+    matrix[a, a] = matrix[b, b] = c
+    matrix[a, b], matrix[b, a] = -s, s
+    return matrix
+
+
+def _column(matrix: sp.Matrix, k: int) -> Components:
+    return matrix[0, k], matrix[1, k], matrix[2, k]

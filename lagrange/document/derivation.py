@@ -1,11 +1,12 @@
 """A derivation is data: steps of prose, equations, tables and checks, with SymPy in them and never strings of it.
 
-Stages make steps, renderers format them; neither knows the other. A label is an id; whoever prints gives the number.
+Stages make steps, renderers format them; neither knows the other. A label is an id; the renderer gives the number.
+Short ways to build the blocks are in `builders`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import field
 from enum import IntEnum, StrEnum
 from typing import TypeAlias
@@ -45,7 +46,7 @@ class Rule(StrEnum):
 
 
 class Detail(IntEnum):
-    """From how much detail on a block is shown."""
+    """The level of detail from which on a block is shown."""
 
     BRIEF = 0
     STEPS = 1
@@ -68,18 +69,18 @@ class Ref:
 
 
 @record
-class Term:
+class Emphasis:
     """A word that is being defined or concluded: set in italics or bold."""
 
     word: str
 
 
-Part = str | Math | Ref | Term
+Part = str | Math | Ref | Emphasis
 
 
 @record
 class Prose:
-    """A paragraph; `short` stands in its place where little detail is wanted."""
+    """A paragraph; `short` replaces it where little detail is wanted."""
 
     parts: tuple[Part, ...]
     detail: Detail = Detail.STEPS
@@ -88,7 +89,7 @@ class Prose:
 
 @record
 class Equation:
-    """A displayed equation a = b = c; `condition` is set behind it ("where y ≠ 0")."""
+    """A displayed equation a = b = c, followed by its `condition` ("where y ≠ 0")."""
 
     sides: tuple[Mathematics, ...]
     label: str | None = None
@@ -124,7 +125,7 @@ class Matrices:
 
 @record
 class CheckMark:
-    """A check, whether it held (None: could not be decided), and how it was done."""
+    """A check, whether it held (None: undecided), and how it was made."""
 
     name: tuple[Part, ...]
     passed: bool | None
@@ -134,10 +135,10 @@ class CheckMark:
 
 @record
 class Picture:
-    """A picture, drawn when it is asked for; None where it cannot be drawn sensibly.
+    """A picture, drawn on demand; None where it cannot be drawn sensibly.
 
-    caption  what stands below it
-    alt      what is in it, in words
+    caption  the line below it
+    alt      a description in words
     """
 
     draw: Callable[[], Scene | None] = field(compare=False)
@@ -160,42 +161,8 @@ class Step:
 
 @record
 class Derivation:
-    """A whole derivation: what is printed."""
+    """A whole derivation, as it is printed."""
 
     title: str
     source: str
     steps: tuple[Step, ...]
-
-
-def prose(*parts: Part, detail: Detail = Detail.STEPS) -> Prose:
-    """A paragraph from text and mathematics."""
-    return Prose(parts, detail)
-
-
-def math(*sides: Mathematics, relation: str = "=") -> Math:
-    """Inline mathematics a = b = c."""
-    return Math(sides, relation)
-
-
-def paragraph(*sentences: Prose) -> Prose:
-    """Sentences as one paragraph."""
-    parts: list[Part] = []
-    for n, sentence in enumerate(sentences):
-        parts += [" ", *sentence.parts] if n else sentence.parts
-    return Prose(tuple(parts), min(s.detail for s in sentences))
-
-
-def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.STEPS) -> Display:
-    """Displayed equations."""
-    return Display(equations, boxed, detail)
-
-
-def listed(parts: Iterable[Part], last: str = " and ") -> tuple[Part, ...]:
-    """`a, b and c`, as parts of a paragraph."""
-    items = list(parts)
-    joined: list[Part] = []
-    for n, item in enumerate(items):
-        if n:
-            joined.append(last if n == len(items) - 1 else ", ")
-        joined.append(item)
-    return tuple(joined)

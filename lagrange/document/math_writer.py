@@ -1,13 +1,12 @@
-"""Mathematics in text, Unicode, LaTeX and MathML: one walker, and a table for each style.
+"""Mathematics in text, Unicode, LaTeX and MathML: one walker over expressions, and a table of spellings for each style.
 
     text      l*theta'' + g*sin(theta)                  read back by `expressions`
     unicode   l θ̈ + g sin θ                             for the terminal
     latex     l \\ddot{\\theta} + g \\sin\\theta              as typed by hand
 
-What is written is the expression as it stands: nothing is expanded, collected or cancelled here. What the
-walker decides is what a hand decides: the order (`order`), what goes above and below a fraction line
-(`products`), which fraction stands in front, (g/l) sin θ, where brackets are needed, and where a long line
-may be broken (`styles`).
+The expression is written as it is: nothing is expanded, collected or cancelled. The walker decides what an author
+decides: the order of terms and factors and what goes above and below a fraction line (`ordering`), which factors are
+a fraction in front, (g/l) sin θ, where brackets are needed, and where a long line may be broken (`names`).
 """
 
 from __future__ import annotations
@@ -18,26 +17,22 @@ from itertools import pairwise
 
 import sympy as sp
 
-from lagrange.core.symbols import Dot, Partial, Rate, UnitVector, Unspecified, VectorSymbol, Wedge
+from lagrange.core.symbols import DotProduct, Partial, TimeDerivative, UnitVector, Unspecified, VectorSymbol, Wedge
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Mathematics
-from lagrange.document.names import Name
-from lagrange.document.notation import Kind, Notation
-from lagrange.document.order import Order
-from lagrange.document.pieces import BREAK, END, START, Level, Piece, plain
-from lagrange.document.products import Factor, Product, product
+from lagrange.document.limits import LONGEST_LIST
+from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, plain
+from lagrange.document.notation import Notation, SymbolKind
+from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, product
 from lagrange.document.style_latex import Latex, WideLatex
-from lagrange.document.style_unicode import Unicode
-from lagrange.document.styles import BARE, POWERED, Text
+from lagrange.document.styles import BARE, POWERED, Text, Unicode
 
 __all__ = ["LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "latex", "text", "unicode"]
 
 TEXT, UNICODE, LATEX, WIDE_LATEX = Text(), Unicode(), Latex(), WideLatex()
 NOTHING = Notation()
-LONGEST_LIST = 3
-"""Arguments of an undefined function that are written wherever it stands."""
-_STILL = {Kind.PARAMETER, Kind.SIGN}
-_PLACES = {Kind.COORDINATE, *_STILL}
+_CONSTANT = {SymbolKind.PARAMETER, SymbolKind.SIGN}
+_POSITION = {SymbolKind.COORDINATE, *_CONSTANT}
 
 
 def text(expression: Mathematics, notation: Notation = NOTHING) -> str:
@@ -56,12 +51,12 @@ def latex(expression: Mathematics, notation: Notation = NOTHING) -> str:
 
 
 class Writer:
-    """Writes mathematics in one style and notation. Remembers what it has written."""
+    """Writes mathematics in one style and notation, with a cache of the pieces written."""
 
     def __init__(self, style: Text, notation: Notation = NOTHING) -> None:
         self.style = style
         self.notation = notation
-        self.order = Order(notation)
+        self.order = WritingOrder(notation)
         self._written: dict[sp.Basic, Piece] = {}
         self._ambiguous = notation.ambiguous
 
@@ -70,9 +65,10 @@ class Writer:
         return plain(self.marked(expression))
 
     def marked(self, expression: Mathematics) -> str:
-        """The expression with marks where it may be broken; see `styles`."""
-        whole = expression.components if isinstance(expression, Vector) else (expression,)
-        ambiguous = self.notation.ambiguous | _ambiguous(whole)
+        """The expression with marks where it may be broken; see `names`."""
+        components = expression.components if isinstance(expression, Vector) else (expression,)
+        ambiguous = self.notation.ambiguous | _ambiguous(components)
+        # Whether f(x) needs its arguments depends on the expression around it, so pieces are good for one such set.
         if ambiguous != self._ambiguous:
             self._ambiguous = ambiguous
             self._written.clear()
@@ -83,13 +79,13 @@ class Writer:
         return f" {self.style.relation(relation)} ".join(self.plain(side) for side in sides)
 
     def piece(self, expression: Mathematics) -> Piece:
-        """The expression, with what is known about its surroundings."""
+        """The expression as a piece of code, with the precedence that tells whether it needs brackets."""
         if isinstance(expression, Vector):
             return self._vector(expression)
-        found = self._written.get(expression)
-        if found is None:
-            found = self._written[expression] = self._write(expression)
-        return found
+        piece = self._written.get(expression)
+        if piece is None:
+            piece = self._written[expression] = self._write(expression)
+        return piece
 
     def _write(self, expression: sp.Expr) -> Piece:
         match expression:
@@ -103,7 +99,7 @@ class Writer:
                 return Piece(self.style.constants.get(type(expression).__name__, str(expression)), tight=True)
             case Unspecified():
                 return self._unspecified(expression)
-            case Dot():
+            case DotProduct():
                 a, b = (self.piece(a) for a in expression.args)
                 return self.style.dot(a, b)
             case Wedge():
@@ -111,7 +107,7 @@ class Writer:
             case Partial():
                 inner, *variables = expression.args
                 return self.style.partial(self.piece(inner), [v.name for v in variables])
-            case Rate():
+            case TimeDerivative():
                 return self.style.rate(self.piece(expression.args[0]))
             case sp.exp():
                 return self.style.exponential(self._argument(expression.args[0]))
@@ -142,105 +138,114 @@ class Writer:
                 codes.append(BREAK + self.style.minus if n else self.style.sign)
             elif n:
                 codes.append(BREAK + self.style.plus)
-            codes.append(self._inside(piece, Level.SUM))
-        return Piece("".join(codes) + END, Level.SUM)
+            codes.append(self._inside(piece, Precedence.SUM))
+        return Piece("".join(codes) + END, Precedence.SUM)
 
-    def _inside(self, piece: Piece, level: Level) -> str:
-        """The piece, in brackets if it holds together no tighter than `level`."""
+    def _inside(self, piece: Piece, level: Precedence) -> str:
+        """The piece, in brackets if its precedence is `level` or lower."""
         return self.style.bracketed(piece.code) if piece.level <= level else piece.code
 
     # Products and fractions
 
-    def _term(self, parts: Product) -> Piece:
+    def _term(self, parts: OrderedProduct) -> Piece:
         above, below = self.order.factors(parts.above), self.order.factors(parts.below)
         if not below and not parts.divisors:
-            piece = self._product(parts.numbers, above, whole=True)
+            piece = self._product(parts.numbers, above, is_term=True)
         elif not self.style.by_hand:
             piece = self.style.fraction(self._product(parts.numbers, above), self._product(parts.divisors, below))
         elif not below and (len(above) > 1 or (above and not _is_letter(above[0]))):
+            # ½ m x'²: a fraction of numbers is a coefficient in front; but x/2 has its letter above the line.
             number = self.style.coefficient(self._product(parts.numbers, []), self._product(parts.divisors, []))
             piece = self._joined([number, *self._factors(above)])
         else:
-            ahead, front, behind = self._split(above, below)
-            numerator = self._product(parts.numbers if not ahead else [], front)
-            fraction = self.style.fraction(numerator, self._product(parts.divisors, below))
-            leading = [self.style.number(n) for n in parts.numbers] if ahead else []
-            pieces = [*leading, *self._factors(ahead), fraction, *self._factors(behind)]
+            before, numerator, after = self._split(above, below)
+            upper = self._product(parts.numbers if not before else [], numerator)
+            fraction = self.style.fraction(upper, self._product(parts.divisors, below))
+            leading = [self.style.number(n) for n in parts.numbers] if before else []
+            pieces = [*leading, *self._factors(before), fraction, *self._factors(after)]
             piece = self._joined(pieces) if len(pieces) > 1 else fraction
         if not parts.negative:
             return piece
-        return Piece(self.style.sign + self._inside(piece, Level.SUM), Level.SUM)
+        return Piece(self.style.sign + self._inside(piece, Precedence.SUM), Precedence.SUM)
 
-    def _split(self, above: list[Factor], below: list[Factor]) -> tuple[list[Factor], ...]:
-        """What goes ahead of a fraction, above its line, and behind: m (y/x) x'', (g/l) sin θ, x²/l²."""
-        late = {Kind.DIFFERENTIAL, Kind.VECTOR}
+    def _split(self, above: list[BasePower], below: list[BasePower]) -> tuple[list[BasePower], ...]:
+        """The factors before a fraction, above its line, and after it: m (y/x) x'', (g/l) sin θ, x²/l².
+
+        A textbook makes a fraction of factors that belong together: constants over constants are a coefficient of what
+        moves, and ratios of positions are a slope. All else goes above the line; differentials and vectors come last.
+        """
+        late = {SymbolKind.DIFFERENTIAL, SymbolKind.VECTOR}
         last = [f for f in above if self.order.kinds(f[0]) & late]
-        front = [f for f in above if f not in last]
-        constant = [f for f in front if self._is_plain(f, _STILL)]
-        others = [f for f in front if f not in constant]
+        scalars = [f for f in above if f not in last]
+        constant = [f for f in scalars if self._is_plain(f, _CONSTANT)]
+        others = [f for f in scalars if f not in constant]
         sums = any(isinstance(base, sp.Add) and base.has(sp.sin, sp.cos) for base, _ in below)
         if below and constant and all(self.order.is_constant(base) for base, _ in below):
             if sums and others and not any(isinstance(base, sp.Add) or self._moves(base) for base, _ in others):
-                return [], front, last  # m g cos α/(M + m sin²α), a coefficient as long would be none
+                return [], scalars, last  # m g cos α/(M + m sin²α): in front, the coefficient would outweigh cos α
             return [], constant, others + last
-        places = [f for f in others if self._is_plain(f, _PLACES)]
-        moving = [f for f in others if f not in places]
-        letters = (isinstance(f[0], sp.Symbol) and self._is_plain(f, _PLACES) for f in below)
-        if places and moving and all(letters):
-            return constant, places, moving + last
-        return [], front, last
+        positions = [f for f in others if self._is_plain(f, _POSITION)]
+        moving = [f for f in others if f not in positions]
+        letters = (isinstance(f[0], sp.Symbol) and self._is_plain(f, _POSITION) for f in below)
+        if positions and moving and all(letters):
+            return constant, positions, moving + last
+        return [], scalars, last
 
     def _moves(self, base: sp.Expr) -> bool:
-        """Whether it is more than a matter of position."""
-        return not self.order.kinds(base) <= {*_PLACES, Kind.TIME}
+        """Whether it depends on more than position and time."""
+        return not self.order.kinds(base) <= {*_POSITION, SymbolKind.TIME}
 
-    def _is_plain(self, factor: Factor, kinds: set[Kind]) -> bool:
+    def _is_plain(self, factor: BasePower, kinds: set[SymbolKind]) -> bool:
         """Whether it is a number, a symbol of these kinds, or a sum of such."""
         base, exponent = factor
         if isinstance(base, sp.Number | sp.NumberSymbol):
             return True
-        whole = isinstance(base, sp.Symbol | sp.Add) and exponent.is_Integer
-        return bool(whole) and self.order.kinds(base) <= kinds
+        rational = isinstance(base, sp.Symbol | sp.Add) and exponent.is_Integer
+        return bool(rational) and self.order.kinds(base) <= kinds
 
-    def _product(self, numbers: list[sp.Number], factors: list[Factor], whole: bool = False) -> Piece:
+    def _product(self, numbers: list[sp.Number], factors: list[BasePower], is_term: bool = False) -> Piece:
         pieces = [self.style.number(n) for n in numbers]
         if len(pieces) > 1:
-            pieces = [Piece(self.style.between_numbers.join(p.code for p in pieces), Level.PRODUCT)]
-        pieces += self._unmistakable(factors) if whole and len(pieces) + len(factors) > 1 else self._factors(factors)
-        if whole and len(pieces) > 1 and isinstance(factors[-1][0], Wedge) and BREAK in pieces[-2].code:
+            pieces = [Piece(self.style.between_numbers.join(p.code for p in pieces), Precedence.PRODUCT)]
+        pieces += self._unmistakable(factors) if is_term and len(pieces) + len(factors) > 1 else self._factors(factors)
+        if is_term and len(pieces) > 1 and isinstance(factors[-1][0], Wedge) and BREAK in pieces[-2].code:
             return self._broken_before(pieces)
         first_of_several = self.style.by_hand and not numbers and len(pieces) > 1
-        if first_of_several and pieces[1].level <= Level.DIVISION and _is_slope(factors[0]):
-            pieces[0] = Piece(self.style.bracketed(pieces[0].code), Level.POWER)  # ∂f/∂x (a + b) is f's slope at a + b
+        if first_of_several and pieces[1].level <= Precedence.DIVISION and _is_slope(factors[0]):
+            pieces[0] = Piece(
+                self.style.bracketed(pieces[0].code), Precedence.POWER
+            )  # ∂f/∂x (a + b) is f's slope at a + b
         if not pieces:
             return self.style.number(sp.S.One)
         return pieces[0] if len(pieces) == 1 else self._joined(pieces)
 
-    def _factors(self, factors: list[Factor]) -> list[Piece]:
+    def _factors(self, factors: list[BasePower]) -> list[Piece]:
         return [self._power(base, exponent) for base, exponent in factors]
 
-    def _unmistakable(self, factors: list[Factor]) -> list[Piece]:
-        """The factors of a whole term: ∂f/∂X dx and u ∂f/∂X are read rightly without brackets, (∂f/∂X) x' is not."""
+    def _unmistakable(self, factors: list[BasePower]) -> list[Piece]:
+        """The factors of a term: ∂f/∂X dx and u ∂f/∂X cannot be misread without brackets, (∂f/∂X) x' can."""
         pieces = self._factors(factors)
         slopes = [n for n, (base, _) in enumerate(factors) if isinstance(base, Unspecified) and any(base.orders)]
         if len(slopes) == 1 and factors[slopes[0]][1] == 1:
             [n] = slopes
-            if all(self.order.kinds(base) == {Kind.DIFFERENTIAL} for base, _ in factors[n + 1 :]):
-                pieces[n] = replace(pieces[n], level=Level.PRODUCT)
+            if all(self.order.kinds(base) == {SymbolKind.DIFFERENTIAL} for base, _ in factors[n + 1 :]):
+                pieces[n] = replace(pieces[n], level=Precedence.PRODUCT)
         return pieces
 
     def _broken_before(self, pieces: list[Piece]) -> Piece:
         """A product that may be broken before its last factor: (a long sum) dx ∧ dy ∧ dz."""
         *front, last = pieces
-        ahead = self._joined(front).code if len(front) > 1 else self._inside(front[0], Level.DIVISION)
-        return Piece(f"{START}{ahead}{BREAK}{self.style.between(front[-1], last)}{last.code}{END}", Level.PRODUCT)
+        ahead = self._joined(front).code if len(front) > 1 else self._inside(front[0], Precedence.DIVISION)
+        return Piece(f"{START}{ahead}{BREAK}{self.style.between(front[-1], last)}{last.code}{END}", Precedence.PRODUCT)
 
     def _joined(self, pieces: list[Piece]) -> Piece:
-        codes = [pieces[0].code if pieces[0].level is Level.PRODUCT else self._inside(pieces[0], Level.DIVISION)]
+        codes = [
+            pieces[0].code if pieces[0].level is Precedence.PRODUCT else self._inside(pieces[0], Precedence.DIVISION)
+        ]
         for before, after in pairwise(pieces):
             codes.append(self.style.between(before, after))
-            codes.append(self._inside(after, Level.DIVISION))
-        return Piece("".join(codes), Level.PRODUCT, tight=pieces[0].tight)
+            codes.append(self._inside(after, Precedence.DIVISION))
+        return Piece("".join(codes), Precedence.PRODUCT, tight=pieces[0].tight)
 
     # Powers and functions
 
@@ -253,11 +258,11 @@ class Writer:
         name = type(base).__name__
         if self.style.by_hand and name in POWERED and exponent.is_Integer:
             return self._application(name, base.args, raised)
-        return self.style.power(self._inside(self.piece(base), Level.POWER), raised)
+        return self.style.power(self._inside(self.piece(base), Precedence.POWER), raised)
 
     def _exponent(self, exponent: sp.Expr) -> Piece:
         if isinstance(exponent, sp.Rational) and not exponent.is_Integer:
-            return Piece(f"{exponent.p}/{exponent.q}", Level.DIVISION)
+            return Piece(f"{exponent.p}/{exponent.q}", Precedence.DIVISION)
         return self.piece(exponent)
 
     def _application(self, name: str, arguments: tuple[sp.Expr, ...], power: Piece | None = None) -> Piece:
@@ -276,7 +281,7 @@ class Writer:
         return self.piece(argument)
 
     def _bare(self, argument: sp.Expr) -> str | None:
-        """The argument as it stands behind sin without parentheses: θ, 2θ, ωt; None if it needs them."""
+        """The argument of sin without parentheses: θ, 2θ, ωt; None if it needs them."""
         parts = product(argument)
         if (
             parts.negative
@@ -292,7 +297,7 @@ class Writer:
             return None
         if self.style.stacked or not symbols:
             return self.piece(argument).code
-        if not all(Name.of(s.name).is_tight for s in symbols[:-1] if isinstance(s, sp.Symbol)):
+        if not all(WrittenName.of(s.name).is_tight for s in symbols[:-1] if isinstance(s, sp.Symbol)):
             return None
         return "".join([*(self.style.number(n).code for n in parts.numbers), *(self.piece(s).code for s in symbols)])
 
@@ -307,7 +312,7 @@ class Writer:
         return self.style.partial(head, variables, codes if function.name in self._ambiguous else ())
 
     def _is_known(self, function: Unspecified) -> bool:
-        """Whether its long list of arguments is the declared one, said once for all: F_x(x, y, x', t) is F_x."""
+        """Whether its long list of arguments is the declared one and can be omitted: F_x for F_x(x, y, x', t)."""
         declared = tuple(str(a) for a in function.arguments) == function.argument_names
         return declared and len(function.arguments) > LONGEST_LIST and function.name not in self._ambiguous
 
@@ -318,16 +323,16 @@ def _ambiguous(expressions: Iterable[sp.Basic]) -> frozenset[str]:
     for expression in expressions:
         for function in expression.atoms(Unspecified):
             lists.setdefault(function.name, set()).add(function.arguments)
-    return frozenset(name for name, found in lists.items() if len(found) > 1)
+    return frozenset(name for name, arguments in lists.items() if len(arguments) > 1)
 
 
-def _is_slope(factor: Factor) -> bool:
+def _is_slope(factor: BasePower) -> bool:
     """Whether it is a derivative of an undefined function, to the first power."""
     base, exponent = factor
     return isinstance(base, Unspecified) and any(base.orders) and exponent == 1
 
 
-def _is_letter(factor: Factor) -> bool:
+def _is_letter(factor: BasePower) -> bool:
     """Whether half of it is x/2, and not ½ x²."""
     base, exponent = factor
     return isinstance(base, sp.Number) or (isinstance(base, sp.Symbol | sp.NumberSymbol) and exponent == 1)

@@ -1,20 +1,26 @@
-"""The parts of a name, and its spelling.
+"""Names and pieces of code: the atoms and the building blocks of written mathematics.
 
-A symbol's name is its text form, and says everything: theta_1'' is the letter theta with the index 1 and
-two dots, d(x) is the differential of x, delta(r_P) the variation of the vector r_P. A trailing number is an
-index too, so that theta1 and theta_1 look alike. Dots belong on the letter, not on the index: θ̈₁. A name
-of several letters that is not Greek stays a word, with primes in place of dots: pos″.
+The name of a symbol is its text form and determines its spelling: theta_1'' is the letter theta with index 1 and two
+dots, d(x) the differential of x, delta(r_P) the variation of the vector r_P. A trailing number is an index too, so that
+theta1 and theta_1 look alike. Dots go on the letter, not on the index: θ̈₁. A name of several letters that is not Greek
+stays a word, with primes in place of dots: pos″.
+
+A `Piece` is the code of an expression with its precedence, from which the walker sees where brackets are needed. The
+code of a sum is marked: START, BREAK before each sign but the first, END. From the marks a layout finds where a long
+equation can be broken, and how deep each place is; `plain` removes them. The marks are from the private use area of
+Unicode, so that no name contains them.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
+from enum import IntEnum
 from functools import lru_cache
 
 from lagrange.core.records import record
 
-# name: (letter, LaTeX). Capitals that look Latin have no LaTeX command; ℓ, a letter like any of these, is among them.
+# name: (letter, LaTeX). Capitals that look Latin have no command in LaTeX; ℓ is here because it is treated alike.
 GREEK: dict[str, tuple[str, str]] = {
     "alpha": ("α", r"\alpha"),
     "beta": ("β", r"\beta"),
@@ -85,7 +91,7 @@ _NUMBERED = re.compile(r"([^\W\d_]+)(\d+)\Z")
 
 
 @record
-class Name:
+class WrittenName:
     """A name in its parts.
 
     operator    "", "d" or "delta"
@@ -101,8 +107,8 @@ class Name:
 
     @classmethod
     @lru_cache(maxsize=1 << 12)
-    def of(cls, name: str) -> Name:
-        """Takes a name apart."""
+    def of(cls, name: str) -> WrittenName:
+        """Parse a name."""
         if operated := _OPERATED.match(name):
             inner = cls.of(operated[2])
             return cls(operated[1], inner.letter, inner.indices, inner.primes)
@@ -115,16 +121,16 @@ class Name:
 
     @property
     def is_letter(self) -> bool:
-        """Whether it is written with one letter, so that names can stand side by side."""
+        """Whether it is written with one letter, so that a product of such names needs no sign."""
         return len(self.letter) == 1 or self.letter in GREEK
 
     @property
     def is_tight(self) -> bool:
-        """Whether a letter can follow without a space, and is read as another: ωt, not kx or λ_rod x."""
+        """Whether a letter after it without a space is read as another factor: ωt, but not kx or λ_rod x."""
         return self.letter in GREEK and not self.primes and all(index.isdigit() for index in self.indices)
 
 
-def unicode_name(name: Name) -> str:
+def unicode_name(name: WrittenName) -> str:
     """`θ̈₁`, `dx`, `δr_P`, `λ_rod`, `pos″`."""
     letter = _letter(name.letter)
     dotted = len(letter) == 1 and name.primes < len(_DOTS)
@@ -135,7 +141,7 @@ def unicode_name(name: Name) -> str:
     return {"": "", "d": "d", "delta": "δ"}[name.operator] + body
 
 
-def latex_name(name: Name, bold: bool = False) -> str:
+def latex_name(name: WrittenName, bold: bool = False) -> str:
     r"""`\ddot{\theta}_{1}`, `\mathrm{d}x`, `\delta \mathbf{r}_{P}`, `\lambda_{\text{rod}}`."""
     body = _latex_letter(name.letter, bold)
     if 0 < name.primes < 4:
@@ -154,7 +160,7 @@ def _letter(word: str) -> str:
 def _unicode_index(index: str) -> str:
     if mixed := _MIXED.match(index):
         return mixed[1].translate(SUBSCRIPTS) + SMALL[mixed[2]]
-    return index.translate(SUBSCRIPTS) if index.isdigit() else "_" + unicode_name(Name.of(index))
+    return index.translate(SUBSCRIPTS) if index.isdigit() else "_" + unicode_name(WrittenName.of(index))
 
 
 _COMMANDS = dict(GREEK.values())
@@ -174,9 +180,45 @@ def _latex_letter(word: str, bold: bool) -> str:
 def _latex_index(index: str) -> str:
     if _MIXED.match(index):
         return index
-    inner = Name.of(index)
+    inner = WrittenName.of(index)
     if index.isdigit() or (inner.is_letter and all(i.isdigit() or len(i) == 1 or i in GREEK for i in inner.indices)):
         return index if index.isdigit() else latex_name(inner)
     words = [word for word in re.split(r"[_.]", index) if word]
     numbers = [word for word in words if word.isdigit()]
     return ",".join([r"\text{" + " ".join(w for w in words if not w.isdigit()) + "}", *numbers])
+
+
+START, BREAK, END = "\ue000", "\ue001", "\ue002"
+_MARKS = re.compile(f"[{START}{BREAK}{END}]")
+
+
+def plain(code: str) -> str:
+    """The code without marks."""
+    return _MARKS.sub("", code)
+
+
+class Precedence(IntEnum):
+    """How tightly a piece binds: lower ones need brackets in higher ones."""
+
+    SUM = 0  # a + b, -a
+    DIVISION = 1  # a/b
+    PRODUCT = 2  # a b
+    APPLICATION = 3  # sin θ, without parentheses
+    POWER = 4  # x², √(a + b)
+    ATOM = 5  # x, f(x), (a + b)
+
+
+@record
+class Piece:
+    """The code of an expression. `tight`: a number before it needs no space, as in 2x."""
+
+    code: str
+    level: Precedence = Precedence.ATOM
+    tight: bool = False
+
+
+def brackets(code: str, brace: str = "{") -> tuple[str, str]:
+    """Round brackets; square ones around a sum or bracket that contains round ones, then braces."""
+    if not code.startswith((START, "(", "−", "-")) or "(" not in code:
+        return "(", ")"
+    return ("{", "}") if "[" in code and brace not in code else ("[", "]")

@@ -1,8 +1,8 @@
-"""What a symbol is, and where it stands among those of its kind.
+"""The kind of a symbol, and its place in the order of its kind.
 
-Most of it can be read off a name: x' is a velocity, d(x) a differential, lambda_rod a multiplier. The rest
-is declared by a problem and told by its `Notation`: the coordinates in their order, prescribed motions,
-quasi-velocities, unknown forces, and the scalars that take the names of the unit vectors.
+Most of this follows from the name: x' is a velocity, d(x) a differential, lambda_rod a multiplier. The rest is declared
+by a problem and collected in its `Notation`: the coordinates in their order, prescribed motions, quasi-velocities,
+unknown forces, and scalars that have the names of the unit vectors.
 """
 
 from __future__ import annotations
@@ -14,13 +14,14 @@ import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.core.symbols import FormSymbol, Sign, UnitVector, VectorSymbol, counting
-from lagrange.document.names import GREEK, Name
+from lagrange.document.names import GREEK, WrittenName
 
-Place = tuple[int, str, tuple[str, ...]]  # declared order, then alphabetic
+SortPlace = tuple[int, str, tuple[str, ...]]  # declared order, then alphabetic
 CONVENTIONAL = frozenset({"x", "y", "z", "q", "r", "s", "theta", "phi", "psi", "rho", "varphi"})
+"""Letters that are coordinates where a notation declares none."""
 
 
-class Kind(IntEnum):
+class SymbolKind(IntEnum):
     """What a symbol is."""
 
     SIGN = 0
@@ -34,19 +35,19 @@ class Kind(IntEnum):
     VECTOR = 8
 
 
-MOVING = (Kind.ACCELERATION, Kind.VELOCITY, Kind.COORDINATE)
+MOVING = (SymbolKind.ACCELERATION, SymbolKind.VELOCITY, SymbolKind.COORDINATE)
 
 
 @record
 class Notation:
-    """What writing has to know of a problem's symbols. Everything may be left out.
+    """What the writer has to know about the symbols of a problem; every field is optional.
 
     coordinates     in declared order, those of the choices after those of the file
     prescribed      prescribed motions u(t)
     speeds          quasi-velocities
-    frequencies     the unknowns ω or p of small oscillations: first among the terms, but ω t
-    parameters      needed only for those that would be taken for something else
-    forces          multipliers and unknown forces; names that begin with lambda_ are known to be some
+    frequencies     the unknowns ω or p of small oscillations: their terms come first, but the factor in ω t
+    parameters      needed only if the name suggests another kind
+    forces          multipliers and unknown forces, except for names with the prefix lambda_
     scalar_names    declared scalars; with i, j or k among them the unit vectors are e_x, e_y, e_z
     ambiguous       undefined functions that occur with several lists of arguments
     """
@@ -62,34 +63,34 @@ class Notation:
 
     @property
     def shadows_unit_vectors(self) -> bool:
-        """Whether i, j, k have to be written e_x, e_y, e_z."""
+        """Whether i, j, k must be written e_x, e_y, e_z."""
         return bool(self.scalar_names & {"i", "j", "k"})
 
-    def kind(self, symbol: sp.Symbol) -> Kind:
-        """What a symbol is; an undeclared one is judged by its name."""
+    def kind(self, symbol: sp.Symbol) -> SymbolKind:
+        """The kind of a symbol; for an undeclared one it follows from the name."""
         if isinstance(symbol, FormSymbol):
-            return Kind.DIFFERENTIAL
+            return SymbolKind.DIFFERENTIAL
         if isinstance(symbol, UnitVector | VectorSymbol):
-            return Kind.VECTOR
+            return SymbolKind.VECTOR
         name = symbol.name
         if name in self._declared:
             return self._declared[name]
         if isinstance(symbol, Sign):
-            return Kind.SIGN
+            return SymbolKind.SIGN
         if name.endswith(")"):
-            return Kind.DIFFERENTIAL
+            return SymbolKind.DIFFERENTIAL
         if name.endswith("'"):
             stem = name.rstrip("'")
-            order = len(name) - len(stem) + (self._declared.get(stem) == Kind.VELOCITY)
-            return Kind.VELOCITY if order == 1 else Kind.ACCELERATION
+            order = len(name) - len(stem) + (self._declared.get(stem) == SymbolKind.VELOCITY)
+            return SymbolKind.VELOCITY if order == 1 else SymbolKind.ACCELERATION
         if name.startswith("lambda_"):
-            return Kind.FORCE
-        if not self.coordinates and Name.of(name).letter in CONVENTIONAL:
-            return Kind.COORDINATE
-        return Kind.PARAMETER
+            return SymbolKind.FORCE
+        if not self.coordinates and WrittenName.of(name).letter in CONVENTIONAL:
+            return SymbolKind.COORDINATE
+        return SymbolKind.PARAMETER
 
-    def place(self, name: str) -> Place:
-        """Where a coordinate, or what is made of it, stands among the others; t comes last."""
+    def place(self, name: str) -> SortPlace:
+        """The place of a coordinate, or of its velocity, differential, ..., among the others; t comes last."""
         inner = name.partition("(")[2].removesuffix(")") or name
         stem = inner.rstrip("'")
         if stem not in self._ranks and stem.startswith("pi_"):  # δπ_u of a quasi-velocity u
@@ -106,18 +107,18 @@ class Notation:
         return {s.name: n for n, s in reversed(list(enumerate(moving)))}
 
     @cached_property
-    def _declared(self) -> dict[str, Kind]:
+    def _declared(self) -> dict[str, SymbolKind]:
         declared = [
-            (self.forces, Kind.FORCE),
-            (self.parameters, Kind.PARAMETER),
-            ((*self.speeds, *self.frequencies), Kind.VELOCITY),
-            ((*self.prescribed, *self.coordinates), Kind.COORDINATE),
+            (self.forces, SymbolKind.FORCE),
+            (self.parameters, SymbolKind.PARAMETER),
+            ((*self.speeds, *self.frequencies), SymbolKind.VELOCITY),
+            ((*self.prescribed, *self.coordinates), SymbolKind.COORDINATE),
         ]
-        return {"t": Kind.TIME} | {s.name: kind for symbols, kind in declared for s in symbols}
+        return {"t": SymbolKind.TIME} | {s.name: kind for symbols, kind in declared for s in symbols}
 
 
 def alphabetic(name: str) -> tuple[str, tuple[str, ...]]:
-    """Latin before Greek, and otherwise as in a dictionary; x_2 before x_10."""
-    parts = Name.of(name)
+    """Sort key of a name: Latin before Greek, otherwise as in a dictionary, but x_2 before x_10."""
+    parts = WrittenName.of(name)
     greek = "1" if parts.letter in GREEK and parts.letter != "ell" else "0"
     return f"{greek}{parts.letter.lower()}{parts.letter}", tuple(map(counting, parts.indices))

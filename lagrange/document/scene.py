@@ -1,8 +1,8 @@
-"""What is in a picture, in page coordinates: centimetres to the right and up.
+"""A picture as data, in page coordinates: centimetres to the right and up.
 
-Three shapes are enough: lines (bent ones are chains of short straight pieces), dots and labels. A line's kind says what
-it stands for, and each renderer draws a kind in its own way. A label is mathematics or a word; its place is where its
-middle is, its size an estimate that is large rather than small.
+Three shapes suffice: lines (curves are chains of short straight pieces), dots and labels. The kind of a line says
+what it represents, and each renderer draws a kind in its own way. A label is mathematics or a word, placed by its
+centre; its size is an estimate, too large rather than too small.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ import sympy as sp
 
 from lagrange.core.records import record
 
-Point = tuple[float, float]
+PagePoint = tuple[float, float]
 """x to the right and y up, in centimetres."""
 
 MARGIN = 0.12
-"""Around everything, so that no line is cut in two along its length."""
+"""White space around a picture, so that the edge does not cut a line in two along its length."""
 
 
-class Kind(StrEnum):
-    """What a line stands for."""
+class StrokeKind(StrEnum):
+    """What a line represents."""
 
     ROD = "rod"  # a distance that is kept
     LINK = "link"  # a distance that the coordinates keep by themselves
@@ -50,8 +50,8 @@ class Box:
     top: float
 
     @classmethod
-    def around(cls, points: Iterable[Point]) -> Box:
-        """The smallest box around some points, of which there is one at least."""
+    def around(cls, points: Iterable[PagePoint]) -> Box:
+        """The smallest box around one or more points."""
         xs, ys = zip(*points, strict=True)
         return cls(min(xs), min(ys), max(xs), max(ys))
 
@@ -66,7 +66,7 @@ class Box:
         return self.top - self.bottom
 
     @property
-    def corners(self) -> tuple[Point, Point]:
+    def corners(self) -> tuple[PagePoint, PagePoint]:
         """Lower left and upper right."""
         return (self.left, self.bottom), (self.right, self.top)
 
@@ -75,11 +75,11 @@ class Box:
         return Box(self.left - by, self.bottom - by, self.right + by, self.top + by)
 
     def overlaps(self, other: Box) -> bool:
-        """Whether they have an area in common."""
+        """Whether the two boxes have an area in common."""
         beside = self.right <= other.left or other.right <= self.left
         return not (beside or self.top <= other.bottom or other.top <= self.bottom)
 
-    def is_crossed(self, a: Point, b: Point) -> bool:
+    def is_crossed(self, a: PagePoint, b: PagePoint) -> bool:
         """Whether the straight line from a to b has a point in the box (Liang and Barsky 1984)."""
         first, last = 0.0, 1.0
         sides = ((self.left, self.right), (self.bottom, self.top))
@@ -95,7 +95,7 @@ class Box:
 
 
 @record
-class Line:
+class Polyline:
     """A chain of straight pieces.
 
     closed  whether it ends where it begins
@@ -103,14 +103,14 @@ class Line:
     double  whether that is the double tip of a moment
     """
 
-    points: tuple[Point, ...]
-    kind: Kind
+    points: tuple[PagePoint, ...]
+    kind: StrokeKind
     closed: bool = False
     tip: bool = False
     double: bool = False
 
     @property
-    def pieces(self) -> list[tuple[Point, Point]]:
+    def pieces(self) -> list[tuple[PagePoint, PagePoint]]:
         """The straight pieces."""
         around = (*self.points, self.points[0]) if self.closed else self.points
         return list(pairwise(around))
@@ -120,7 +120,7 @@ class Line:
 class Dot:
     """A particle, or a hinge where it is open."""
 
-    at: Point
+    at: PagePoint
     radius: float
     open: bool = False
 
@@ -130,13 +130,13 @@ class Label:
     """Mathematics or a word with its middle at a place."""
 
     content: sp.Expr | str
-    at: Point
+    at: PagePoint
     width: float
     height: float
 
     @property
     def box(self) -> Box:
-        """What it covers."""
+        """The area that it covers."""
         x, y = self.at
         return Box(x - self.width / 2, y - self.height / 2, x + self.width / 2, y + self.height / 2)
 
@@ -145,13 +145,13 @@ class Label:
 class Scene:
     """A picture."""
 
-    lines: tuple[Line, ...]
+    lines: tuple[Polyline, ...]
     dots: tuple[Dot, ...]
     labels: tuple[Label, ...]
 
     @property
     def box(self) -> Box:
-        """What the whole picture covers, with a margin."""
+        """The area of the whole picture, with a margin."""
         corners = [p for line in self.lines for p in line.points]
         for d in self.dots:
             (x, y), r = d.at, d.radius
@@ -160,21 +160,21 @@ class Scene:
             corners += label.box.corners
         return Box.around(corners).grown(MARGIN)
 
-    def moved(self, by: Point) -> Scene:
-        """The scene somewhere else."""
+    def moved(self, by: PagePoint) -> Scene:
+        """The scene translated by a vector."""
 
-        def there(p: Point) -> Point:
+        def shifted(p: PagePoint) -> PagePoint:
             return p[0] + by[0], p[1] + by[1]
 
         return Scene(
-            tuple(replace(line, points=tuple(map(there, line.points))) for line in self.lines),
-            tuple(replace(d, at=there(d.at)) for d in self.dots),
-            tuple(replace(label, at=there(label.at)) for label in self.labels),
+            tuple(replace(line, points=tuple(map(shifted, line.points))) for line in self.lines),
+            tuple(replace(d, at=shifted(d.at)) for d in self.dots),
+            tuple(replace(label, at=shifted(label.at)) for label in self.labels),
         )
 
 
 def side_by_side(scenes: Iterable[Scene], width: float, gap: float = 0.8) -> Scene:
-    """Scenes in rows that are no wider than `width`, each row in the middle."""
+    """Scenes in centred rows, none wider than `width`."""
     rows: list[list[Scene]] = []
     used = 0.0
     for scene in scenes:

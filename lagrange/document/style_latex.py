@@ -1,4 +1,8 @@
-r"""How LaTeX spells mathematics, as typed by hand: `\ddot{\theta} + \frac{g}{l} \sin\theta`."""
+r"""Spelling of mathematics in LaTeX with amsmath, as typed by hand: `\ddot{\theta} + \frac{g}{l} \sin\theta`.
+
+TeX breaks no line inside a fraction, a root, or `\left ... \right`. `WideLatex` is for equations too wide for a line:
+it writes a long fraction as a product with a reciprocal or as a quotient with a slash, and a long root as a power.
+"""
 
 from __future__ import annotations
 
@@ -8,20 +12,16 @@ from typing import ClassVar
 
 import sympy as sp
 
-from lagrange.document.names import Name, latex_name
-from lagrange.document.pieces import BREAK, END, START, Level, Piece, brackets, plain
-from lagrange.document.style_unicode import Unicode
-from lagrange.document.styles import FUNCTIONS
-
-LONG = 120  # characters of LaTeX that are about a third of a line
-
+from lagrange.document.limits import LONG_LATEX
+from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, brackets, latex_name, plain
+from lagrange.document.styles import FUNCTIONS, Unicode
 
 _SLOPE = re.compile(r"\\frac\{(\\partial (?:[^{}]|\{\w+\})+)\}\{(\\partial (?:[^{}]|\{\w+\})+)\}")
 _SET_OFF = (r"\mathrm{d}", r"\delta ", r"\mathbf{e}", r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}")
 
 
 class Latex(Unicode):
-    r"""LaTeX with amsmath, as typed by hand: `\ddot{\theta} + \frac{g}{l} \sin\theta`."""
+    """LaTeX with amsmath."""
 
     column = 2
     minus = " - "
@@ -36,7 +36,7 @@ class Latex(Unicode):
 
     def name(self, name: str, vector: bool = False) -> Piece:
         """A symbol."""
-        parts = Name.of(name)
+        parts = WrittenName.of(name)
         return Piece(latex_name(parts, vector), tight=parts.is_letter and not parts.operator and not vector)
 
     def number(self, number: sp.Number) -> Piece:
@@ -59,7 +59,7 @@ class Latex(Unicode):
         r"""`\sin\theta`, `\sin x`."""
         del raised
         gap = "" if argument.startswith("\\") else " "
-        return Piece(f"{function}{gap}{argument}", Level.APPLICATION)
+        return Piece(f"{function}{gap}{argument}", Precedence.APPLICATION)
 
     def bracketed(self, code: str) -> str:
         """Brackets that grow only around fractions."""
@@ -73,15 +73,15 @@ class Latex(Unicode):
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         """A fraction."""
-        return Piece(rf"\frac{{{_flat(numerator)}}}{{{_flat(denominator)}}}", Level.PRODUCT)
+        return Piece(rf"\frac{{{_flat(numerator)}}}{{{_flat(denominator)}}}", Precedence.PRODUCT)
 
     def power(self, base: str, exponent: Piece) -> Piece:
-        """A power of what needs no brackets."""
-        return Piece(f"{base}^{{{plain(exponent.code)}}}", Level.POWER, tight=True)
+        """A power; the base has its brackets already."""
+        return Piece(f"{base}^{{{plain(exponent.code)}}}", Precedence.POWER, tight=True)
 
     def exponential(self, exponent: Piece) -> Piece:
         """A power of e."""
-        return Piece(rf"\mathrm{{e}}^{{{plain(exponent.code)}}}", Level.POWER)
+        return Piece(rf"\mathrm{{e}}^{{{plain(exponent.code)}}}", Precedence.POWER)
 
     def root(self, inner: Piece) -> Piece:
         """A square root."""
@@ -95,29 +95,29 @@ class Latex(Unicode):
 
     def dot(self, a: Piece, b: Piece) -> Piece:
         """A scalar product."""
-        return Piece(rf"{self._operand(a)} \cdot {self._operand(b)}", Level.DIVISION)
+        return Piece(rf"{self._operand(a)} \cdot {self._operand(b)}", Precedence.DIVISION)
 
     def wedge(self, forms: Sequence[Piece]) -> Piece:
         """An exterior product."""
-        return Piece(r" \wedge ".join(self._operand(f) for f in forms), Level.PRODUCT)
+        return Piece(r" \wedge ".join(self._operand(f) for f in forms), Precedence.PRODUCT)
 
     def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
         """A partial derivative."""
         if is_tall(inner.code) and not at:
-            body = inner.code if inner.level >= Level.PRODUCT else self.bracketed(inner.code)
+            body = inner.code if inner.level >= Precedence.PRODUCT else self.bracketed(inner.code)
             below = self._differentials(r"\partial", " ", Piece(""), variables)[1]
             raised = self.power(r"\partial", Piece(str(len(variables)))).code if len(variables) > 1 else r"\partial"
-            return Piece(rf"\frac{{{raised}}}{{{below}}} {body}", Level.PRODUCT)
+            return Piece(rf"\frac{{{raised}}}{{{below}}} {body}", Precedence.PRODUCT)
         above, below = self._differentials(r"\partial", " ", inner, variables)
         code = rf"\frac{{{plain(above)}}}{{{below}}}"
-        return Piece(code + (self.arguments(at) if at else ""), Level.PRODUCT)
+        return Piece(code + (self.arguments(at) if at else ""), Precedence.PRODUCT)
 
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""
-        if inner.level == Level.ATOM and "(" not in inner.code:
-            return Piece(rf"\frac{{\mathrm{{d}}{inner.code}}}{{\mathrm{{d}}t}}", Level.PRODUCT)
-        body = inner.code if inner.level >= Level.PRODUCT and is_tall(inner.code) else self.bracketed(inner.code)
-        return Piece(rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}} {body}", Level.PRODUCT)
+        if inner.level == Precedence.ATOM and "(" not in inner.code:
+            return Piece(rf"\frac{{\mathrm{{d}}{inner.code}}}{{\mathrm{{d}}t}}", Precedence.PRODUCT)
+        body = inner.code if inner.level >= Precedence.PRODUCT and is_tall(inner.code) else self.bracketed(inner.code)
+        return Piece(rf"\frac{{\mathrm{{d}}}}{{\mathrm{{d}}t}} {body}", Precedence.PRODUCT)
 
     def zero_vector(self) -> Piece:
         """The vector 0."""
@@ -125,23 +125,23 @@ class Latex(Unicode):
 
 
 class WideLatex(Latex):
-    r"""LaTeX for what is too wide for a line: long fractions and roots can be broken."""
+    r"""LaTeX for equations too wide for a line: long fractions and roots can be broken."""
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         """`\frac{1}{b} (...)`, and `(...) / (...)` where both parts are long."""
         if not {BREAK} & {*numerator.code, *denominator.code}:
             return super().fraction(numerator, denominator)
         if BREAK not in denominator.code:
-            one = super().fraction(Piece("1"), denominator).code
-            inner = numerator.code if numerator.level > Level.DIVISION else self.bracketed(numerator.code)
-            return Piece(f"{one} {inner}", Level.PRODUCT)
-        if BREAK not in numerator.code and len(denominator.code) < LONG:
+            reciprocal = super().fraction(Piece("1"), denominator).code
+            inner = numerator.code if numerator.level > Precedence.DIVISION else self.bracketed(numerator.code)
+            return Piece(f"{reciprocal} {inner}", Precedence.PRODUCT)
+        if BREAK not in numerator.code and len(denominator.code) < LONG_LATEX:
             return super().fraction(numerator, denominator)
-        above = self.bracketed(numerator.code) if numerator.level <= Level.DIVISION else numerator.code
-        below = self.bracketed(denominator.code) if denominator.level <= Level.PRODUCT else denominator.code
+        above = self.bracketed(numerator.code) if numerator.level <= Precedence.DIVISION else numerator.code
+        below = self.bracketed(denominator.code) if denominator.level <= Precedence.PRODUCT else denominator.code
         if BREAK not in above:
-            return Piece(f"{above} / {below}", Level.DIVISION)
-        return Piece(f"{START}{above}{BREAK} / {below}{END}", Level.DIVISION)
+            return Piece(f"{above} / {below}", Precedence.DIVISION)
+        return Piece(f"{START}{above}{BREAK} / {below}{END}", Precedence.DIVISION)
 
     def absolute(self, inner: Piece) -> Piece:
         """An absolute value whose bars have a fixed size, so that it can be broken."""
@@ -151,18 +151,18 @@ class WideLatex(Latex):
 
     def root(self, inner: Piece) -> Piece:
         """A power 1/2 where the root is long."""
-        if len(inner.code) < LONG:
+        if len(inner.code) < LONG_LATEX:
             return super().root(inner)
-        return Piece(self.bracketed(inner.code) + "^{1/2}", Level.POWER)
+        return Piece(self.bracketed(inner.code) + "^{1/2}", Precedence.POWER)
 
 
 def _flat(piece: Piece) -> str:
     r"""The code above or below a fraction line: a lone ∂f/∂x is `\partial f / \partial x` there."""
     code = plain(piece.code)
-    found = _SLOPE.fullmatch(code)
-    return f"{found[1]} / {found[2]}" if found else code
+    slope = _SLOPE.fullmatch(code)
+    return f"{slope[1]} / {slope[2]}" if slope else code
 
 
 def is_tall(code: str) -> bool:
-    """Whether brackets around it have to grow."""
+    """Whether brackets around the code have to grow."""
     return r"\frac" in code

@@ -1,8 +1,8 @@
-"""How MathML spells mathematics, for browsers: `<mover><mi>θ</mi><mo>¨</mo></mover>`.
+"""Spelling of mathematics in MathML, for browsers: `<mover><mi>θ</mi><mo>¨</mo></mover>`.
 
-Only what MathML Core has, so that every browser draws it. A sum is not wrapped in an element of its own, so that a long
-one can be cut at its signs into several formulas, between which a browser breaks the line. Brackets around fractions
-are wrapped, and grow; in the wide style they have a fixed size instead, and can be cut.
+Only elements of MathML Core, which every browser draws. A sum is not wrapped in an element of its own, so that a long
+one can be cut at its signs into several formulas, between which the browser breaks the line. Brackets around
+fractions are wrapped and grow; in `WideMathML` they have a fixed size instead, and can be cut.
 """
 
 from __future__ import annotations
@@ -14,10 +14,9 @@ from typing import ClassVar
 
 import sympy as sp
 
-from lagrange.document.names import GREEK, Name
-from lagrange.document.pieces import BREAK, END, START, Level, Piece, plain
-from lagrange.document.style_unicode import Unicode
-from lagrange.document.styles import FUNCTIONS
+from lagrange.document.limits import LONG_MATHML
+from lagrange.document.names import BREAK, END, GREEK, START, Piece, Precedence, WrittenName, plain
+from lagrange.document.styles import FUNCTIONS, Unicode
 
 THIN = '<mspace width="0.17em"/>'
 _TIMES = "<mo>\u2062</mo>"
@@ -62,7 +61,7 @@ class MathML(Unicode):
 
     def name(self, name: str, vector: bool = False) -> Piece:
         """A symbol."""
-        parts = Name.of(name)
+        parts = WrittenName.of(name)
         return Piece(_name(parts, vector), tight=parts.is_letter and not parts.operator and not vector)
 
     def number(self, number: sp.Number) -> Piece:
@@ -78,13 +77,13 @@ class MathML(Unicode):
         return Piece(f'<mstyle displaystyle="false">{self.fraction(numerator, denominator).code}</mstyle>')
 
     def between(self, before: Piece, after: Piece) -> str:
-        """Nothing that is seen; a dot between numbers, a thin space around functions and before vectors."""
+        """An invisible sign; a dot between numbers, a thin space around functions and before vectors."""
         ends = _TAGS.sub("", plain(before.code))
         begins = _TAGS.sub("", plain(after.code))
         if ends == "0" or (ends[-1:].isdigit() and begins[:1].isdigit() and before.code.endswith("</mn>")):
             return self.between_numbers
         first = plain(after.code)
-        apart = Level.APPLICATION in (before.level, after.level) or _WORD.match(first) or _WORD.match(before.code)
+        apart = Precedence.APPLICATION in (before.level, after.level) or _WORD.match(first) or _WORD.match(before.code)
         if apart or first.startswith(_SET_OFF):
             return _TIMES + THIN
         return _TIMES
@@ -92,7 +91,7 @@ class MathML(Unicode):
     def applied(self, function: str, argument: str, raised: bool) -> Piece:
         """`sin θ`, `sin² θ`."""
         del raised
-        return Piece(f"{function}{_APPLY}{THIN}{argument}", Level.APPLICATION)
+        return Piece(f"{function}{_APPLY}{THIN}{argument}", Precedence.APPLICATION)
 
     def bracketed(self, code: str) -> str:
         """Brackets that grow only around fractions."""
@@ -109,18 +108,18 @@ class MathML(Unicode):
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         """A fraction."""
-        return Piece(f"<mfrac>{row(numerator.code)}{row(denominator.code)}</mfrac>", Level.PRODUCT)
+        return Piece(f"<mfrac>{row(numerator.code)}{row(denominator.code)}</mfrac>", Precedence.PRODUCT)
 
     def power(self, base: str, exponent: Piece) -> Piece:
-        """A power of what needs no brackets."""
+        """A power; the base has its brackets already."""
         below = row(base)
         if below.startswith("<mover>"):  # or the dots would lift the exponent
             below = f'<mpadded height="0.7em">{below}</mpadded>'
-        return Piece(f"<msup>{below}{row(exponent.code)}</msup>", Level.POWER, tight=True)
+        return Piece(f"<msup>{below}{row(exponent.code)}</msup>", Precedence.POWER, tight=True)
 
     def exponential(self, exponent: Piece) -> Piece:
         """A power of e."""
-        return Piece(f"<msup>{self.constants['Exp1']}{row(exponent.code)}</msup>", Level.POWER)
+        return Piece(f"<msup>{self.constants['Exp1']}{row(exponent.code)}</msup>", Precedence.POWER)
 
     def root(self, inner: Piece) -> Piece:
         """A square root."""
@@ -133,11 +132,11 @@ class MathML(Unicode):
 
     def dot(self, a: Piece, b: Piece) -> Piece:
         """A scalar product."""
-        return Piece(f"{self._operand(a)}<mo>·</mo>{self._operand(b)}", Level.DIVISION)
+        return Piece(f"{self._operand(a)}<mo>·</mo>{self._operand(b)}", Precedence.DIVISION)
 
     def wedge(self, forms: Sequence[Piece]) -> Piece:
         """An exterior product."""
-        return Piece("<mo>∧</mo>".join(self._operand(f) for f in forms), Level.PRODUCT)
+        return Piece("<mo>∧</mo>".join(self._operand(f) for f in forms), Precedence.PRODUCT)
 
     def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
         """A partial derivative."""
@@ -149,19 +148,19 @@ class MathML(Unicode):
             code, n = self.name(variable).code, variables.count(variable)
             below.append(sign + (self.power(code, Piece(f"<mn>{n}</mn>")).code if n > 1 else code))
         if is_tall(inner.code) and not at:
-            body = inner.code if inner.level >= Level.PRODUCT else self.bracketed(inner.code)
-            return Piece(f"<mfrac>{raised}{row(''.join(below))}</mfrac>{body}", Level.PRODUCT)
-        body = inner.code if inner.level == Level.ATOM else self.bracketed(inner.code)
+            body = inner.code if inner.level >= Precedence.PRODUCT else self.bracketed(inner.code)
+            return Piece(f"<mfrac>{raised}{row(''.join(below))}</mfrac>{body}", Precedence.PRODUCT)
+        body = inner.code if inner.level == Precedence.ATOM else self.bracketed(inner.code)
         code = f"<mfrac>{row(raised + body)}{row(''.join(below))}</mfrac>"
-        return Piece(code + (self.arguments(at) if at else ""), Level.PRODUCT)
+        return Piece(code + (self.arguments(at) if at else ""), Precedence.PRODUCT)
 
     def rate(self, inner: Piece) -> Piece:
         """A total time derivative."""
         above, below = f"{_NORMAL}d</mi>", f"<mrow>{_NORMAL}d</mi><mi>t</mi></mrow>"
-        if inner.level == Level.ATOM and "<mo" not in inner.code:
-            return Piece(f"<mfrac>{row(above + inner.code)}{below}</mfrac>", Level.PRODUCT)
-        body = inner.code if inner.level >= Level.PRODUCT and is_tall(inner.code) else self.bracketed(inner.code)
-        return Piece(f"<mfrac>{above}{below}</mfrac>{body}", Level.PRODUCT)
+        if inner.level == Precedence.ATOM and "<mo" not in inner.code:
+            return Piece(f"<mfrac>{row(above + inner.code)}{below}</mfrac>", Precedence.PRODUCT)
+        body = inner.code if inner.level >= Precedence.PRODUCT and is_tall(inner.code) else self.bracketed(inner.code)
+        return Piece(f"<mfrac>{above}{below}</mfrac>{body}", Precedence.PRODUCT)
 
     def zero_vector(self) -> Piece:
         """The vector 0."""
@@ -169,7 +168,7 @@ class MathML(Unicode):
 
 
 class WideMathML(MathML):
-    """MathML for what is too wide for a line: long fractions and tall brackets can be cut."""
+    """MathML for formulas too wide for a line: long fractions and tall brackets can be cut."""
 
     def _between_brackets(self, code: str, left: str, right: str) -> str:
         if is_tall(code) and BREAK in code:
@@ -182,21 +181,21 @@ class WideMathML(MathML):
         if not {BREAK} & {*numerator.code, *denominator.code}:
             return super().fraction(numerator, denominator)
         if BREAK not in denominator.code:
-            one = super().fraction(Piece("<mn>1</mn>"), denominator).code
-            inner = numerator.code if numerator.level > Level.DIVISION else self.bracketed(numerator.code)
-            return Piece(f"{one}{inner}", Level.PRODUCT)
-        if BREAK not in numerator.code and len(_TAGS.sub("", denominator.code)) < 12:
+            reciprocal = super().fraction(Piece("<mn>1</mn>"), denominator).code
+            inner = numerator.code if numerator.level > Precedence.DIVISION else self.bracketed(numerator.code)
+            return Piece(f"{reciprocal}{inner}", Precedence.PRODUCT)
+        if BREAK not in numerator.code and len(_TAGS.sub("", denominator.code)) < LONG_MATHML:
             return super().fraction(numerator, denominator)
-        above = self.bracketed(numerator.code) if numerator.level <= Level.DIVISION else numerator.code
-        below = self.bracketed(denominator.code) if denominator.level <= Level.PRODUCT else denominator.code
-        return Piece(f"{START}{above}{BREAK}<mo>/</mo>{below}{END}", Level.DIVISION)
+        above = self.bracketed(numerator.code) if numerator.level <= Precedence.DIVISION else numerator.code
+        below = self.bracketed(denominator.code) if denominator.level <= Precedence.PRODUCT else denominator.code
+        return Piece(f"{START}{above}{BREAK}<mo>/</mo>{below}{END}", Precedence.DIVISION)
 
     def power(self, base: str, exponent: Piece) -> Piece:
-        """A power of a long bracket: its exponent is that of the closing sign."""
+        """A power of a long bracket: the exponent is attached to the closing bracket, so that the sum can be cut."""
         if BREAK not in base or not base.endswith("</mo>"):
             return super().power(base, exponent)
         at = base.rindex("<mo")
-        return Piece(f"{base[:at]}<msup>{base[at:]}{row(exponent.code)}</msup>", Level.POWER, tight=True)
+        return Piece(f"{base[:at]}<msup>{base[at:]}{row(exponent.code)}</msup>", Precedence.POWER, tight=True)
 
     def absolute(self, inner: Piece) -> Piece:
         """An absolute value whose bars have a fixed size."""
@@ -211,34 +210,35 @@ class WideMathML(MathML):
             return super().root(inner)
         left, right = (f'<mo stretchy="false">{b}</mo>' for b in _brackets(inner.code))
         half = "<mrow><mn>1</mn><mo>/</mo><mn>2</mn></mrow>"
-        return Piece(f"{left}{inner.code}<msup>{right}{half}</msup>", Level.POWER)
+        return Piece(f"{left}{inner.code}<msup>{right}{half}</msup>", Precedence.POWER)
 
 
 def is_tall(code: str) -> bool:
-    """Whether brackets around it have to grow."""
+    """Whether brackets around the code have to grow."""
     return "<mfrac" in code
 
 
 def row(code: str) -> str:
-    """One element, which may not be cut."""
+    """The code as one element, without marks: what is inside cannot be cut."""
     code = plain(code)
     tag = re.match(r"<(\w+)", code)
-    whole = tag is not None and code.endswith(f"</{tag[1]}>") and _is_single(code)
-    return code if whole else f"<mrow>{code}</mrow>"
+    single = tag is not None and code.endswith(f"</{tag[1]}>") and _is_single(code)
+    return code if single else f"<mrow>{code}</mrow>"
 
 
 def _is_single(code: str) -> bool:
     """Whether the code is one element and not several side by side."""
     depth = 0
-    for found in re.finditer(r"<(/?)[^>]*?(/?)>", code):
-        depth += -1 if found[1] else 0 if found[2] else 1
+    for tag in re.finditer(r"<(/?)[^>]*?(/?)>", code):
+        closes, is_empty = tag.groups()
+        depth += -1 if closes else 0 if is_empty else 1
         if depth == 0:
-            return found.end() == len(code)
+            return tag.end() == len(code)
     return False
 
 
 def _brackets(code: str) -> tuple[str, str]:
-    """Round brackets; around a sum that has some, square ones, then braces."""
+    """Round brackets; square ones around a sum that has round ones, then braces."""
     text = _TAGS.sub("", code)
     if not text.startswith((START, "(", "−")) or "(" not in text:
         return "(", ")"
@@ -249,7 +249,7 @@ def _integer(number: int) -> str:
     return f"<mn>{number}</mn>" if number >= 0 else f"<mrow><mo>−</mo><mn>{-number}</mn></mrow>"
 
 
-def _name(name: Name, bold: bool = False) -> str:
+def _name(name: WrittenName, bold: bool = False) -> str:
     """`<msub><mover><mi>θ</mi><mo>¨</mo></mover><mn>1</mn></msub>`."""
     letter = GREEK[name.letter][0] if name.letter in GREEK else name.letter
     upright = bold or (name.letter in GREEK and name.letter[0].isupper())
@@ -271,7 +271,7 @@ def _index(index: str) -> str:
         return f"<mn>{index}</mn>"
     if _MIXED.match(index):
         return f"<mn>{index[:-1]}</mn><mi>{index[-1]}</mi>"
-    inner = Name.of(index)
+    inner = WrittenName.of(index)
     if inner.is_letter and all(i.isdigit() or len(i) == 1 for i in inner.indices):
         return _name(inner)
     words = [word for word in re.split(r"[_.]", index) if word]

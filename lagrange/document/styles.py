@@ -1,7 +1,8 @@
-"""The tables behind the one walker of `mathematics`: how text, Unicode and LaTeX spell what it finds.
+"""Spellings of mathematics for `math_writer`: the language of problem files, and Unicode for the terminal.
 
-A style spells, and decides nothing about order or structure. This is the plainest one, and what the others
-share.
+A style spells the pieces that the walker hands it, and decides nothing about order or structure. `Text` is the base of
+all styles; `Unicode` is the base of those that write as by hand, θ̈ + (g/l) sin θ; LaTeX and MathML have modules of
+their own.
 """
 
 from __future__ import annotations
@@ -11,7 +12,19 @@ from typing import ClassVar
 
 import sympy as sp
 
-from lagrange.document.pieces import Level, Piece
+from lagrange.document.limits import LONGEST_RATE
+from lagrange.document.names import (
+    BREAK,
+    END,
+    START,
+    SUPERSCRIPTS,
+    Piece,
+    Precedence,
+    WrittenName,
+    brackets,
+    plain,
+    unicode_name,
+)
 
 # SymPy's name: text, Unicode, LaTeX
 FUNCTIONS: dict[str, tuple[str, str, str]] = {
@@ -61,8 +74,8 @@ class Text:
     times: ClassVar[str] = "*"
     between_numbers: ClassVar[str] = "*"
     constants: ClassVar[Mapping[str, str]] = {"Pi": "pi", "Exp1": "exp(1)", "Infinity": "oo"}
-    by_hand: ClassVar[bool] = False  # fractions in front, sin θ without parentheses, nested brackets
-    stacked: ClassVar[bool] = False  # fractions have their line, and are arguments without parentheses
+    by_hand: ClassVar[bool] = False  # coefficients in front, sin θ without parentheses, nested brackets
+    stacked: ClassVar[bool] = False  # fractions have a line, and need no parentheses as arguments
 
     def function(self, name: str) -> str:
         """The name of a function."""
@@ -87,14 +100,14 @@ class Text:
         return self.fraction(numerator, denominator)
 
     def between(self, before: Piece, after: Piece) -> str:
-        """What stands between two factors."""
+        """The code between two factors."""
         numbers = before.code[-1].isdigit() and after.code[0].isdigit()
         return self.between_numbers if numbers or before.code == "0" else self.times
 
     def applied(self, function: str, argument: str, raised: bool) -> Piece:
         """A function with a short argument, where it needs no parentheses."""
         del raised
-        return Piece(f"{function} {argument}", Level.APPLICATION)
+        return Piece(f"{function} {argument}", Precedence.APPLICATION)
 
     def bracketed(self, code: str) -> str:
         """Brackets around a sum."""
@@ -106,14 +119,14 @@ class Text:
 
     def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
         """A fraction on one line."""
-        above = self.bracketed(numerator.code) if numerator.level <= Level.DIVISION else numerator.code
-        below = self.bracketed(denominator.code) if denominator.level <= Level.PRODUCT else denominator.code
-        return Piece(f"{above}/{below}", Level.DIVISION)
+        above = self.bracketed(numerator.code) if numerator.level <= Precedence.DIVISION else numerator.code
+        below = self.bracketed(denominator.code) if denominator.level <= Precedence.PRODUCT else denominator.code
+        return Piece(f"{above}/{below}", Precedence.DIVISION)
 
     def power(self, base: str, exponent: Piece) -> Piece:
-        """A power of what needs no brackets."""
-        inner = exponent.code if exponent.level >= Level.ATOM else f"({exponent.code})"
-        return Piece(f"{base}^{inner}", Level.POWER)
+        """A power; the base has its brackets already."""
+        inner = exponent.code if exponent.level >= Precedence.ATOM else f"({exponent.code})"
+        return Piece(f"{base}^{inner}", Precedence.POWER)
 
     def exponential(self, exponent: Piece) -> Piece:
         """exp of something."""
@@ -136,7 +149,7 @@ class Text:
         return Piece("wedge" + self.arguments([f.code for f in forms]))
 
     def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
-        """A partial derivative; `at`: the arguments where it is taken, when that has to be said."""
+        """A partial derivative; `at`: the arguments at which it is taken, if they are ambiguous."""
         code = inner.code + (self.arguments(at) if at else "")
         for variable in variables:
             code = f"diff({code}, {self.name(variable).code})"
@@ -149,3 +162,119 @@ class Text:
     def zero_vector(self) -> Piece:
         """The vector 0."""
         return Piece("0")
+
+
+_VULGAR = {
+    "1/2": "½",
+    "1/3": "⅓",
+    "2/3": "⅔",
+    "1/4": "¼",
+    "3/4": "¾",
+    "1/6": "⅙",
+    "5/6": "⅚",
+    "1/8": "⅛",
+    "3/8": "⅜",
+}
+
+
+class Unicode(Text):
+    """The terminal: `θ̈ + (g/l) sin θ`."""
+
+    column = 1
+    minus = " − "
+    sign = "−"
+    times = " "
+    between_numbers = "·"
+    constants: ClassVar[Mapping[str, str]] = {"Pi": "π", "Exp1": "e", "Infinity": "∞"}
+    by_hand = True
+
+    def name(self, name: str, vector: bool = False) -> Piece:
+        """A symbol."""
+        parts = WrittenName.of(name)
+        return Piece(unicode_name(parts), tight=parts.is_letter and not parts.operator and not vector)
+
+    def number(self, number: sp.Number) -> Piece:
+        """A positive integer or float."""
+        if isinstance(number, sp.Float):
+            digits, _, exponent = f"{float(number):.6g}".partition("e")
+            power = "·10" + str(int(exponent)).translate(SUPERSCRIPTS) if exponent else ""
+            return Piece(digits + power, tight=True)
+        return Piece(str(int(number)), tight=True)
+
+    def coefficient(self, numerator: Piece, denominator: Piece) -> Piece:
+        """½, or (5/12)."""
+        code = f"{numerator.code}/{denominator.code}"
+        return Piece(_VULGAR[code]) if code in _VULGAR else Piece(f"({code})")
+
+    def between(self, before: Piece, after: Piece) -> str:
+        """A space, but 2x."""
+        usual = super().between(before, after)
+        counts = before.code.replace(".", "").isdigit() and after.tight
+        return "" if counts and usual == self.times else usual
+
+    def applied(self, function: str, argument: str, raised: bool) -> Piece:
+        """`sin θ`, `sin²θ`."""
+        return Piece(f"{function}{argument}" if raised else f"{function} {argument}", Precedence.APPLICATION)
+
+    def bracketed(self, code: str) -> str:
+        """Round brackets; around a sum that has some, square ones, then braces."""
+        left, right = brackets(code)
+        return f"{left}{code}{right}"
+
+    def power(self, base: str, exponent: Piece) -> Piece:
+        """A power; the base has its brackets already."""
+        if exponent.code.isdigit():
+            return Piece(base + exponent.code.translate(SUPERSCRIPTS), Precedence.POWER, tight=True)
+        inner = exponent.code if exponent.level >= Precedence.ATOM else f"({exponent.code})"
+        return Piece(f"{base}^{plain(inner)}", Precedence.POWER, tight=True)
+
+    def fraction(self, numerator: Piece, denominator: Piece) -> Piece:
+        """A fraction on one line; a long one may be broken before the line."""
+        piece = super().fraction(numerator, denominator)
+        if BREAK not in numerator.code:
+            return piece
+        above = self.bracketed(numerator.code) if numerator.level <= Precedence.DIVISION else numerator.code
+        return Piece(f"{START}{above}{BREAK}{piece.code.removeprefix(above)}{END}", Precedence.DIVISION)
+
+    def root(self, inner: Piece) -> Piece:
+        """A square root."""
+        code = inner.code if inner.level == Precedence.ATOM else f"({inner.code})"
+        return Piece("√" + code, Precedence.POWER, tight=True)
+
+    def absolute(self, inner: Piece) -> Piece:
+        """An absolute value."""
+        return Piece(f"|{inner.code}|")
+
+    def dot(self, a: Piece, b: Piece) -> Piece:
+        """A scalar product."""
+        return Piece(f"{self._operand(a)}·{self._operand(b)}", Precedence.DIVISION)
+
+    def wedge(self, forms: Sequence[Piece]) -> Piece:
+        """An exterior product."""
+        return Piece(" ∧ ".join(self._operand(f) for f in forms), Precedence.PRODUCT)
+
+    def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
+        """A partial derivative."""
+        above, below = self._differentials("∂", "", inner, variables)
+        where = self.arguments(at) if at else ""
+        return Piece(f"{above}/{below}{where}", Precedence.DIVISION)
+
+    def rate(self, inner: Piece) -> Piece:
+        """A total time derivative."""
+        if inner.level == Precedence.ATOM and len(inner.code) < LONGEST_RATE and "(" not in inner.code:
+            return Piece(f"d{inner.code}/dt", Precedence.DIVISION)
+        return Piece(f"d/dt {self.bracketed(inner.code)}", Precedence.DIVISION)
+
+    def _operand(self, piece: Piece) -> str:
+        return self.bracketed(piece.code) if piece.level <= Precedence.DIVISION else piece.code
+
+    def _differentials(self, sign: str, gap: str, inner: Piece, variables: Sequence[str]) -> tuple[str, str]:
+        """∂²f and ∂X∂Y; ∂X² if a variable occurs twice."""
+        counts = {v: variables.count(v) for v in variables}
+        raised = self.power(sign, Piece(str(len(variables)))).code if len(variables) > 1 else sign
+        pieces = []
+        for variable, n in counts.items():
+            code = self.name(variable).code
+            pieces.append(f"{sign}{gap}{self.power(code, Piece(str(n))).code if n > 1 else code}")
+        body = inner.code if inner.level == Precedence.ATOM else self.bracketed(inner.code)
+        return f"{raised}{gap}{body}", gap.join(pieces)

@@ -6,15 +6,16 @@ from collections.abc import Iterable, Iterator
 
 import sympy as sp
 
-from lagrange.core.symbols import Dot, VectorSymbol, prime, variation
+from lagrange.core.symbols import DotProduct, VectorSymbol, prime, variation
+from lagrange.core.triads import names_before_last
 from lagrange.core.vectors import FIXED, UNITS, Triad, Vector
-from lagrange.document.derivation import Block, Equation, Part, display, listed, math, prose
-from lagrange.explain.words import plural, spoken
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Equation, Part
+from lagrange.explain.words import plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
 from lagrange.problem.model import Body, Problem
-from lagrange.problem.orientation import names_before_last
 
 ZERO = sp.S.Zero
 ORDINALS = ("first", "second", "third")
@@ -36,16 +37,17 @@ def stated_triads(configuration: Configuration) -> tuple[Triad, ...]:
 
 
 def directions_of(triads: Iterable[Triad], problem: Problem) -> dict[str, Equation]:
-    """The unit vectors of some triads in i, j, k, by name, without those that the file or its frame explains."""
+    """The unit vectors of some triads in i, j, k, by name, except those defined by the file or its frame."""
     known = {*UNITS, *problem.abbreviations}
     lines: dict[str, Equation] = {}
     for triad in dict.fromkeys(triads):
         if triad not in (FIXED, problem.frame):
-            lines |= {unit.name: Equation((unit, v)) for unit, v in _directions(triad) if unit.name not in known}
+            lines |= {unit.name: Equation((unit, v)) for unit, v in unit_vectors(triad) if unit.name not in known}
     return lines
 
 
-def _directions(triad: Triad) -> Iterator[tuple[sp.Symbol, Vector]]:
+def unit_vectors(triad: Triad) -> Iterator[tuple[sp.Symbol, Vector]]:
+    """The unit vectors of a triad that turns, each in i, j, k."""
     assert triad.directions is not None
     for n, unit in enumerate(triad.units):
         row = triad.directions[n, :]
@@ -67,13 +69,19 @@ def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
         return (*_turns(body), " It has no moment of inertia.")
     if body.angle is not None:
         moment = math(body.inertia[0])
-        return (*_turns(body), " Its moment of inertia about the axis through the mass centre is ", moment, ".")
+        return (
+            *_turns(body),
+            " Its moment of inertia about the axis of rotation through the mass centre is ",
+            moment,
+            ".",
+        )
     units = rotation.angular_velocity.triad.units
     moments = listed(math(m) for m in rotation.inertia)
     about = listed(math(e) for e in units)
+    turns = _turns(body)
     parts = (
-        *_turns(body),
-        " Its moments of inertia about the axes ",
+        *turns,
+        f"{' ' if turns else ''}Its moments of inertia about the axes ",
         *about,
         " through the mass centre are ",
         *moments,
@@ -81,14 +89,14 @@ def _inertia(body: Body, rotation: Rotation) -> tuple[Part, ...]:
     before = set(names_before_last(body.name))
     if any(e.name in before for e in units):
         own = listed(math(e) for e in units if e.name in before)
-        return (*parts, "; two of them are equal, so that ", *own, " need not take part in the last rotation.")
+        return (*parts, "; two of them are equal, so ", *own, " need not take part in the last rotation.")
     return (*parts, ".")
 
 
 def _turns(body: Body) -> tuple[Part, ...]:
-    """By which angles."""
+    """The angles through which a body is turned."""
     if body.angle is not None:
-        return ("It is turned by the angle ", math(body.angle), ".")
+        return ("It is turned through the angle ", math(body.angle), ".")
     if not body.sequence:
         return ()
     steps: list[Part] = []
@@ -101,7 +109,7 @@ def _turns(body: Body) -> tuple[Part, ...]:
 
 def moments_on(configuration: Configuration) -> list[Block]:
     """The applied moment on each body, about its mass centre."""
-    found: list[Block] = []
+    blocks: list[Block] = []
     for r in configuration.rotations:
         moments = configuration.moments_on(r.name)
         if not moments:
@@ -111,49 +119,49 @@ def moments_on(configuration: Configuration) -> list[Block]:
         if beside:
             verb = plural(len(beside), " acts at", " act at")
             lines = (Equation((VectorSymbol(f"r_{f.name}"), f.point), label=f"point-{f.name}") for f in beside)
-            found += [prose("Of these, ", *listed(spoken(f.name) for f in beside), verb), display(*lines)]
+            blocks += [prose("Of these, ", *listed(spoken(f.name) for f in beside), verb), display(*lines)]
         words = "The moment of the applied forces" if beside else "The applied moment"
         also = ", applied moments included," if beside and own else ""
         moment = Equation((VectorSymbol(f"M_{r.name}"), configuration.moment_on(r.name)), label=f"moment-{r.name}")
-        found += [prose(f"{words} on {r.name} about its mass centre{also} is"), display(moment)]
-    return found
+        blocks += [prose(f"{words} on {the(r.name)} about its mass centre{also} is"), display(moment)]
+    return blocks
 
 
 def explain_links(configuration: Configuration) -> list[Block]:
-    """The springs and dampers, their lengths, and with what forces they pull."""
-    found: list[Block] = []
+    """The springs and dampers, their lengths, and the forces with which they pull."""
+    blocks: list[Block] = []
     for s in configuration.springs:
         length = s.length_symbol
-        free: tuple[Part, ...] = (" and of free length ", math(s.length)) if s.length != 0 else ()
-        found += [
+        free: tuple[Part, ...] = (" and natural length ", math(s.length)) if s.length != 0 else ()
+        blocks += [
             prose(f"The {_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
-                  ". Its length, and the force with which it pulls its ends together, are"),
+                  ". Its length and the force with which it pulls its ends together are"),
             display(Equation((length, s.distance), label=f"length-{s.name}"),
                     Equation((s.stiffness * (length - s.length), s.pull), label=f"pull-{s.name}")),
         ]  # fmt: skip
     for d in configuration.dampers:
         length = d.length_symbol
-        either = "" if d.distance.is_Pow else " (or its negative, which serves as well)"
-        found += [
+        either = "" if d.distance.is_Pow else " (or its negative, which serves equally well)"
+        blocks += [
             prose(f"The {_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
-                  f". Its length{either}, and the force with which it pulls its ends together, are"),
+                  f". Its length{either} and the force with which it pulls its ends together are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
                     Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
         ]  # fmt: skip
-    return found
+    return blocks
 
 
 def _called(name: str, kind: str) -> str:
-    """`spring left`, or `spring` where that is its name."""
-    return kind if spoken(name) == kind else f"{kind} {spoken(name)}"
+    """`spring left`; `upper spring` where the name says so itself."""
+    return spoken(name) if spoken(name).endswith(kind) else f"{kind} {spoken(name)}"
 
 
-def _joins(link: Stretched | Damped) -> tuple[Part, ...]:
-    first, second = (e if isinstance(e, str) else math(e) for e in _ends(link))
+def _joins(link: Stretched | DamperForce) -> tuple[Part, ...]:
+    first, second = (the(e) if isinstance(e, str) else math(e) for e in _ends(link))
     return (" joins ", first, " and ", second)
 
 
-def _ends(link: Stretched | Damped) -> Iterable[str | Vector | sp.Symbol]:
+def _ends(link: Stretched | DamperForce) -> Iterable[str | Vector | sp.Symbol]:
     for end in link.ends:
         yield sp.Symbol("O") if isinstance(end, Vector) and end.is_zero else end
 
@@ -165,7 +173,7 @@ def virtual_rotations(configuration: Configuration, zero: dict[sp.Basic, sp.Basi
     """δπ of each body, without the δq that are zero."""
     if not configuration.rotations:
         return []
-    suffix = f"-{configuration.name}" if configuration.name else ""
+    suffix = suffix_of(configuration.name)
     steps = [variation(q).xreplace(zero) for q in configuration.slots.coordinates]
     lines = [
         Equation((VectorSymbol(f"delta(pi_{r.name})"), r.virtual(steps)), label=f"rotation{label}{suffix}-{r.name}")
@@ -173,7 +181,7 @@ def virtual_rotations(configuration: Configuration, zero: dict[sp.Basic, sp.Basi
     ]
     whose = plural(len(lines), "rotation of the body", "rotations of the bodies")
     verb = plural(len(lines), "is", "are")
-    like = "made of virtual displacements as an angular velocity is of velocities"
+    like = "formed like the angular velocity, with δ for d/dt"
     return [prose(f"The virtual {whose}, {like}, {verb}"), display(*lines)]
 
 
@@ -184,7 +192,7 @@ def terms_of_bodies(configuration: Configuration) -> list[sp.Expr]:
         rate = VectorSymbol(f"H_{r.name}'") if r.has_inertia else ZERO
         moment = VectorSymbol(f"M_{r.name}") if configuration.moments_on(r.name) else ZERO
         if rate - moment != 0:
-            terms.append(Dot(rate - moment, VectorSymbol(f"delta(pi_{r.name})")))
+            terms.append(DotProduct(rate - moment, VectorSymbol(f"delta(pi_{r.name})")))
     return terms
 
 
@@ -194,15 +202,19 @@ def terms_of_dampers(configuration: Configuration) -> list[sp.Expr]:
     return [c * prime(length) * variation(length) for c, length in lengths]
 
 
-def laws(configuration: Configuration, acting: str) -> str:
-    """What is multiplied by what: `Newton's law for each particle, <acting>, by its virtual displacement`."""
+def law_times_displacement(configuration: Configuration, insertion: str) -> str:
+    """What is multiplied by what: `Newton's law for each particle<insertion> by its virtual displacement`."""
     bodies, particles = configuration.rotations, configuration.particles
     if not bodies:
-        return f"Newton's law for each particle{acting} by its virtual displacement"
+        return f"Newton's law for each particle{insertion} by its virtual displacement"
     whom = "each particle and mass centre" if particles else plural(len(bodies), "the mass centre", "each mass centre")
     turning = plural(len(bodies), "the law of angular momentum", "the law of angular momentum for each body")
     its = plural(len(bodies), "the", "its")
-    moving = [p for p in configuration.points if not configuration.is_pinned(p)]
-    if not moving:
-        return f"{turning}{acting} by {its} virtual rotation"
-    return f"Newton's law for {whom}{acting} by its virtual displacement, and {turning} by {its} virtual rotation"
+    if not any_moving(configuration):
+        return f"{turning}{insertion} by {its} virtual rotation"
+    return f"Newton's law for {whom}{insertion} by its virtual displacement, and {turning} by {its} virtual rotation"
+
+
+def any_moving(configuration: Configuration) -> bool:
+    """Whether some particle or mass centre can move."""
+    return any(not configuration.is_pinned(p) for p in configuration.points)

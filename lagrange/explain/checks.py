@@ -1,4 +1,4 @@
-"""What was checked, and values to try on a calculator."""
+"""The checks, and numbers to try on a calculator."""
 
 from __future__ import annotations
 
@@ -6,33 +6,35 @@ from collections.abc import Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.document.derivation import Block, CheckMark, Detail, Part, Rule, Step, listed, math, prose
-from lagrange.explain.words import spoken
-from lagrange.mechanics.dynamics.verification import Check
+from lagrange.document.builders import listed, math, prose
+from lagrange.document.derivation import Block, CheckMark, Detail, Part, Rule, Step
+from lagrange.explain.words import constraints_called, joined, spoken
+from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.solution import Solution
 
 LONGEST_SPOT = 60
-"""Numbers of a spot value that somebody may still type."""
+"""The most numbers of a spot value that a reader may want to type."""
 
 
 def explain_checks(
     solution: Solution, answers: Sequence[tuple[str, str]], remarks: Sequence[tuple[str, str]] = ()
 ) -> Step:
-    """The checks, the comparison with the textbook's answers, the spot values.
+    """The checks, the comparison with the file's answers, the spot values.
 
-    remarks  on what the file says of reactions: the constraint, and how that is taken
+    remarks  how the reactions in the file's answers are read: the constraint, and the remark
     """
     body: list[Block] = [*_grouped(solution.checks), *_answers(answers)]
-    body += [prose(f"In the answer for {spoken(name)} {said.replace('`', '')}.") for name, said in remarks]
+    for name, remark in remarks:
+        body.append(prose(f"In the answer for {constraints_called([name])} {remark.replace('`', '')}."))
     if not body:
-        body.append(prose("The file has no answers to compare with, and nothing was asked that has a second route."))
-    spots = [("", solution.spot), *((c.name, c.spot) for c in solution.choices)]
+        body.append(prose("The file states no answers to compare with, and nothing asked for has a second route."))
+    spots = [(v.name, v.spot) for v in solution.views]
     several = sum(spot is not None for _, spot in spots) > 1
     for name, spot in spots:
         if spot is not None:
             where = f" ({spoken(name)})" if name and several else ""
-            parts: list[Part] = [f"A value to try on a calculator{where}: "]
-            parts += [*_assignments(spot.values), " give ", *_assignments(spot.accelerations), "."]
+            parts: list[Part] = [f"Numerical check{where}: ", *_assignments(spot.values)]
+            parts += [" give ", *_assignments(spot.accelerations), "."]
             long = len(spot.values) + len(spot.accelerations) > LONGEST_SPOT
             body.append(prose(*parts, detail=Detail.FULL if long else Detail.STEPS))
     return Step(Rule.CHECKS, "Checks", tuple(body))
@@ -53,26 +55,25 @@ def _grouped(checks: Sequence[Check]) -> list[Block]:
 
 
 def _where(places: Sequence[str]) -> str:
-    words = [f"in {places[0]}" if places[0].startswith("the ") else places[0], *places[1:]]
-    return " (" + "".join(str(p) for p in listed(words)) + ")"
+    first, *others = places
+    return f" ({joined([f'in {first}' if first.startswith('the ') else first, *others])})"
 
 
 def _answers(answers: Sequence[tuple[str, str]]) -> list[Block]:
     """The file's answers: one line for those that agree, one for each that does not."""
     good = [_called(name) for name, verdict in answers if verdict == "equivalent"]
-    found: list[Block] = []
+    marks: list[Block] = []
     if good:
-        names = "".join(str(p) for p in listed(good))
-        found.append(CheckMark((f"the textbook's answers agree: {names}",), True, "compared with the file"))
+        marks.append(CheckMark((f"the stated answers agree: {joined(good)}",), True, "compared with the file"))
     for name, verdict in answers:
         if verdict != "equivalent":
             passed = None if verdict == "undecided" else False
-            found.append(CheckMark((f"the textbook's {_called(name)}",), passed, f"compared with the file: {verdict}"))
-    return found
+            marks.append(CheckMark((f"the stated {_called(name)}",), passed, f"compared with the file: {verdict}"))
+    return marks
 
 
 def _called(answer: str) -> str:
-    """A key of the file's answers in running text."""
+    """A key of the file's `answers` in running text."""
     return "integrability" if answer == "integrable" else spoken(answer)
 
 

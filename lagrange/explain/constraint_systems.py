@@ -8,19 +8,20 @@ import sympy as sp
 
 from lagrange.algebra.forms.hidden_relations import HiddenRelation
 from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t
-from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
+from lagrange.document.derivation import Block, Equation, Part, Prose, Ref
 from lagrange.explain.nonlinear import together
-from lagrange.explain.words import in_words, plural, spoken
+from lagrange.explain.words import capital, constraints_called, in_words, joined, plural
 from lagrange.mechanics.constraints.classification import Classification, Redundancy
-from lagrange.mechanics.constraints.rank_loss import RankLoss
+from lagrange.mechanics.constraints.degeneracies import RankLoss
 
 LETTERS = ("omega", "eta", "chi", "zeta", "xi")
-"""What a form may be called; the first that the problem does not use."""
+"""Letters for a form; the first that the problem does not use is taken."""
 SHOWN_LOSSES = 4
 
 
 def form_letter(taken: Collection[str]) -> str:
-    """What a form is called: a letter that no name of the problem begins with."""
+    """The letter for a form: one with which no name of the problem begins."""
     return next((n for n in LETTERS if not any(name.startswith(n) for name in taken)), LETTERS[0])
 
 
@@ -32,63 +33,63 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
     if not all(c.pfaffian for c in constraints):
         return together(classification)
     if flag.integrable_rank is None:
-        return [prose("How many finite relations the constraints hold together could not be decided.")]
+        return [prose("It could not be decided how many finite relations the constraints imply together.")]
     relations = in_words(flag.integrable_rank, "finite relation") if flag.integrable_rank else "no finite relation"
     if all(c.integrable for c in constraints):
-        return [prose(f"Taken together, the constraints are worth {relations} between the coordinates.")]
+        return [prose(f"Taken together, the constraints are equivalent to {relations} between the coordinates.")]
     omega = sp.Symbol(letter, real=True)
     question = prose(
-        "Together the constraints may hold more. A combination ", math(omega), " of the forms is the differential of a "
-        "finite relation, but for a factor, only if ", math(differential(omega)), " vanishes for any two displacements "
-        "that satisfy all the constraints: ", math(differential(omega), sp.S.Zero, relation="≡"), " modulo the forms. "
-        "By Frobenius' theorem all the constraints come to finite relations if that holds for each of the forms.",
+        "Taken together, the constraints may imply further finite relations. A combination ", math(omega), " of the "
+        "forms is, up to a factor, the differential of such a relation only if ", math(differential(omega)),
+        " vanishes for any two displacements that satisfy all the constraints: ",
+        math(differential(omega), sp.S.Zero, relation="≡"), " modulo the forms. By Frobenius' theorem the constraints "
+        "are equivalent to finite relations if this holds for each of the forms.",
     )  # fmt: skip
     if len(flag.ranks) == 1:
-        answer = f"It does: taken together, they are worth {relations} between the coordinates."
+        answer = f"It does: together they are equivalent to {relations} between the coordinates."
     else:
-        ranks = "".join(str(p) for p in listed(map(str, flag.ranks[1:])))
         systems = plural(len(flag.ranks) - 1, "its derived system", "the derived systems")
         answer = (
-            "It does not. The combinations for which it holds make the derived system; of these, those for which it "
-            "holds modulo the derived system make the next one, until nothing more is lost. "
-            f"The system has the rank {flag.ranks[0]}, {systems} {ranks}: "
-            f"taken together, the constraints hold {relations} between the coordinates."
+            "It does not. The combinations for which it holds form the derived system; those of them for which it "
+            "holds modulo the derived system form the next one, and so on until the rank no longer drops. "
+            f"The system has rank {flag.ranks[0]}, {systems} {joined(map(str, flag.ranks[1:]))}: "
+            f"together the constraints imply {relations} between the coordinates."
         )
     return [paragraph(question, prose(answer))]
 
 
 def explain_hidden(classification: Classification, slots: Slots, letter: str) -> list[Block]:
     """The finite relations that no single constraint shows."""
-    found, missing = classification.hidden.found, classification.hidden.missing
+    hidden, missing = classification.hidden.found, classification.hidden.missing
     body: list[Block] = []
-    if found:
-        many = in_words(len(found), "relation").capitalize()
-        what = f"{many} {plural(len(found), 'follows', 'follow')} that no constraint shows as it stands:"
-        lines = (Equation((r.function, CONSTANT), label=f"hidden-{n}") for n, r in enumerate(found, start=1))
+    if hidden:
+        many = in_words(len(hidden), "relation").capitalize()
+        what = f"{many} {plural(len(hidden), 'follows', 'follow')} that no single constraint shows:"
+        lines = (Equation((r.function, CONSTANT), label=f"hidden-{n}") for n, r in enumerate(hidden, start=1))
         body += [prose(what), display(*lines), *_explain_combinations(classification, slots, letter)]
     if missing and len(classification.constraints) > 1:
-        many = in_words(missing, f"{'further ' if found else ''}finite relation").capitalize()
+        many = in_words(missing, f"{'further ' if hidden else ''}finite relation").capitalize()
         body.append(prose(f"{many} {plural(missing, 'exists', 'exist')}, not found in closed form."))
     return body
 
 
 def _explain_combinations(classification: Classification, slots: Slots, letter: str) -> list[Block]:
     """The differentials of the hidden relations as combinations of the forms, where these are short."""
-    found = classification.hidden.found
-    shown = [r for r in found if r.combination is not None]
+    hidden = classification.hidden.found
+    shown = [r for r in hidden if r.combination is not None]
     if not shown:
-        what = plural(len(found), "this function", "these functions")
+        what = plural(len(hidden), "this function", "these functions")
         return [prose(f"No displacement that satisfies the constraints changes {what}: verified exactly.")]
     names = [c.row.name for c in classification.independent if c.pfaffian]
     used = {n for r in shown for n, c in zip(names, r.combination or (), strict=True) if c != 0}
-    what = "its differential is" if len(found) == 1 else "the differentials are"
-    what = what if len(shown) == len(found) else "of the differentials, those with short combinations are"
+    what = "its differential is" if len(hidden) == 1 else "the differentials are"
+    what = what if len(shown) == len(hidden) else "those of the differentials with short combinations are"
     lines = (_as_combination(r, names, classification, slots, letter) for r in shown)
-    end = plural(len(found), "so that it does not change", "so that they do not change")
+    end = plural(len(hidden), "so it does not change", "so they do not change")
     return [
         prose(*_with_symbols(classification, used, letter), what),
         display(*lines),
-        prose(f"{end} in a displacement that satisfies the constraints."),
+        prose(f"{end} in any displacement that satisfies the constraints."),
     ]
 
 
@@ -101,11 +102,8 @@ def _form_symbol(classification: Classification, name: str, letter: str) -> Form
 def _with_symbols(classification: Classification, names: Collection[str], letter: str) -> tuple[Part, ...]:
     """`With ω_1 for (3) and ω_2 for (4), `."""
     used = [c.row.name for c in classification.constraints if c.row.name in names]
-    parts = [(math(_form_symbol(classification, n, letter)), " for ", Ref(f"form-{n}")) for n in used]
-    found: list[Part] = ["With "]
-    for k, part in enumerate(parts):
-        found += [*([" and " if k == len(parts) - 1 else ", "] if k else []), *part]
-    return (*found, ", ")
+    forms = ((math(_form_symbol(classification, n, letter)), " for ", Ref(f"form-{n}")) for n in used)
+    return ("With ", *series(forms), ", ")
 
 
 def _as_combination(
@@ -122,10 +120,10 @@ def explain_redundant(classification: Classification, letter: str) -> list[Prose
     """Each redundant constraint with the combination that makes it so."""
     if not classification.redundancies:
         return []
-    names = listed(spoken(r.name) for r in classification.redundancies)
-    many = len(classification.redundancies)
-    sentences = [prose(*names, f" {plural(many, 'follows', 'follow')} from the constraints before: redundant, and not "
-                       "counted.")]  # fmt: skip
+    called = capital(constraints_called(r.name for r in classification.redundancies))
+    follows = " is redundant: it follows from the preceding ones and is not counted."
+    follow = " are redundant: they follow from the preceding ones and are not counted."
+    sentences = [prose(called, plural(len(classification.redundancies), follows, follow))]
     shown = [r for r in classification.redundancies if r.combination]
     if shown:
         used = {n for r in shown for n in (r.name, *(name for name, _ in r.combination or ()))}
@@ -141,21 +139,20 @@ def _redundancy(classification: Classification, r: Redundancy, letter: str) -> t
 
 
 def explain_losses(classification: Classification) -> list[Prose]:
-    """Where the constraints are not independent, and where they only would not be."""
+    """The places where the constraints are not independent, and those that the constraints exclude."""
     sentences = []
     excluded: list[Part] = []
     for loss in classification.losses[:SHOWN_LOSSES]:
-        place, there = math(*loss.conditions, sp.S.Zero), _rank_there(classification, loss)
+        place, rank = math(*loss.conditions, sp.S.Zero), _rank_there(classification, loss)
         form = Ref(f"form-{loss.vanishing}")
         if loss.excluded:
-            names = listed(spoken(n) for n in loss.excluded)
-            verb = plural(len(loss.excluded), " excludes", " exclude")
-            start: tuple[Part, ...] = ("; ", form) if excluded else ("The form ", form, " vanishes, and binds nothing,")
-            excluded += [*start, " only where ", place, ", which ", *names, verb]
+            start: tuple[Part, ...] = ("; ", form) if excluded else ("The form ", form, " vanishes")
+            verb = plural(len(loss.excluded), "excludes", "exclude")
+            excluded += [*start, " only where ", place, f", which {constraints_called(loss.excluded)} {verb}"]
         elif loss.vanishing:
-            sentences.append(prose("Where ", place, " the form ", form, " vanishes and binds nothing", *there, "."))
+            sentences.append(prose("Where ", place, ", the form ", form, " vanishes and restricts nothing", *rank, "."))
         else:
-            sentences.append(prose("Where ", place, " the constraints are not independent", *there, "."))
+            sentences.append(prose("Where ", place, ", the constraints are not independent", *rank, "."))
     if excluded:
         sentences.append(prose(*excluded, "."))
     return sentences
@@ -163,4 +160,4 @@ def explain_losses(classification: Classification) -> list[Prose]:
 
 def _rank_there(classification: Classification, loss: RankLoss) -> tuple[Part, ...]:
     one = len(classification.independent) == 1
-    return () if one else (f": there the rank is {loss.rank} and not {classification.rank}",)
+    return () if one else (f": the rank is {loss.rank} there, not {classification.rank}",)

@@ -1,31 +1,22 @@
-"""The constraints: what kind, their differential forms, exactness, integrability, classification, freedom."""
+"""The constraints: their kinds, differential forms, exactness, integrability, classification, degrees of freedom.
+
+An integrable form that is not exact gets its integrating factor: the multiplied form, the pairs of mixed partial
+derivatives that are equal now, the finite relation. Forms with quasi-coordinates are written in
+angles, because their partial derivatives decide nothing.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from itertools import groupby
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.algebra.forms.integrability import Comparison
+from lagrange.algebra.forms.integrability import PartialsComparison
 from lagrange.core.symbols import CONSTANT, Partial, Slots, Wedge, differential, t
-from lagrange.document.derivation import (
-    Block,
-    Detail,
-    Equation,
-    Part,
-    Prose,
-    Ref,
-    Rule,
-    Step,
-    Table,
-    Term,
-    display,
-    listed,
-    math,
-    paragraph,
-    prose,
-)
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
+from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref, Rule, Step, Table
 from lagrange.explain.constraint_systems import (
     explain_hidden,
     explain_losses,
@@ -33,20 +24,111 @@ from lagrange.explain.constraint_systems import (
     explain_together,
     form_letter,
 )
-from lagrange.explain.factors import SHOWN_PAIRS, equal, explain_factor
 from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
-from lagrange.explain.quasi_coordinates import explain_quasi
-from lagrange.explain.words import brief, counted, in_words, plural, spoken
+from lagrange.explain.words import brief, capital, constraints_called, counted, in_words, joined, plural, spoken, the
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis, FrobeniusComponent
 from lagrange.mechanics.constraints.displacements import possible_displacement
 
+if TYPE_CHECKING:
+    from lagrange.algebra.forms.restrictions import FiniteForm, Restriction
+
+SHOWN_PAIRS = 3
+
+
+def equal(p: PartialsComparison) -> Part:
+    """∂a/∂r = ... = ∂b/∂q."""
+    (q, r), (a, b), (left, _) = p.variables, p.coefficients, p.derivatives
+    return math(Partial(a, r), left, Partial(b, q))
+
+
+def explain_factor(c: ConstraintAnalysis) -> list[Block]:
+    """The factor and the finite relation of an integrable form that is not exact."""
+    form = c.finite_form
+    if form is None:
+        tried = "products of powers, functions of one variable and symmetries were tried"
+        return [prose(f"A factor exists but was not found: {tried}.")]
+    body = [] if form.restriction is None else _explain_restriction(form.restriction)
+    body += _explain_multiplied(form)
+    if c.integral is None:
+        return [*body, prose("The finite relation was not found in closed form.")]
+    finite = Equation((c.integral, CONSTANT), label=f"integral-{c.row.name}")
+    return [*body, prose("The constraint is equivalent to the finite relation"), display(finite), _moral(form)]
+
+
+def _explain_restriction(restriction: Restriction) -> list[Block]:
+    """The substitution that satisfies the geometric constraints, and the form after it."""
+    rules = listed(math(q, e) for q, e in restriction.rules)
+    angles = restriction.angles
+    named: tuple[Part, ...] = ()
+    if angles:
+        named = (plural(len(angles), ", with an angle ", ", with angles "), *listed(math(a.symbol) for a in angles))
+    words = prose("There ", *rules, *named, ", and the form becomes")
+    return [words, _shown(restriction.form, restriction.variables)]
+
+
+def _explain_multiplied(form: FiniteForm) -> list[Block]:
+    """The multiplied form and its pairs of mixed partial derivatives; pairs of zeros are left out."""
+    factor = form.found
+    telling = [p for p in factor.exactness.comparisons if p.derivatives != (0, 0)]
+    more = [prose(equal(p), detail=Detail.FULL) for p in telling[SHOWN_PAIRS:]]
+    pairs = [*(prose(equal(p)) for p in telling[:SHOWN_PAIRS]), *more]
+    if factor.factor == 1:
+        return [prose("Its mixed partial derivatives agree", ":" if pairs else "."), *pairs]
+    words = prose("An integrating factor is ", math(factor.factor), ". Multiplied by it, the form is")
+    agree = prose("and now the mixed partial derivatives agree", ":" if pairs else ", all being zero.")
+    return [words, _shown(factor.form, factor.variables), agree, *pairs]
+
+
+def _moral(form: FiniteForm) -> Prose:
+    """Where the factor is valid, and the moral."""
+    factor, moral = form.found, "A form may be integrable without being exact."
+    conditions: list[Part] = [math(g, sp.S.Zero, relation="≠") for g in factor.nonzero]
+    conditions += [math(g, sp.S.Zero, relation=">") for g in factor.positive]
+    if factor.factor == 1:
+        return prose(moral)
+    where: tuple[Part, ...] = ("where ", *listed(conditions)) if conditions else ("everywhere",)
+    return prose("The factor is valid ", *where, ". ", moral)
+
+
+def _shown(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> Block:
+    terms = (a * differential(v) for a, v in zip(form, variables, strict=True))
+    return display(Equation((sp.Add(*terms), sp.S.Zero)))
+
+
+def explain_quasi(c: ConstraintAnalysis, letter: str, *, likewise: bool) -> list[Block]:
+    """A form with quasi-coordinates, which is judged in angles; `likewise`: the reason has been given already."""
+    names, form, label = listed(math(q) for q in c.quasi), sp.Symbol(letter, real=True), Ref(f"form-{c.row.name}")
+    one = len(c.quasi) == 1
+    if likewise:
+        words: list[Part] = [label, " likewise contains the ", "differential" if one else "differentials", " of the ",
+                             "quasi-coordinate " if one else "quasi-coordinates ", *names]  # fmt: skip
+        if c.integrable is None:
+            return [prose(*words, "; it could not be decided whether it is integrable.")]
+        return [prose(*words, "; written in angles, it is ", "integrable." if c.integrable else "not integrable.")]
+    words = [
+        label, " contains the ", "differential" if one else "differentials", " of ", *names,
+        ", a quasi-coordinate: the time integral of a component of an angular velocity, which determines" if one
+        else ", quasi-coordinates: time integrals of components of an angular velocity, which determine",
+        " no position. So the partial derivatives of its coefficients do not decide whether it is integrable. ",
+    ]  # fmt: skip
+    if c.integrable is None:
+        return [prose(*words, "This could not be decided.")]
+    product = Wedge(form, differential(form))
+    end: list[Part] = (
+        [math(product, sp.S.Zero), ": it is equivalent to a finite relation."]
+        if c.integrable
+        else [math(product, sp.S.Zero, relation="≠"), ": it is ", Emphasis("not integrable"), "."]
+    )
+    angles = "Written in angles that determine the orientation of the body, this form, called "
+    return [prose(*words, angles, math(form), ", has ", *end)]
+
 
 def explain_constraints(classification: Classification) -> Step:
-    """Each constraint; which are geometric and which kinematic, and whether time occurs."""
+    """Each constraint; which are geometric and which kinematic, and whether time appears."""
     constraints = classification.constraints
     if not constraints:
-        return Step(Rule.CONSTRAINT, "Constraints", (prose("There are none: the coordinates are free."),))
+        return Step(Rule.CONSTRAINT, "Constraints", (prose("No constraints relate the coordinates."),))
     body: list[Block] = []
     for given, group in groupby(constraints, key=lambda c: c.constraint.given):
         members = list(group)
@@ -59,20 +141,20 @@ def explain_constraints(classification: Classification) -> Step:
         body += explain_reduction(given, len(members)) if given is not None else []
         body.append(display(*lines))
     sentences = []
-    for kinematic, why, kind in (
-        (False, "No velocity occurs in ", "geometric"),
-        (True, "Velocities occur in ", "kinematic"),
-    ):
+    for kinematic, velocities, kind in ((False, "no velocities", "geometric"), (True, "velocities", "kinematic")):
         members = [c for c in constraints if c.constraint.kinematic is kinematic]
         if members:
             refs = listed(Ref(f"constraint-{c.row.name}") for c in members)
+            contains = plural(len(members), f" contains {velocities}: it is a ", f" contain {velocities}: they are ")
             what = plural(len(members), " constraint.", " constraints.")
-            sentences.append(prose(why, *refs, plural(len(members), ": a ", ": "), Term(kind), what))
+            sentences.append(prose(*refs, contains, Emphasis(kind), what))
     timed = [c for c in constraints if c.contains_time]
     if timed:
-        sentences.append(prose("Time occurs in ", *listed(Ref(f"constraint-{c.row.name}") for c in timed), "."))
+        sentences.append(prose("Time appears in ", *listed(Ref(f"constraint-{c.row.name}") for c in timed), "."))
     else:
-        sentences.append(prose(plural(len(constraints), "Time does not occur in it.", "Time occurs in none of them.")))
+        sentences.append(
+            prose(plural(len(constraints), "Time does not appear in it.", "Time appears in none of them."))
+        )
     title = plural(len(constraints), "The constraint", "Constraints")
     return Step(Rule.CONSTRAINT, title, (*body, paragraph(*sentences)))
 
@@ -88,14 +170,13 @@ def explain_forms(classification: Classification, slots: Slots) -> Step:
     )
     geometric = [Ref(f"constraint-{c.row.name}") for c in constraints if not c.constraint.kinematic]
     kinematic = [Ref(f"constraint-{c.row.name}") for c in constraints if c.constraint.kinematic]
-    ways: list[Part] = []
-    if geometric:
-        ways += [plural(len(geometric), "The differential of ", "The differentials of "), *listed(geometric)]
-    if kinematic:
-        ways += [", and " if ways else "", *listed(kinematic), " multiplied by ", math(differential(t))]
     one = len(constraints) == 1
+    differentials = (plural(len(geometric), "The differential of ", "The differentials of "), *listed(geometric))
+    multiplied = (*listed(kinematic), " multiplied by ", math(differential(t)))
+    both = bool(geometric and kinematic)
+    words: tuple[Part, ...] = (*differentials, ", and ", *multiplied, ",") if both else differentials
     body: list[Block] = [
-        prose(*ways, " is" if one else ", are" if geometric and kinematic else " are"),
+        prose(*(words if geometric else multiplied), " is" if one else " are"),
         display(*lines),
         _coefficients(constraints, slots),
         *without_form(others),
@@ -117,7 +198,7 @@ def _coefficients(constraints: Sequence[ConstraintAnalysis], slots: Slots) -> Ta
 
 
 def explain_integrability(classification: Classification, slots: Slots, taken: Collection[str] = ()) -> Step:
-    """Exactness by pairs, finite forms, Frobenius, and the system as a whole. `taken`: names that the problem has."""
+    """Exactness, finite forms, Frobenius' theorem, the system as a whole. `taken`: names that the problem uses."""
     letter = form_letter(taken)
     finite = [c for c in classification.constraints if c.row.finite is not None]
     independent = [c for c in finite if c.row.name not in classification.redundant]
@@ -149,26 +230,27 @@ def _explain_finite(members: Sequence[ConstraintAnalysis]) -> list[Block]:
         return []
     refs = listed(Ref(f"form-{c.row.name}") for c in members)
     relations = listed(Ref(f"constraint-{c.row.name}") for c in members)
-    one = len(members) == 1
+    differentials = plural(len(members), " is the differential of the finite relation ",
+                           " are the differentials of the finite relations ")  # fmt: skip
     words: list[Part] = [
         *refs,
-        " is the differential of the finite relation " if one else " are the differentials of the finite relations ",
+        differentials,
         *relations,
-        ", so " + ("it is " if one else "they are "),
-        Term("exact"),
-        ": all pairs of partial derivatives agree",
+        " and therefore ",
+        Emphasis("exact"),
+        ": the mixed partial derivatives agree",
     ]
     telling = [p for c in members if (p := _telling_pair(c)) is not None]
     shown = [p for p in telling if 0 not in p.coefficients][:SHOWN_PAIRS]
-    for n, pair in enumerate(shown):
-        words += [", for instance " if n == 0 else ", ", equal(pair)]
+    if shown:
+        words += [", for instance ", *listed(map(equal, shown))]
     return [prose(*words, ".")]
 
 
-def _telling_pair(c: ConstraintAnalysis) -> Comparison | None:
-    """The pair of partial derivatives that says most: one that is not 0 = 0 of zeros."""
+def _telling_pair(c: ConstraintAnalysis) -> PartialsComparison | None:
+    """The most telling pair of partial derivatives: not 0 = 0, and not of a zero coefficient."""
 
-    def weight(p: Comparison) -> tuple[bool, bool]:
+    def weight(p: PartialsComparison) -> tuple[bool, bool]:
         return (p.derivatives == (0, 0), 0 in p.coefficients)
 
     pairs = c.exactness.comparisons
@@ -176,16 +258,16 @@ def _telling_pair(c: ConstraintAnalysis) -> Comparison | None:
 
 
 def _explain_exact(c: ConstraintAnalysis) -> list[Block]:
-    """A kinematic constraint whose form is a differential as it stands."""
+    """A kinematic constraint whose form is the differential of a function."""
     label = f"form-{c.row.name}"
     pair = _telling_pair(c)
-    words: list[Part] = ["All pairs of partial derivatives of ", Ref(label), " agree"]
+    words: list[Part] = ["The mixed partial derivatives of ", Ref(label), " agree"]
     words += [", for instance ", equal(pair)] if pair and 0 not in pair.coefficients else []
-    words += [": it is ", Term("exact"), ". "]
+    words += [": the form is ", Emphasis("exact"), ". "]
     if c.integral is None:
-        return [prose(*words, "Its finite form was not found in closed form.")]
+        return [prose(*words, "Its finite relation was not found in closed form.")]
     finite = Equation((c.integral, CONSTANT), label=f"integral-{c.row.name}")
-    return [prose(*words, "The constraint is the finite relation"), display(finite)]
+    return [prose(*words, "The constraint is equivalent to the finite relation"), display(finite)]
 
 
 def _explain_not_exact(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnalysis], letter: str) -> list[Block]:
@@ -193,32 +275,30 @@ def _explain_not_exact(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnal
     label = f"form-{c.row.name}"
     differing = c.exactness.differing
     if not differing:
-        return [prose("Whether ", Ref(label), " is exact could not be decided.")]
-    found: list[Block] = [
-        prose(
-            "Is ",
-            Ref(label),
-            " the differential of a function? Then its partial derivatives would agree in pairs, but",
-        )
-    ]
-    found += [prose(*_unequal(p)) for p in differing[:SHOWN_PAIRS]]
+        return [prose("It could not be decided whether ", Ref(label), " is exact.")]
+    question = (
+        "Is ",
+        Ref(label),
+        " the differential of a function? If so, its mixed partial derivatives would agree, but",
+    )
+    body: list[Block] = [prose(*question), *(prose(*_unequal(p)) for p in differing[:SHOWN_PAIRS])]
     if len(differing) > SHOWN_PAIRS:
-        found += [prose(*_unequal(p), detail=Detail.FULL) for p in differing[SHOWN_PAIRS:]]
-        found.append(prose(f"and so on in {len(differing) - SHOWN_PAIRS} more pairs."))
-    return [*found, *_explain_frobenius(c, label, geometric, letter)]
+        body += [prose(*_unequal(p), detail=Detail.FULL) for p in differing[SHOWN_PAIRS:]]
+        body.append(prose(f"and likewise for {counted(len(differing) - SHOWN_PAIRS, 'further pair')}."))
+    return [*body, *_explain_frobenius(c, label, geometric, letter)]
 
 
 def _explain_likewise(c: ConstraintAnalysis, geometric: Sequence[ConstraintAnalysis], letter: str) -> list[Block]:
-    """The same for a later constraint, when the theorem has been said."""
+    """The same for a later constraint, after the theorem has been stated."""
     label = f"form-{c.row.name}"
     first, *others = c.exactness.differing
-    found: list[Block] = [prose(Ref(label), " is not exact either: ", *_unequal(first), ".")]
-    found += [prose(*_unequal(p), detail=Detail.FULL) for p in others]
+    body: list[Block] = [prose(Ref(label), " is not exact either: ", *_unequal(first), ".")]
+    body += [prose(*_unequal(p), detail=Detail.FULL) for p in others]
     form, product = _forms(geometric, letter)
-    question = prose("With ", math(form), " for the form ", Ref(label), " now, ")
+    question = prose("With ", math(form), " now for the form ", Ref(label), ", ")
     where = _where(geometric)
-    end = prose(f"This is not zero{where}: ", Ref(label), " is not integrable.")
-    return [*found, *_verdict(c, product, question, end, where)]
+    end = prose(f"This does not vanish{where}: ", Ref(label), " is not integrable.")
+    return [*body, *_verdict(c, product, question, end, where)]
 
 
 def _forms(geometric: Sequence[ConstraintAnalysis], letter: str) -> tuple[sp.Symbol, Wedge]:
@@ -232,19 +312,18 @@ def _explain_frobenius(
     c: ConstraintAnalysis, label: str, geometric: Sequence[ConstraintAnalysis], letter: str
 ) -> list[Block]:
     form, product = _forms(geometric, letter)
-    others = product.args[2:]
-    forms: list[Part] = [math(form), " for the form ", Ref(label)]
-    for n, (symbol, g) in enumerate(zip(others, geometric, strict=True), start=1):
-        forms += [" and " if n == len(others) else ", ", math(symbol), " for ", Ref(f"form-{g.row.name}")]
-    given = f",{_where(geometric)}," if geometric else ""
-    question = prose(
-        "It is not exact. That alone does not settle it: a factor might still make it exact. By Frobenius' theorem one "
-        f"does{given} just when, with ", *forms, ", ", math(product, sp.S.Zero), ". Here ",
-    )  # fmt: skip
+    others = zip(product.args[2:], geometric, strict=True)
+    forms = series([(math(form), " for the form ", Ref(label)),
+                    *((math(symbol), " for ", Ref(f"form-{g.row.name}")) for symbol, g in others)])  # fmt: skip
     where = _where(geometric)
+    given = f",{where}," if geometric else ""
+    question = prose(
+        "It is not exact, but an integrating factor may still exist; by Frobenius' theorem one does"
+        f"{given} if and only if, with ", *forms, ", ", math(product, sp.S.Zero), ". Here ",
+    )  # fmt: skip
     end = prose(
-        f"This is not zero{where}: no factor exists at all, and no relation between the coordinates is hidden in the "
-        "constraint. It is ", Term("not integrable"), ".",
+        f"This does not vanish{where}: there is no integrating factor, and the constraint hides no relation between "
+        "the coordinates. It is ", Emphasis("not integrable"), ".",
     )  # fmt: skip
     return _verdict(c, product, question, end, where)
 
@@ -254,7 +333,7 @@ def _where(geometric: Sequence[ConstraintAnalysis]) -> str:
 
 
 def _verdict(c: ConstraintAnalysis, product: Wedge, begin: Prose, end: Prose, where: str) -> list[Block]:
-    """What the product is, and what follows; `begin` leads to it, `end` is said where it does not vanish."""
+    """The product and what follows from it; `begin` introduces it, `end` is for one that does not vanish."""
     if c.integrable is None:
         return [prose(*begin.parts, "it could not be decided whether ", math(product, sp.S.Zero), ".")]
     if c.integrable:
@@ -270,34 +349,25 @@ def _component(c: FrobeniusComponent) -> sp.Expr:
     return c.coefficient * Wedge(*(differential(v) for v in c.variables))
 
 
-def _unequal(p: Comparison) -> tuple[Part, ...]:
+def _unequal(p: PartialsComparison) -> tuple[Part, ...]:
     (q, r), (a, b), (left, right) = p.variables, p.coefficients, p.derivatives
     return math(Partial(a, r), left), " ≠\u00a0", math(right, Partial(b, q))
 
 
 def explain_classification(classification: Classification, taken: Collection[str] = ()) -> Step:
-    """Holonomic or not, scleronomic or rheonomic, and why. `taken`: names that the problem has."""
+    """Holonomic or not, scleronomic or rheonomic, and why. `taken`: names that the problem uses."""
     constraints = classification.constraints
     words: list[Part]
     if classification.holonomic is None:
-        words = ["Whether the system is holonomic could not be decided."]
+        words = ["It could not be decided whether the system is holonomic."]
     elif not constraints:
-        words = ["Without constraints the system is ", Term("holonomic"), "."]
+        words = ["Without constraints the system is ", Emphasis("holonomic"), "."]
     elif classification.holonomic:
-        alone = all(c.integrable for c in constraints)
-        why = plural(len(constraints), "The constraint is a finite relation", "All constraints are finite relations")
-        why = why if alone else "Taken together, the constraints come to finite relations"
-        words = [f"{why}: the system is ", Term("holonomic"), "."]
+        words = [_why_holonomic(constraints), ", so the system is ", Emphasis("holonomic"), "."]
     else:
-        names = listed(spoken(c.row.name) for c in constraints if c.integrable is False)
-        verb = " comes to no finite relation" if len(names) == 1 else " do not come to finite relations"
-        words = [
-            "The constraint " if len(names) == 1 else "The constraints ",
-            *names,
-            f"{verb}: the system is ",
-            Term("nonholonomic"),
-            ".",
-        ]
+        names = [c.row.name for c in constraints if c.integrable is False]
+        verb = plural(len(names), "is not equivalent to a finite relation", "are not equivalent to finite relations")
+        words = [f"{capital(constraints_called(names))} {verb}, so the system is ", Emphasis("nonholonomic"), "."]
     sentences = (
         prose(*words),
         _time(classification),
@@ -307,69 +377,82 @@ def explain_classification(classification: Classification, taken: Collection[str
     return Step(Rule.CLASSIFICATION, "Classification", (brief(paragraph(*sentences), paragraph(*sentences[:2])),))
 
 
+def _why_holonomic(constraints: Sequence[ConstraintAnalysis]) -> str:
+    """The reason: finite relations as given, or equivalent to them, each alone or only together."""
+    if not all(c.integrable for c in constraints):
+        return "Taken together, the constraints are equivalent to finite relations"
+    if all(c.row.finite is not None for c in constraints):
+        return plural(len(constraints), "The constraint is a finite relation", "All constraints are finite relations")
+    one = "The constraint is equivalent to a finite relation"
+    return plural(len(constraints), one, "All constraints are equivalent to finite relations")
+
+
 def _time(classification: Classification) -> Prose:
     if classification.scleronomic is None:
-        return prose("Whether time occurs could not be decided.")
+        return prose("It could not be decided whether time appears explicitly.")
     if classification.scleronomic:
-        words = "Time occurs neither in the constraints nor in the positions: it is "
+        words = "Time does not appear explicitly, so the system is "
         if classification.catastatic is False:
             linear = all(c.pfaffian or c.catastatic for c in classification.constraints)
             rest = (
                 "a term without velocities remains" if linear else "the motion is not among the virtual displacements"
             )
-            return prose(words, Term("scleronomic"), f", though not catastatic, because {rest}.")
-        return prose(words, Term("scleronomic"), ".")
+            return prose(words, Emphasis("scleronomic"), f", though not catastatic, because {rest}.")
+        return prose(words, Emphasis("scleronomic"), ".")
+    return prose(f"Time appears explicitly in {_with_time(classification)}, so the system is ", Emphasis("rheonomic"),
+                 ".")  # fmt: skip
+
+
+def _with_time(classification: Classification) -> str:
+    """What contains time: constraints, else their finite forms, else positions and orientations."""
     timed = [c for c in classification.constraints if c.depends_on_time]
-    seen = [c for c in timed if c.contains_time]
-    if seen:
-        words = plural(len(seen), "Time occurs in the constraint ", "Time occurs in the constraints ")
-        return prose(words, *listed(spoken(c.row.name) for c in seen), ": it is ", Term("rheonomic"), ".")
+    explicit = [c.row.name for c in timed if c.contains_time]
+    if explicit:
+        return constraints_called(explicit)
     if timed:
-        words = plural(len(timed), "Time occurs in the finite form of the constraint ",
-                       "Time occurs in the finite forms of the constraints ")  # fmt: skip
-        return prose(words, *listed(spoken(c.row.name) for c in timed), ": it is ", Term("rheonomic"), ".")
-    what = plural(len(classification.moving), "the position of ", "the positions of ")
-    where: list[Part] = [what, *listed(classification.moving)] if classification.moving else []
+        forms = plural(len(timed), "the finite form of", "the finite forms of")
+        return f"{forms} {constraints_called(c.row.name for c in timed)}"
+    where = []
+    if classification.moving:
+        positions = plural(len(classification.moving), "the position of", "the positions of")
+        where.append(f"{positions} {joined(map(the, classification.moving))}")
     if classification.driven:
-        where += [" and " if where else "", "the orientation of ", *listed(classification.driven)]
-    return prose("Time occurs in ", *where, ": it is ", Term("rheonomic"), ".")
+        where.append(f"the orientation of {joined(the(n) for n in classification.driven)}")
+    return " and ".join(where)
 
 
 def _difference(finite: int) -> str:
-    """What makes the two counts differ; `finite` is the number of finite relations in the constraints."""
+    """Why the two counts differ; `finite` is the number of finite relations in the constraints."""
     if not finite:
-        return (
-            "The difference is what the kinematic constraints do: they restrict the velocities at each position, and "
-            "not the positions."
-        )
+        return "The kinematic constraints restrict the velocities at each position, but not the positions."
     which, beyond = plural(finite, "which restricts", "which restrict"), plural(finite, "it", "them")
     return (
-        f"The constraints come to {in_words(finite, 'finite relation')}, {which} the positions; what they demand "
-        f"beyond {beyond} restricts only the velocities at each position."
+        f"The constraints imply {in_words(finite, 'finite relation')}, {which} the positions; beyond {beyond} they "
+        "restrict only the velocities at each position."
     )
 
 
 def explain_freedom(classification: Classification) -> Step:
-    """Both counts, and what their difference means."""
+    """Both counts, and the meaning of their difference."""
     n, rank, freedom = classification.coordinates, classification.rank, classification.degrees_of_freedom
     pfaffian = all(c.pfaffian for c in classification.constraints)
     difference = f"{counted(n, 'coordinate')} − {counted(rank, 'independent constraint')} = "
     sentences = [
         prose(
             difference,
-            Term(f"{counted(freedom, 'degree')} of freedom"),
+            Emphasis(f"{counted(freedom, 'degree')} of freedom"),
             ", the number of independent virtual displacements" + ("." if pfaffian else ", by Chetaev's rule."),
         )
     ]
     dimension = classification.configuration_dimension
     if dimension is None:
-        sentences.append(prose("The dimension of the configurations that can be reached could not be decided."))
+        sentences.append(prose("The dimension of the space of reachable configurations could not be decided."))
     elif dimension == freedom == 0:
-        sentences.append(prose("No displacement is left: the constraints alone determine where the system is."))
+        sentences.append(prose("No displacement is left free: the constraints alone determine the position."))
     elif dimension == freedom:
-        sentences.append(prose(f"The configurations that can be reached have dimension {dimension} as well: "
-                          "nothing is restricted in the velocities alone."))  # fmt: skip
+        sentences.append(prose(f"The space of reachable configurations also has dimension {dimension}: no constraint "
+                               "restricts the velocities alone."))  # fmt: skip
     else:
-        sentences.append(prose(f"The configurations that can be reached have dimension {dimension}. "
+        sentences.append(prose(f"The space of reachable configurations has dimension {dimension}. "
                                + _difference(n - dimension)))  # fmt: skip
     return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences), sentences[0]),))

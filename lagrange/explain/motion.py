@@ -1,4 +1,4 @@
-"""D'Alembert's principle, generalized coordinates, equations of motion."""
+"""D'Alembert's principle, generalized coordinates, equations of motion; in full detail their matrix form."""
 
 from __future__ import annotations
 
@@ -6,28 +6,26 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.core.symbols import Dot, VectorSymbol, variation
-from lagrange.document.derivation import (
-    Block,
-    Detail,
-    Equation,
-    Part,
-    Ref,
-    Rule,
-    Step,
-    display,
-    listed,
-    math,
-    paragraph,
-    prose,
+from lagrange.core.symbols import DotProduct, VectorSymbol, variation
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
+from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
+from lagrange.explain.bodies import any_moving, law_times_displacement, terms_of_bodies, terms_of_dampers
+from lagrange.explain.displacements import displacements_in_choice, of_points
+from lagrange.explain.words import (
+    are,
+    capital,
+    constraints_called,
+    in_brackets,
+    must_vanish,
+    plural,
+    substituting,
+    suffix_of,
+    title_in,
 )
-from lagrange.explain.bodies import laws, terms_of_bodies, terms_of_dampers
-from lagrange.explain.displacements import of_points, solved_displacements
-from lagrange.explain.words import plural, spoken
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
-from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationOfMotion, EquationsOfMotion, WithMultipliers
+from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
@@ -48,17 +46,16 @@ def explain_principle(motion: DalembertMotion) -> Step:
 def _multiplied(configuration: Configuration) -> Block:
     """How the principle follows from Newton's law."""
     if not configuration.rows:
-        said = laws(configuration, ", multiplied")
+        laws = law_times_displacement(configuration, ", multiplied")
         terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
-        one = " and added up, reads" if terms > 1 or not configuration.rotations else ", reads"
-        ending = ", added up, read" if " and " in said else one
-        return prose(f"There are no reactions. {said[0].upper()}{said[1:]}{ending}")
-    return prose(
-        f"Multiply {laws(configuration, ', inertia equal to applied force and reaction,')}, and add: the reactions "
-        "drop out by ",
-        Ref("virtual-work"),
-        ", and d'Alembert's principle remains:",
-    )
+        one = " and summed, reads" if terms > 1 or not configuration.rotations else ", reads"
+        ending = ", summed, read" if " and " in laws else one
+        return prose(f"No reaction enters, since the coordinates are free. {capital(laws)}{ending}")
+    force = "mass times acceleration equal to applied force plus reaction"
+    moment = "the rate of change equal to the moment of applied forces and reactions"
+    laws = law_times_displacement(configuration, f", {force if any_moving(configuration) else moment},")
+    words = f"Multiply {laws}, and add: the reactions drop out by "
+    return prose(words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
 
 
 def _principle(configuration: Configuration) -> sp.Expr:
@@ -71,19 +68,19 @@ def _principle(configuration: Configuration) -> sp.Expr:
         force = VectorSymbol(f"F_{p.name}") if acting else ZERO
         moved = VectorSymbol(f"delta(r_{p.name})")
         if p.mass != 0:
-            terms.append(Dot(p.mass * VectorSymbol(f"r_{p.name}''") - force, moved))
+            terms.append(DotProduct(p.mass * VectorSymbol(f"r_{p.name}''") - force, moved))
         elif acting:
-            terms.append(-Dot(force, moved))
+            terms.append(-DotProduct(force, moved))
     for load in configuration.loads:
         if load.elsewhere:
-            terms.append(-Dot(VectorSymbol(f"F_{load.name}"), VectorSymbol(f"delta(r_{load.name})")))
+            terms.append(-DotProduct(VectorSymbol(f"F_{load.name}"), VectorSymbol(f"delta(r_{load.name})")))
     potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
     return sp.Add(*terms, *terms_of_bodies(configuration), *terms_of_dampers(configuration), potential)
 
 
 def _accelerations(motion: DalembertMotion) -> list[Block]:
     accelerations = motion.principle.accelerations
-    suffix = suffix_of(motion.configuration)
+    suffix = suffix_of(motion.configuration.name)
     lines = [
         Equation((VectorSymbol(f"r_{name}''"), a), label=f"acceleration{suffix}-{name}")
         for name, a in accelerations.items()
@@ -99,54 +96,38 @@ def _accelerations(motion: DalembertMotion) -> list[Block]:
         return []
     words = " and ".join(whats)
     verb = "is" if len(lines) + len(rates) == 1 else "are"
-    return [prose(f"{words[0].upper()}{words[1:]} {verb}"), display(*lines, *rates)]
-
-
-def suffix_of(configuration: Configuration) -> str:
-    """What labels in a choice of coordinates end in."""
-    return f"-{configuration.name}" if configuration.name else ""
+    return [prose(f"{capital(words)} {verb}"), display(*lines, *rates)]
 
 
 def explain_equations(motion: DalembertMotion, problem: Problem, multiplied: WithMultipliers | None = None) -> Step:
     """The equations in the file's own coordinates; `multiplied`: also those with multipliers."""
+    body = [*_derived(motion, problem), *_with_multipliers(motion, multiplied)]
+    return Step(Rule.EQUATIONS_OF_MOTION, title_of_equations(motion, problem), tuple(body))
+
+
+def title_of_equations(motion: EquationsOfMotion, problem: Problem) -> str:
+    """The title of the equations of motion in a choice, or in the file's own coordinates."""
+    title, choice = (
+        plural(len(motion.equations), "Equation of motion", "Equations of motion"),
+        motion.configuration.name,
+    )
+    return f"{title} in the given coordinates" if problem.choices and not choice else title_in(title, choice)
+
+
+def _derived(motion: DalembertMotion, problem: Problem) -> list[Block]:
+    """From the principle, as written out, to the equations: the dependent δq substituted, the free δq arbitrary."""
+    coordinates, suffix = motion.configuration.slots.coordinates, suffix_of(motion.configuration.name)
     body: list[Block] = []
     if motion.configuration.rows:
-        body += _with_the_solved(motion)
-    body += _conclusion(motion)
-    body += final_equations(motion, problem)
-    body += _with_multipliers(motion, multiplied)
-    title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
-    return Step(
-        Rule.EQUATIONS_OF_MOTION,
-        f"{title} in the given coordinates" if problem.choices else title,
-        tuple(body),
-    )
-
-
-def _with_the_solved(motion: DalembertMotion) -> list[Block]:
-    """The principle with the dependent displacements put in."""
-    configuration = motion.configuration
-    suffix = suffix_of(configuration)
-    solved = [variation(configuration.slots.coordinates[d]) for d in motion.elimination.dependent]
-    return [
-        prose("With ", *listed(math(d) for d in solved), " put in, ", Ref(f"written-out{suffix}"), " becomes"),
-        display(Equation((motion.reduced, ZERO), label=f"reduced{suffix}")),
-    ]
-
-
-def _conclusion(motion: EquationsOfMotion) -> list[Block]:
-    """The independent δq are arbitrary, so each bracket vanishes; what is divided by."""
-    slots = motion.configuration.slots
-    free = [math(variation(slots.coordinates[k])) for k in motion.elimination.independent]
-    if not free:
-        return [prose("No displacement is free: the constraints alone determine the motion.")]
-    arbitrary = (
-        " is arbitrary, so what multiplies it vanishes"
-        if len(free) == 1
-        else " are independent, so what multiplies each of them vanishes"
-    )
-    clauses = scaling(motion.equations)
-    return [prose(*listed(free), arbitrary, *((" (", *clauses, ")") if clauses else ()), ":")]
+        solved = (math(variation(coordinates[d])) for d in motion.elimination.dependent)
+        body.append(substituting(solved, Ref(f"written-out{suffix}")))
+        body.append(display(Equation((motion.reduced, ZERO), label=f"reduced{suffix}")))
+    free = [math(variation(coordinates[k])) for k in motion.elimination.independent]
+    if free:
+        body.append(must_vanish(free, scaling(motion.equations)))
+    else:
+        body.append(prose("No displacement is free: the constraints alone determine the motion."))
+    return [*body, *final_equations(motion, problem)]
 
 
 def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
@@ -160,13 +141,9 @@ def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
     if divided:
         clauses.append(("dividing by ", *listed(math(f) for f in divided)))
     if any(e.reversed for e in equations):
-        clauses.append(("changing the sign",))
-    words: list[Part] = []
-    for n, clause in enumerate(clauses):
-        words += [("" if n == 0 else " and " if n == len(clauses) - 1 else ", "), *clause]
-    if excluded:
-        words += [", where ", *listed(math(f, ZERO, relation="≠") for f in excluded)]
-    return tuple(words)
+        clauses.append(("reversing the sign",))
+    where: tuple[Part, ...] = (", where ", *listed(math(f, ZERO, relation="≠") for f in excluded)) if excluded else ()
+    return (*series(clauses), *where)
 
 
 def _distinct(factors: Iterable[sp.Expr]) -> list[sp.Expr]:
@@ -176,33 +153,30 @@ def _distinct(factors: Iterable[sp.Expr]) -> list[sp.Expr]:
 def final_equations(motion: EquationsOfMotion, problem: Problem) -> list[Block]:
     """The boxed equations, with the constraints that complete them."""
     configuration = motion.configuration
-    suffix = suffix_of(configuration)
+    suffix = suffix_of(configuration.name)
     lines = [Equation((e.expression, ZERO), label=f"motion{suffix}-{e.coordinate.name}") for e in motion.final]
     lines += [_constraint(configuration, r.name, problem) for r in motion.completing]
-    return [*_put_in(motion), display(*lines, boxed=True, detail=Detail.BRIEF)]
+    return [*_substituted_rates(motion), display(*lines, boxed=True, detail=Detail.BRIEF)]
 
 
 def label_of(motion: EquationsOfMotion, equation: EquationOfMotion) -> str:
-    """The label of an equation as it comes from the principle, before eliminated velocities are put in."""
-    return f"{'open' if motion.closed else 'motion'}{suffix_of(motion.configuration)}-{equation.coordinate.name}"
+    """The label of an equation as it comes from the principle, before eliminated velocities are substituted."""
+    return f"{'open' if motion.closed else 'motion'}{suffix_of(motion.configuration.name)}-{equation.coordinate.name}"
 
 
-def _put_in(motion: EquationsOfMotion) -> list[Block]:
-    """The equations as they come from the principle, and the velocities and accelerations that are put into them."""
+def _substituted_rates(motion: EquationsOfMotion) -> list[Block]:
+    """The equations as they come from the principle, and the velocities and accelerations to substitute in them."""
     if motion.closed is None:
         return []
     closed, name = motion.closed, motion.configuration.name
     before = [Equation((e.expression, ZERO), label=label_of(motion, e)) for e in motion.equations]
     rates = [Equation(pair) for pair in closed.rates.items()]
     refs = listed(Ref(f"rate-{name}-{n}") for n in closed.used)
-    gives = plural(len(closed.used), " gives", " give")
-    clauses = scaling(closed.equations)
-    left = plural(len(before), "This leaves", "These leave")
     return [
         display(*before),
-        prose(*refs, gives, ", solved for the velocities and differentiated,"),
+        prose("Solving ", *refs, " for the velocities, and differentiating, gives"),
         display(*rates),
-        prose("Put in, ", f"{left[0].lower()}{left[1:]}", *((" (", *clauses, ")") if clauses else ()), ":"),
+        prose("Substituting these leaves", *in_brackets(scaling(closed.equations)), ":"),
     ]
 
 
@@ -210,23 +184,19 @@ def _with_multipliers(motion: EquationsOfMotion, multiplied: WithMultipliers | N
     """The equations with multipliers, in which no displacement is eliminated."""
     if multiplied is None:
         return []
-    coordinates, suffix = motion.configuration.slots.coordinates, suffix_of(motion.configuration)
+    coordinates, suffix = motion.configuration.slots.coordinates, suffix_of(motion.configuration.name)
     dependent = listed(math(variation(coordinates[d])) for d in motion.elimination.dependent)
     symbols = listed(math(s) for s in multiplied.multipliers)
     one = len(multiplied.multipliers) == 1
     words: tuple[Part, ...] = (
-        "With multipliers nothing is eliminated. ",
-        "The constraint on the displacements, times a multiplier " if one else
-        "The constraints on the displacements, times multipliers ",
-        *symbols,
-        ", is subtracted from " if one else ", are subtracted from ",
-        Ref(f"written-out{suffix}"),
-        ", the multiplier" if one else ", the multipliers",
-        " so chosen that what multiplies ",
-        *(() if len(motion.elimination.dependent) == 1 else ("each of ",)),
-        *dependent,
-        " vanishes. The other displacements are free, so that for every coordinate"
-        if motion.elimination.independent else " vanishes:",
+        "With multipliers instead, nothing is eliminated. The ",
+        "constraint on the displacements, times a multiplier " if one else
+        "constraints on the displacements, times multipliers ",
+        *symbols, ", is" if one else ", are", " subtracted from ", Ref(f"written-out{suffix}"),
+        ", the multiplier being chosen so that the " if one else ", the multipliers being chosen so that the ",
+        plural(len(motion.elimination.dependent), "coefficient of ", "coefficients of "), *dependent,
+        plural(len(motion.elimination.dependent), " vanishes", " vanish"),
+        ". The other displacements are free, so for every coordinate" if motion.elimination.independent else ":",
     )  # fmt: skip
     pairs = zip(coordinates, multiplied.equations, strict=True)
     lines = [Equation(sides, label=f"multiplied{suffix}-{q.name}") for q, sides in pairs]
@@ -238,9 +208,9 @@ def _constraint(configuration: Configuration, name: str, problem: Problem) -> Eq
     row = next(r for r in configuration.rows if r.name == name)
     if not configuration.expressed:
         constraint = next(c for c in problem.constraints if c.name == name)
-        return Equation((constraint.lhs, constraint.rhs), label=f"with{suffix_of(configuration)}-{name}")
+        return Equation((constraint.lhs, constraint.rhs), label=f"with{suffix_of(configuration.name)}-{name}")
     shown = row.velocity_form(configuration.slots) if row.finite is None else row.finite
-    return Equation((shown, ZERO), label=f"with{suffix_of(configuration)}-{name}")
+    return Equation((shown, ZERO), label=f"with{suffix_of(configuration.name)}-{name}")
 
 
 def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
@@ -248,7 +218,10 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
     choice, configuration = coordinates.choice, coordinates.configuration
     noun = plural(len(choice.coordinates), "coordinate", "coordinates")
     chosen = listed(math(q) for q in choice.coordinates)
-    body: list[Block] = [prose(f"As generalized {noun} take ", *chosen, ":" if configuration.expressed else ".")]
+    article = plural(len(choice.coordinates), "the ", "")
+    body: list[Block] = [
+        prose("Take ", *chosen, f" as {article}generalized {noun}", ":" if configuration.expressed else ".")
+    ]
     if configuration.expressed:
         body.append(
             display(
@@ -259,68 +232,100 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
     if coordinates.signs:
         signs = listed(math(s) for s in coordinates.signs)
         each = plural(len(coordinates.signs), " is +1 or −1", " are +1 or −1 each")
-        branches = plural(
-            len(coordinates.signs), "both branches of the square root", f"all {coordinates.branches} branches"
-        )
+        kept = plural(len(coordinates.signs), "both signs of the square root", f"all {coordinates.branches} branches")
         real = listed(math(r, ZERO, relation="≥") for r in coordinates.radicands)
-        sentences.append(prose(*signs, f"{each}: {branches} are carried at once. They are real where ", *real, "."))
+        they = plural(len(coordinates.signs), "It is", "They are")
+        sentences.append(prose(*signs, f"{each}: {kept} are kept. {they} real where ", *real, "."))
     if coordinates.satisfied:
-        names = listed(spoken(n) for n in coordinates.satisfied)
-        one, more = " is satisfied identically.", " are satisfied identically."
-        sentences.append(prose("The constraint " if len(coordinates.satisfied) == 1 else "The constraints ", *names,
-                               plural(len(coordinates.satisfied), one, more)))  # fmt: skip
+        called = capital(constraints_called(coordinates.satisfied))
+        sentences.append(prose(f"{called}{are(coordinates.satisfied)}satisfied identically."))
     if len(choice.coordinates) > 1:
-        words = " are independent: the derivatives of the old coordinates by them are linearly independent."
+        words = " are independent: the derivatives of the old coordinates with respect to them are so."
         sentences.append(prose(*chosen, words))
     if sentences:
         body.append(paragraph(*sentences))
     body += _remaining(coordinates)
-    return Step(Rule.GENERALIZED_COORDINATES, f"Generalized {noun}: {spoken(choice.name)}", tuple(body))
+    return Step(Rule.GENERALIZED_COORDINATES, title_in(f"Generalized {noun}", choice.name), tuple(body))
 
 
 def _remaining(coordinates: GeneralizedCoordinates) -> list[Block]:
-    """The constraints that the choice does not satisfy by itself."""
+    """The constraints that the choice does not satisfy identically."""
     configuration, name = coordinates.configuration, coordinates.choice.name
-    found: list[Block] = []
+    blocks: list[Block] = []
     if configuration.rows:
-        names = listed(spoken(r.name) for r in configuration.rows)
-        verb = plural(len(configuration.rows), "remains, and reads", "remain, and read")
+        called = capital(constraints_called(r.name for r in configuration.rows))
+        verb = plural(len(configuration.rows), "remains and reads", "remain and read")
         lines = (
             Equation((r.velocity_form(configuration.slots), ZERO), label=f"rate-{name}-{r.name}")
             for r in configuration.rows
         )
-        found += [prose("Of the constraints, ", *names, f" {verb}"), display(*lines)]
+        blocks += [prose(f"{called} {verb}"), display(*lines)]
     if coordinates.through_rates:
         names = listed(math(q) for q in coordinates.through_rates)
-        verb = plural(len(coordinates.through_rates), "is", "are")
-        found.append(prose(*names, f" {verb} eliminated through the velocities."))
-    return found
+        rates = plural(len(coordinates.through_rates), "its velocity", "their velocities")
+        blocks.append(prose(*names, f"{are(coordinates.through_rates)}eliminated through {rates}."))
+    return blocks
 
 
 def explain_motion_in_choice(
-    coordinates: GeneralizedCoordinates,
-    motion: DalembertMotion,
-    problem: Problem,
-    multiplied: WithMultipliers | None = None,
+    motion: DalembertMotion, problem: Problem, multiplied: WithMultipliers | None = None
 ) -> Step:
     """The principle and the equations in a choice of coordinates."""
-    configuration = motion.configuration
-    name = coordinates.choice.name
-    body: list[Block] = []
-    if configuration.rows:
-        rows = (virtual_displacement(r, configuration.slots) for r in configuration.rows)
-        body += [prose("In a virtual displacement"), display(*(Equation((row, ZERO)) for row in rows))]
-        body += solved_displacements(motion.elimination, configuration)
-    body += [
+    body = [
+        *displacements_in_choice(motion.elimination, motion.configuration),
         *_accelerations(motion),
-        *of_points(configuration, motion.elimination),
+        *of_points(motion.configuration, motion.elimination),
         prose("and d'Alembert's principle ", Ref("principle"), " reads"),
-        display(Equation((motion.principle.statement, ZERO), label=f"written-out-{name}")),
+        display(Equation((motion.principle.statement, ZERO), label=f"written-out-{motion.configuration.name}")),
+        *_derived(motion, problem),
+        *_with_multipliers(motion, multiplied),
     ]
-    if configuration.rows:
-        body += _with_the_solved(motion)
-    body += _conclusion(motion)
-    body += final_equations(motion, problem)
-    body += _with_multipliers(motion, multiplied)
-    title = plural(len(motion.equations), "Equation of motion", "Equations of motion")
-    return Step(Rule.EQUATIONS_OF_MOTION, f"{title}: {spoken(name)}", tuple(body))
+    return Step(Rule.EQUATIONS_OF_MOTION, title_of_equations(motion, problem), tuple(body))
+
+
+LONGEST = 250
+"""The most operations of accelerations that are shown."""
+
+
+def explain_matrix_form(motion: Motion, choice: str = "") -> Step | None:
+    """M q'' = f, A q'' = b where there are constraints, q'' where it is solved for; None where there is nothing."""
+    form = motion.matrices
+    slots = form.configuration.slots
+    mass, force = VectorSymbol("M"), VectorSymbol("f")
+    left = sp.Mul(mass, VectorSymbol("q''"), evaluate=False)
+    many = len(slots.coordinates) > 1
+    body: list[Block] = []
+    if many:
+        q = listed(math(c) for c in slots.coordinates)
+        named = [(mass, form.mass), (force, tuple((e,) for e in form.force))]
+        words = [
+            "In matrix form, with ",
+            math(VectorSymbol("q")),
+            " for ",
+            *q,
+            ", the equations are ",
+            math(left, force),
+        ]
+        if form.constraint_matrix:
+            names = VectorSymbol("A"), VectorSymbol("b")
+            named += [(names[0], form.constraint_matrix), (names[1], tuple((e,) for e in form.constraint_vector))]
+            bound = sp.Mul(names[0], VectorSymbol("q''"), evaluate=False)
+            words += [", apart from the reactions, which add the transpose of ", math(names[0]), " times their "
+                      "multipliers on the right, and the constraints, differentiated until accelerations appear, are ",
+                      math(bound, names[1])]  # fmt: skip
+        body += [prose(*words, ", where", detail=Detail.FULL), Matrices(tuple(named), Detail.FULL)]
+    solved = motion.accelerations
+    long = sum(e.count_ops() for e in solved.values()) > LONGEST
+    what = plural(len(solved), "acceleration", "accelerations")
+    if solved and long:
+        body.append(prose(f"Solved for the {what}, they are long and left to the JSON output.", detail=Detail.FULL))
+    elif solved:
+        verb = "Solved for the" if many else "The equation, solved for the"
+        body.append(prose(f"{verb} {what}:", detail=Detail.FULL))
+        suffix = suffix_of(choice)
+        lines = (Equation((a, e), label=f"solved{suffix}-{a.name}") for a, e in solved.items())
+        body.append(display(*lines, detail=Detail.FULL))
+    title = "Matrix form" if many else "Solved for the acceleration"
+    if not body:
+        return None
+    return Step(Rule.EQUATIONS_OF_MOTION, title_in(title, choice), tuple(body))

@@ -2,40 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 
 import sympy as sp
 
-from lagrange.core.symbols import Dot, Sign, VectorSymbol, differential, t
+from lagrange.core.symbols import DotProduct, Sign, VectorSymbol, differential, t
 from lagrange.core.vectors import Vector
-from lagrange.document.derivation import (
-    Block,
-    Equation,
-    Part,
-    Prose,
-    Ref,
-    Rule,
-    Step,
-    display,
-    listed,
-    math,
-    paragraph,
-    prose,
-)
-from lagrange.explain.words import counted, plural, spoken
+from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.words import capital, constraints_called, counted, joined, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.friction import Rubbing
-from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction
-from lagrange.mechanics.dynamics.workless import WorkOfReaction
+from lagrange.mechanics.dynamics.friction import FrictionForce
+from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction, WorkOfReaction
 
 ZERO = sp.S.Zero
 LONGEST = 8
-"""Operations of what stands in running text."""
+"""The most operations of an expression in running text."""
 
 
 def explain_newton(
     newton: Newton,
-    rubbed: Sequence[Rubbing],
+    friction_forces: Sequence[FrictionForce],
     configuration: Configuration,
     freedom: int,
     at_rest: bool = False,
@@ -43,7 +30,7 @@ def explain_newton(
 ) -> Step:
     """Free bodies, the components of Newton's law, unknowns against equations.
 
-    unknown_forces  whether applied forces are unknown too, which are not counted
+    unknown_forces  whether applied forces are unknown too: then unknowns are not counted
     """
     body: list[Block] = []
     if newton.bodies is None:
@@ -51,8 +38,8 @@ def explain_newton(
     else:
         body.append(paragraph(*(s for r in newton.reactions for s in nature(r))))
         for b in newton.bodies:
-            body += _free_body(b, field_called(configuration))
-        body += explain_friction(rubbed)
+            body += _free_body(b, field_called(configuration), {r.friction.name for r in friction_forces})
+        body += explain_friction(friction_forces)
         body += _law(newton, newton.bodies, at_rest)
         if newton.before is not None and newton.after is not None and not unknown_forces:
             body += _counted(newton, newton.before, newton.after, configuration, freedom)
@@ -63,109 +50,104 @@ def explain_newton(
 def _without_bodies(newton: Newton, rigid: bool) -> list[Block]:
     one = len(newton.reactions) == 1
     multipliers = listed(math(r.multiplier) for r in newton.reactions)
-    return [
-        prose(
-            "The constraint is kept by a reaction: " if one else "The constraints are kept by reactions: ",
-            "the coefficients of its form, times an unknown " if one
-            else "the coefficients of each form, times an unknown ",
-            *multipliers, ", are its generalized forces. " if one else ", are the generalized forces. ",
-            "" if rigid else "How it is shared out among particles the coordinates do not tell." if one
-            else "How they are shared out among particles the coordinates do not tell.",
-        )
-    ]  # fmt: skip
+    words = f"{'The' if one else 'Each'} constraint is maintained by a reaction, whose generalized forces are the "
+    words += f"coefficients of its form times an unknown multiplier{' ' if one else ': '}"
+    shared = f" How {'it is' if one else 'they are'} distributed among the particles, the coordinates do not determine."
+    return [prose(words, *multipliers, "." if rigid else f".{shared}")]
 
 
 def nature(reaction: Reaction) -> list[Prose]:
-    """What kind of force keeps a constraint."""
-    name = spoken(reaction.name)
+    """The kind of force that maintains a constraint."""
+    called = constraints_called([reaction.name])
     multiplier = math(reaction.multiplier)
     if reaction.rod is not None:
         rod = reaction.rod
         first, second = rod.ends
-        other = second or ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
+        other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
+        like = "as that of a rod" if second else "as that of a rod, or of a smooth circle or sphere"
         beginning: list[Part] = [
-            f"{_capital(name)} keeps {first} at the distance ", math(rod.length), f" from {other}: its reaction is "
-            "along the line that joins them, as that of a rod",
-            "" if second else ", or of a smooth circle or sphere", ". ",
+            f"{capital(called)} keeps {the(first)} at the distance ", math(rod.length), f" from {other}: its "
+            f"reaction acts along the line joining them, {like}.",
         ]  # fmt: skip
         if reaction.tension is None:
             return [prose(*beginning)]
         tension = (reaction.tension,) if reaction.named else (reaction.tension, rod.factor * reaction.multiplier)
-        return [prose(*beginning, "Its tension, positive where it pulls, is ", math(*tension), ".")]
+        return [prose(*beginning, " Its tension, positive where it pulls, is ", math(*tension), ".")]
     if reaction.is_normal and reaction.directions:
         [particle] = reaction.directions
-        words = f"{_capital(name)} keeps {particle} on a surface: its reaction is normal to that, a multiple "
-        return [prose(words, multiplier, " of the gradient.")]
+        words = f"{capital(called)} keeps {the(particle)} on a surface or curve, and its reaction is normal to it: "
+        return [prose(words, multiplier, " times the gradient.")]
     if not reaction.acts_on:
-        return [prose(f"{_capital(name)} acts on no particle.")]
-    on = "".join(str(p) for p in listed(reaction.acts_on))
-    words = f"The reaction of {name} on {on} is a multiple "
-    return [prose(words, multiplier, " of the coefficients of its form.")]
-
-
-def _capital(name: str) -> str:
-    return f"The constraint {name}"
+        return [prose(f"{capital(called)} acts on no particle.")]
+    form = "the coefficients of its form"
+    if reaction.row.nonlinear is not None:
+        form = "the derivatives of the constraint with respect to the velocities"
+    return [
+        prose(f"The reaction of {called} on {joined(map(the, reaction.acts_on))} is ", multiplier, f" times {form}.")
+    ]
 
 
 def field_called(configuration: Configuration) -> str:
-    """What has a force without a name: fields, springs, dampers."""
+    """The sources of forces without a name: fields, springs, dampers."""
     springs, dampers = configuration.springs, configuration.dampers
-    fields = configuration.potential - sp.Add(*(s.energy for s in springs)) != 0
-    whats = ["the field"] * fields + [plural(len(springs), "the spring", "the springs")] * bool(springs)
+    whats = ["the field"] * configuration.has_field + [plural(len(springs), "the spring", "the springs")] * bool(
+        springs
+    )
     whats += [plural(len(dampers), "the damper", "the dampers")] * bool(dampers)
-    return "the force of " + "".join(str(p) for p in listed(whats))
+    return f"the force of {joined(whats)}"
 
 
-def _free_body(body: FreeBody, of_field: str) -> list[Block]:
-    """Everything that acts on one particle."""
-    name = body.particle.name
-    acting = ["its weight" if n == "weight" else f"the force {spoken(n)}" if n else of_field for n in body.loads]
-    acting += [f"the reaction of {spoken(r.name)}" for r in body.bound]
+def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Block]:
+    """All forces that act on one particle."""
+    name, called = body.particle.name, the(body.particle.name)
+    kinds = {n: "friction" if n in rough else "force" for n in body.loads}
+    acting = ["its weight" if n == "weight" else f"the {kinds[n]} {spoken(n)}" if n else of_field for n in body.loads]
+    if body.bound:
+        acting.append(f"the {plural(len(body.bound), 'reaction', 'reactions')} of "
+                      + constraints_called(r.name for r in body.bound))  # fmt: skip
     if not acting:
-        return [prose(f"Nothing acts on {name}.")]
-    verb = plural(len(acting), "acts", "act")
+        return [prose(f"No force acts on {called}.")]
+    verb = plural(len(acting) + len(body.bound[1:]), "acts", "act")
+    sentence = f"On {called} {verb} {joined(acting)}."
     if not body.bound:
-        return [prose(f"On {name} {verb} ", *listed(acting), ".")]
+        return [prose(sentence)]
     lines = []
     for kind, label, terms in (("R", "reaction", body.reactions), ("Gamma", "couple", body.moments)):
         if terms:
             total = sum((g * r.force for r, g in terms), Vector.zero(terms[0][1].triad))
             lines.append(Equation((VectorSymbol(f"{kind}_{name}"), total), label=f"{label}-{name}"))
-    words = f"; {_with(body.bound)}"
-    if body.moments:
-        one = len(body.bound) == 1
-        its, force = ("its", "it and ") if one else ("their", "their sum and ")
-        moment = f"{its} moment about the mass centre"
-        words += f", {force}{moment} are" if body.reactions else f", {moment} is"
-    return [prose(f"On {name} {verb} ", *listed(acting), words), display(*lines)]
+    its, force = plural(len(body.bound), "its", "their"), plural(len(body.bound), "it", "their sum")
+    moment = f"{its} moment about the mass centre"
+    what = f"{force} and {moment} are" if body.reactions and body.moments else f"{moment if body.moments else force} is"
+    return [prose(f"{sentence} In terms of {_unknowns(body.bound)}, {what}"), display(*lines)]
 
 
-def _with(reactions: Sequence[Reaction]) -> str:
-    """What the force is written with."""
+def _unknowns(reactions: Sequence[Reaction]) -> str:
+    """The unknowns in terms of which the force is written."""
     kinds = {"tension" if r.named else "multiplier" for r in reactions}
     words = plural(len(reactions), " and ", "s and ").join(sorted(kinds))
-    return f"with the {words}{'s' if len(reactions) > 1 else ''}"
+    return f"the {words}{'s' if len(reactions) > 1 else ''}"
 
 
-def explain_friction(rubbed: Sequence[Rubbing]) -> list[Block]:
-    """How large friction is, and when."""
-    found: list[Block] = []
-    for r in rubbed:
-        begin = f"While {r.friction.on} slides, the friction {spoken(r.friction.name)} is "
+def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
+    """The magnitude of the friction, its direction, and when the law holds."""
+    blocks: list[Block] = []
+    for r in friction_forces:
+        begin = f"While {the(r.friction.on)} slides, the friction {spoken(r.friction.name)} is "
         first: tuple[Part, ...] = (begin, math(r.friction.coefficient), " times the magnitude of the reaction")
         second: tuple[Part, ...] = (
-            "against the slip ", math(r.slip), ". It does work, and counts as an applied force. This holds where the "
-            "slip is not zero; without slip friction is what keeps it so, up to a limit.",
+            "directed against the slip ", math(r.slip), ". It does work and counts as an applied force. This holds "
+            "while the slip is not zero; without slip, static friction takes whatever value prevents it, up to a "
+            "limit.",
         )  # fmt: skip
         if r.magnitude.count_ops() > LONGEST:
-            found += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
+            blocks += [prose(*first), display(Equation((r.magnitude,))), prose(*second)]
         else:
-            found.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
-        if isinstance(r.contact, Sign):
-            continue
-        sense = "positive" if r.contact == 1 else "negative"
-        found.append(prose("The file says that ", math(r.reaction.multiplier), f" is {sense}."))
-    return found
+            blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
+        if not isinstance(r.contact, Sign):
+            relation = ">" if r.contact == 1 else "<"
+            blocks.append(prose("In contact ", math(r.reaction.multiplier, ZERO, relation=relation), "."))
+    return blocks
 
 
 def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Block]:
@@ -177,22 +159,23 @@ def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Bloc
                 lines.append(Equation((c.inertia, c.right), label=f"{kind}-{b.name}-{n}"))
         turned = turned or bool(b.turning)
     if at_rest:
-        words = "At rest nothing is accelerated: by Newton's law applied force and reaction cancel, "
-        words += "and their moments too, in components" if turned else "in components"
+        also = ", and so do their moments" if turned else ""
+        words = (
+            f"At rest nothing is accelerated: by Newton's law applied force and reaction cancel{also}; in components,"
+        )
     elif turned:
-        words = "Newton's law, inertia equal to applied force and reaction, and the law of angular momentum, its rate "
-        words += "about the mass centre equal to the moment of both, have the components"
+        words = "Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular "
+        words += "momentum, its rate of change about the mass centre equal to the moment of both, have the components"
     else:
-        words = "Newton's law, inertia equal to applied force and reaction, has the components"
-    found: list[Block] = [prose(words)]
-    found.append(display(*lines))
+        words = "Newton's law, mass times acceleration equal to applied force plus reaction, has the components"
+    blocks: list[Block] = [prose(words), display(*lines)]
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
         lines = [Equation((ZERO, right), label=f"idle-{q.name}") for q, right in newton.idle.items()]
-        words = plural(len(newton.idle), " moves no particle, so that no force is left to balance what acts on it:",
-                       " move no particle, so that no force is left to balance what acts on them:")  # fmt: skip
-        found += [prose(*names, words), display(*lines)]
-    return found
+        words = plural(len(newton.idle), " moves no particle, so the generalized force on it must vanish:",
+                       " move no particle, so the generalized forces on them must vanish:")  # fmt: skip
+        blocks += [prose(*names, words), display(*lines)]
+    return blocks
 
 
 def _counted(newton: Newton, before: Count, after: Count, configuration: Configuration, freedom: int) -> list[Block]:
@@ -200,23 +183,23 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
     components = before.unknowns - coordinates
     constraints = before.equations - sum(len(b.laws) for b in newton.bodies or ()) - len(newton.idle)
     laws = before.equations - constraints
-    many = before.missing
+    missing = before.missing
     turned = any(b.turning for b in newton.bodies or ())
     whose = "the laws of Newton and of angular momentum" if turned else "Newton's law"
     words = (
-        f"If nothing were known of the reactions but that they act, {counted(coordinates, 'coordinate')} and "
-        f"{counted(components, 'component')} of reactions would be unknown, {before.unknowns} in all, in "
-        f"{before.equations} equations: {counted(laws, 'component')} of {whose} and "
-        f"{counted(constraints, 'independent constraint')}. {many or 'None'} {plural(many or 1, 'is', 'are')} missing"
+        f"Without the directions of the reactions we should have {before.unknowns} unknowns "
+        f"({counted(coordinates, 'coordinate')} and {counted(components, 'component')} of reactions) "
+        f"{'but only' if missing > 0 else 'and'} {before.equations} equations ({counted(laws, 'component')} of {whose} "
+        f"and {counted(constraints, 'independent constraint')})"
     )
-    words += ", as many as there are degrees of freedom. " if many == freedom and many else ". "
-    multipliers = len(newton.reactions)
-    unknown = counted(multipliers, "multiplier")
-    words += f"The directions leave {unknown}: {after.unknowns} unknowns in {after.equations} equations."
+    if missing > 0:
+        words += f": {missing} too few" + (", which is the number of degrees of freedom" if missing == freedom else "")
+    unknown = counted(len(newton.reactions), "multiplier")
+    words += f". The directions leave {unknown}: {after.unknowns} unknowns in {after.equations} equations."
     if after.missing > 0:
         words += (
-            " The constraints are not independent of one another, so that the multipliers are not determined one by "
-            "one, only what they do together."
+            " The constraints are not independent, so the multipliers are not determined individually, only their "
+            "combined effect."
         )
     return [prose(words)]
 
@@ -228,8 +211,8 @@ def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration)
     on = [p.name for p in configuration.points if any(w.reaction.on(p.name) is not None for w in works)]
     about = [r.name for r in configuration.rotations if any(r.name in w.reaction.moments for w in works)]
     left = sp.Add(
-        *(Dot(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in on),
-        *(Dot(VectorSymbol(f"Gamma_{n}"), VectorSymbol(f"delta(pi_{n})")) for n in about),
+        *(DotProduct(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in on),
+        *(DotProduct(VectorSymbol(f"Gamma_{n}"), VectorSymbol(f"delta(pi_{n})")) for n in about),
     )
     known = all(w.reaction.directions is not None and not w.reaction.others for w in works)
     zero = listed(Ref(f"virtual-{w.reaction.name}") for w in works)
@@ -243,7 +226,7 @@ def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration)
         workless = plural(len(works), ": the constraint is workless.", ": the constraints are workless.")
         body.append(prose(vanish, *zero, workless))
     else:
-        body.append(prose("whether it is zero could not be decided."))
+        body.append(prose("It could not be decided whether this is zero."))
     for w in works:
         body += _shares(w)
     body += _possible(works)
@@ -262,22 +245,23 @@ def _shares(work: WorkOfReaction) -> list[Block]:
         for particle, share in work.shares.items()
         if particle in work.working
     ]
-    particles = listed(work.working)
-    found: list[Block] = []
+    blocks: list[Block] = []
     if reaction.rod is not None and reaction.rod.centre is None:
-        found += _ends(reaction.name, *reaction.rod.ends)
-    found.append(prose(f"The reaction of {spoken(reaction.name)} works on ", *particles, " one by one:"))
-    ending = "None of these need be zero, only their sum: what is taken from one is given to another."
-    return [*found, display(*lines), prose(ending)]
+        blocks += _ends(reaction.name, *reaction.rod.ends)
+    particles = joined(map(the, work.working))
+    words = f"On {particles} taken separately, the reaction of {constraints_called([reaction.name])} does the work"
+    ending = "Only the sum need vanish: what is taken from one is given to another."
+    return [*blocks, prose(words), display(*lines), prose(ending)]
 
 
 def _ends(name: str, first: str, second: str) -> list[Block]:
     """The ends of a rod move alike along it, and are pulled oppositely."""
     along = VectorSymbol(f"r_{first}") - VectorSymbol(f"r_{second}")
-    moved = (Dot(along, VectorSymbol(f"delta(r_{end})")) for end in (first, second))
+    moved = (DotProduct(along, VectorSymbol(f"delta(r_{end})")) for end in (first, second))
     return [
         prose(
-            f"By {spoken(name)} the displacements of {first} and {second} along the line that joins them are the same,"
+            f"By {constraints_called([name])}, {the(first)} and {the(second)} have equal displacements along the line "
+            "joining them,"
         ),
         display(Equation(tuple(moved), label=f"ends-{name}")),
         prose("and the forces on the two are opposite."),
@@ -288,17 +272,12 @@ def _possible(works: Sequence[WorkOfReaction]) -> list[Block]:
     moving = [w for w in works if w.possible != 0]
     if not moving:
         return []
-    names = listed(f"that of {spoken(w.reaction.name)}" for w in moving)
-    dt = math(differential(t))
     lines = [Equation((w.possible,), label=f"possible-work-{w.reaction.name}") for w in moving]
+    reactions = plural(len(moving), "the reaction of ", "the reactions of ")
+    does = plural(len(moving), " does the work", " do the work")
     return [
-        prose(
-            "In a possible displacement, in the time ",
-            dt,
-            ", it is otherwise; the work of the reaction, ",
-            *names,
-            ", is",
-        ),
+        prose("In a possible displacement, in the time ", math(differential(t)), ", ", reactions,
+              constraints_called(w.reaction.name for w in moving), does),
         display(*lines),
-        prose("which need not be zero: what moves the constraint does work through it."),
-    ]
+        prose("which need not be zero: whatever drives the constraint does work through it."),
+    ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Constraints that are not linear in the velocities: what they come to, and what is different where they stay so."""
+"""Constraints that are not linear in the velocities: reduction to linear ones, Chetaev's rule for the rest."""
 
 from __future__ import annotations
 
@@ -6,25 +6,14 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.document.derivation import (
-    Block,
-    Equation,
-    Part,
-    Prose,
-    Ref,
-    Term,
-    display,
-    listed,
-    math,
-    paragraph,
-    prose,
-)
-from lagrange.explain.words import counted
+from lagrange.algebra.forms.nonlinear_constraints import Reduction, Why
+from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref
+from lagrange.explain.words import counted, plural
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.problem.alternatives import Reduction, Why
 from lagrange.problem.model import Given
 
 ZERO = sp.S.Zero
@@ -33,30 +22,30 @@ _BECAUSE = {
     Why.POWER: "a power is zero only where its base is",
     Why.FACTOR: "its other factors do not vanish",
     Why.QUOTIENT: "a quotient is zero only where its numerator is",
-    Why.FUNCTION: "the function is zero only at zero",
+    Why.FUNCTION: "the function vanishes only at zero",
     Why.INVERSE: "the function takes no value twice",
     Why.DIRECTION: "the angle is that of a direction",
     Why.SQUARED: "both sides may be squared",
-    Why.SQUARES: "in real numbers a sum of terms of one sign is zero only where all are",
-    Why.FACTORED: "so it reads in factors",
-    Why.EXPANDED: "so it reads when it is multiplied out",
-    Why.SPLIT: "the first admits what the others do",
+    Why.SQUARES: "a sum of real terms of one sign is zero only where all of them are",
+    Why.FACTORED: "this is its factorized form",
+    Why.EXPANDED: "this is its expanded form",
+    Why.SPLIT: "the first alternative admits whatever the others do",
 }
 
 
 def explain_reduction(given: Given, count: int) -> list[Block]:
-    """The constraint of the file, and step by step when it holds; the `count` equations that it comes to follow."""
+    """The constraint of the file, its reduction step by step; the `count` equivalent equations follow."""
     shown = display(Equation((given.lhs, given.rhs)))
     steps = [_sentence(step) for step in given.steps]
-    end = "So it comes to" if count == 1 else f"So it comes to {count} constraints,"
+    end = "It is therefore equivalent to" if count == 1 else f"It is therefore equivalent to the {count} constraints"
     words = prose("is not linear in the velocities as it stands.")
     return [prose("The constraint"), shown, paragraph(words, *steps, prose(end))]
 
 
 def _sentence(step: Reduction) -> Prose:
-    """`x'² + y'² = 0 just when x' = 0 and y' = 0: in real numbers ...`"""
+    """`x'² + y'² = 0 if and only if x' = 0 and y' = 0: a sum of real terms ...`"""
     zeros = listed((math(f, ZERO) for f in step.forms), " or " if step.why is Why.SPLIT else " and ")
-    return prose(math(step.function, ZERO), " just when ", *zeros, *_conditions(step.conditions),
+    return prose(math(step.function, ZERO), " if and only if ", *zeros, *_conditions(step.conditions),
                  f": {_BECAUSE[step.why]}.")  # fmt: skip
 
 
@@ -72,36 +61,37 @@ def without_form(members: Sequence[ConstraintAnalysis]) -> list[Block]:
         return []
     refs = listed(Ref(f"constraint-{c.row.name}") for c in members)
     if len(members) == 1:
-        words = (" is not linear in the velocities, nor a way of writing linear equations. It has no differential "
-                 "form, and lies outside the ")  # fmt: skip
+        words = (" is neither linear in the velocities nor equivalent to linear equations. It has no differential form "
+                 "and lies outside the ")  # fmt: skip
     else:
-        words = (" are not linear in the velocities, nor a way of writing linear equations. They have no differential "
-                 "forms, and lie outside the ")  # fmt: skip
-    return [prose(*refs, words, Term("Pfaffian"), " class.")]
+        words = (" are neither linear in the velocities nor equivalent to linear equations. They have no differential "
+                 "forms and lie outside the ")  # fmt: skip
+    return [prose(*refs, words, Emphasis("Pfaffian"), " class.")]
 
 
 def explain_bending(c: ConstraintAnalysis) -> list[Block]:
-    """Why a constraint that is not linear in the velocities is no finite relation."""
+    """Why a constraint that is not linear in the velocities is, or is not, equivalent to finite relations."""
     label = f"constraint-{c.row.name}"
     if c.integrable is None:
-        return [prose("Whether ", Ref(label), " is a finite relation could not be decided.")]
+        return [prose("It could not be decided whether ", Ref(label), " is equivalent to a finite relation.")]
     if c.integrable:
         words = (" leaves no velocity free: it gives each as a function of position and time, perhaps in several "
-                 "branches, and such equations have finite relations between coordinates and time for "
-                 "solutions.")  # fmt: skip
+                 "branches, and the solutions of such equations are finite relations between coordinates and "
+                 "time.")  # fmt: skip
         return [prose(Ref(label), words)]
     why = prose(
-        "A finite relation, differentiated by time, is linear in the velocities: those that it admits at one position "
-        "and time fill a plane. Those of ", Ref(label), " lie on a surface that is curved",
+        "A finite relation, differentiated with respect to time, is linear in the velocities: those that it admits at "
+        "one position and time fill a plane. Those of ", Ref(label), " lie on a curved surface",
     )  # fmt: skip
-    end = prose("No plane holds them: it is ", Term("not integrable"), ".")
+    end = prose("No plane contains them: the constraint is ", Emphasis("not integrable"), ".")
     if c.bending is None:
         return [paragraph(Prose((*why.parts, ".")), end)]
     changes = [math(e) for e in c.bending.direction]
     shown: tuple[Part, ...] = (
-        ": where ", *listed(math(v) for v in c.bending.velocities), " change in the ratio of ", changes[0], " to ",
+        ": where ", *listed(math(v) for v in c.bending.velocities), " change in the ratio ", changes[0], " to ",
         changes[1],
-        ", it still holds to first order, but the second derivative of its left side less its right side is ",
+        ", the constraint still holds to first order, but the second derivative of its left side minus its right side "
+        "is ",
         math(c.bending.value, sp.S.Zero, relation="≠"), ".",
     )  # fmt: skip
     return [paragraph(Prose((*why.parts, *shown)), end)]
@@ -109,14 +99,14 @@ def explain_bending(c: ConstraintAnalysis) -> list[Block]:
 
 def together(classification: Classification) -> list[Block]:
     """The finite relations of all constraints, of which some are not linear in the velocities."""
-    found = classification.flag.integrable_rank
-    if found is None:
-        return [prose("How many finite relations the constraints hold together could not be decided.")]
-    relations = counted(found, "finite relation") if found else "no finite relation"
+    rank = classification.flag.integrable_rank
+    if rank is None:
+        return [prose("It could not be decided how many finite relations the constraints imply together.")]
+    relations = counted(rank, "finite relation") if rank else "no finite relation"
     if classification.degrees_of_freedom == 0:
-        return [prose(f"Taken together, the constraints leave no velocity free: they come to {relations}.")]
-    words = (f"Taken together, the constraints come to {relations} between the coordinates: the velocities admitted at "
-             "one position span all that the linear constraints leave, so that the others add none.")  # fmt: skip
+        return [prose(f"Taken together, the constraints leave no velocity free: they are equivalent to {relations}.")]
+    words = (f"Taken together, the constraints imply {relations} between the coordinates: the velocities admitted at "
+             "one position span all that the linear constraints leave, so the others add none.")  # fmt: skip
     return [prose(words)]
 
 
@@ -131,11 +121,12 @@ def by_chetaev(configuration: Configuration) -> list[Block]:
     lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
     return [
         prose(
-            "What a possible displacement satisfies by ", *refs, " is not linear, so that nothing linear holds of the "
-            "difference of two of them, and virtual displacements are not found in that way. ", Term("Chetaev's rule"),
-            " takes those for which the derivatives of the constraint by the velocities, each times the virtual "
-            "displacement of its coordinate, add up to zero. For constraints that are linear in the velocities that is "
-            "nothing new; for others it is a ", Term("postulate"), " and follows from nothing above. Here it reads",
+            "The condition that ", *refs, plural(len(rows), " imposes", " impose"), " on possible displacements is not "
+            "linear, so their differences satisfy no linear condition, and virtual displacements cannot be found in "
+            "that way. ", Emphasis("Chetaev's rule"),
+            " admits those for which the derivatives of the constraint with respect to the velocities, each times the "
+            "virtual displacement of its coordinate, add up to zero. For constraints linear in the velocities this is "
+            "nothing new; for others it is a ", Emphasis("postulate"), " and follows from nothing above. Here it reads",
         ),
         display(*lines),
     ]  # fmt: skip

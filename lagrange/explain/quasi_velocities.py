@@ -5,103 +5,76 @@ from __future__ import annotations
 import sympy as sp
 
 from lagrange.core.symbols import VectorSymbol, prime, variation
-from lagrange.document.derivation import (
-    Block,
-    Detail,
-    Equation,
-    Part,
-    Ref,
-    Rule,
-    Step,
-    display,
-    listed,
-    math,
-    prose,
-)
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.bodies import directions_of, stated_triads
 from lagrange.explain.displacements import points_called
 from lagrange.explain.motion import scaling
-from lagrange.explain.words import plural, spoken
+from lagrange.explain.words import are, capital, joined, must_vanish, plural, suffix_of, title_in
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
+from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations, QuasiVelocityForm
 from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_variation
-from lagrange.mechanics.dynamics.quasi_verification import InSpeeds
 from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
 
 
-def explain_speeds(found: InSpeeds, problem: Problem, first: bool, stated: bool = True) -> Step:
+def explain_speeds(form: QuasiVelocityForm, problem: Problem, first: bool, stated: bool = True) -> Step:
     """The quasi-velocities in one set of coordinates.
 
     first   whether these are the file's own, or the first choice that has them
-    stated  whether d'Alembert's principle stands on the page
+    stated  whether the page states d'Alembert's principle
     """
-    quasi, equations = found.velocities, found.equations
+    quasi, equations = form.velocities, form.equations
     body = [*_definitions(quasi), *_determined(quasi)]
     if equations is not None:
         body += _vectors(equations, problem, first)
         body += _principle(equations, stated)
-        body += _final(equations, found.configuration)
+        body += _final(equations, form.configuration)
     noun = plural(len(quasi.definitions), "quasi-velocity", "quasi-velocities")
     title = f"Equations of motion in the {noun}" if equations is not None else noun.capitalize()
-    return Step(Rule.QUASI_VELOCITIES, f"{title}{_where(quasi)}", tuple(body))
-
-
-def _where(quasi: QuasiVelocities) -> str:
-    name = quasi.configuration.name
-    return f": {spoken(name)}" if name else ""
-
-
-def _suffix(quasi: QuasiVelocities) -> str:
-    name = quasi.configuration.name
-    return f"-{name}" if name else ""
+    return Step(Rule.QUASI_VELOCITIES, title_in(title, quasi.configuration.name), tuple(body))
 
 
 def _definitions(quasi: QuasiVelocities) -> list[Block]:
     """u = ..."""
-    suffix = _suffix(quasi)
+    suffix = suffix_of(quasi.configuration.name)
     lines = (Equation((u, e), label=f"speed{suffix}-{u.name}") for u, e in quasi.definitions.items())
     words = plural(len(quasi.definitions), "the quasi-velocity is", "the quasi-velocities are")
-    in_these = "In these coordinates " if quasi.configuration.name else ""
-    said = f"{in_these}{words}"
-    return [prose(f"{said[0].upper()}{said[1:]}"), display(*lines)]
+    in_these = "in these coordinates " if quasi.configuration.name else ""
+    return [prose(capital(in_these + words)), display(*lines)]
 
 
 def _determined(quasi: QuasiVelocities) -> list[Block]:
     """q' = B u + b."""
-    suffix = _suffix(quasi)
+    suffix = suffix_of(quasi.configuration.name)
     rows = quasi.configuration.rows
-    found: list[Block] = []
+    blocks: list[Block] = []
     if quasi.completing:
         others = [math(prime(q)) for q in quasi.completing]
-        verb = plural(len(others), " completes ", " complete ") + plural(len(quasi.definitions), "it", "them")
-        few = plural(len(quasi.definitions), "There are more degrees of freedom than this one: ",
-                     "There are more degrees of freedom than these: ")  # fmt: skip
-        found.append(prose(few, *listed(others), verb, "."))
+        verb = plural(len(others), " completes the set.", " complete the set.")
+        blocks.append(prose("There are more degrees of freedom than quasi-velocities: ", *listed(others), verb))
     determine = plural(len(quasi.symbols), "it determines", "they determine")
-    with_rows = plural(len(rows), "Together with the constraint ", "Together with the constraints ") if rows else ""
+    with_rows = plural(len(rows), "together with the constraint ", "together with the constraints ") if rows else ""
     where: tuple[Part, ...] = ()
     if quasi.pivots:
         where = (", where ", *listed(math(p, ZERO, relation="≠") for p in quasi.pivots), ",")
     lines = [Equation((v, e), label=f"kinematic{suffix}-{v.name}") for v, e in quasi.kinematic.items()]
     which = "the other " if quasi.completing else "all " if len(lines) > 1 else "the "
-    said = f"{with_rows}{determine} {which}{plural(len(lines), 'velocity', 'velocities')}"
-    found.append(prose(f"{said[0].upper()}{said[1:]}", *where, " by"))
-    found.append(display(*lines))
-    return found
+    words = f"{with_rows}{determine} {which}{plural(len(lines), 'velocity', 'velocities')}"
+    return [*blocks, prose(capital(words), *where, " by"), display(*lines)]
 
 
 def _vectors(equations: QuasiEquations, problem: Problem, first: bool) -> list[Block]:
-    """The unit vectors that were not needed before; v, ω and H; a and dH/dt."""
+    """The unit vectors not needed before; v, ω and H; a and dH/dt."""
     quasi = equations.quasi
-    configuration, suffix = quasi.configuration, _suffix(quasi)
+    configuration, suffix = quasi.configuration, suffix_of(quasi.configuration.name)
     used = [v.triad for v in (*equations.velocities.values(), *equations.spins.values())]
     known = directions_of(stated_triads(configuration), problem)
-    found: list[Block] = []
+    blocks: list[Block] = []
     new = [e for name, e in directions_of(used, problem).items() if name not in known] if first else []
     if new:
-        found += [prose("With the unit vectors"), display(*new)]
+        blocks += [prose("With the unit vectors"), display(*new)]
     v = {f"r_{name}'": vector for name, vector in equations.velocities.items()}
     w = {f"omega_{name}": vector for name, vector in equations.spins.items()}
     h = {f"H_{name}": vector for name, vector in equations.momenta.items()}
@@ -113,9 +86,8 @@ def _vectors(equations: QuasiEquations, problem: Problem, first: bool) -> list[B
     whats = [plural(len(v), f"the velocity of the {whose}", f"the velocities of the {whose}")] * bool(v)
     whats += [plural(len(w), "the angular velocity", "the angular velocities")] * bool(w)
     whats += [plural(len(h), "the angular momentum", "the angular momenta")] * bool(h)
-    words = "".join(str(p) for p in listed(whats))
-    verb = plural(len(lines), "is", "are")
-    found += [prose(f"{words[0].upper()}{words[1:]} {verb} then"), display(*lines)]
+    words = joined(whats) + are(lines).rstrip()
+    blocks += [prose(words if new else capital(f"{words} then")), display(*lines)]
     a = {f"r_{name}''": vector for name, vector in equations.accelerations.items()}
     rates = {f"H_{name}'": vector for name, vector in equations.momentum_rates.items()}
     lines = [
@@ -123,45 +95,33 @@ def _vectors(equations: QuasiEquations, problem: Problem, first: bool) -> list[B
         for name, vector in {**a, **rates}.items()
     ]
     if lines:
-        found += [prose("and, differentiated,"), display(*lines)]
-    return found
+        blocks += [prose("Differentiation gives"), display(*lines)]
+    return blocks
 
 
 def _principle(equations: QuasiEquations, stated: bool) -> list[Block]:
     """δπ_u, and the principle with them."""
-    quasi, suffix = equations.quasi, _suffix(equations.quasi)
+    quasi, suffix = equations.quasi, suffix_of(equations.quasi.configuration.name)
     lines = [
         Equation(sides, label=f"quasi-variation{suffix}-{u.name}")
         for u, sides in zip(quasi.definitions, quasi.virtual.items(), strict=True)
     ]
     free = [math(quasi_variation(u)) for u in quasi.definitions]
     free += [math(variation(q)) for q in quasi.completing]
-    takes = plural(len(free), " takes the place of ", " take the place of ")
-    words: tuple[Part, ...] = (
-        "In a virtual displacement, time frozen, ",
-        *listed(free),
-        takes,
-        *listed(math(s) for s in quasi.symbols),
-        ":",
-    )
-    verb = plural(
-        len(free),
-        " is free, so that what multiplies it vanishes",
-        " are free in every virtual displacement, so that what multiplies each of them vanishes",
-    )
-    divided = scaling(equations.equations)
+    role = plural(len(free), " plays the role of ", " play the role of ")
+    symbols = listed(math(s) for s in quasi.symbols)
     return [
-        prose(*words),
+        prose("In a virtual displacement, with time frozen, ", *listed(free), role, *symbols, ":"),
         display(*lines),
         prose("With these, d'Alembert's principle ", *((Ref("principle"), " ") if stated else ()), "reads"),
         display(Equation((equations.statement, ZERO), label=f"written-out-in-speeds{suffix}")),
-        prose(*listed(free), verb, *((" (", *divided, ")") if divided else ()), ":"),
+        must_vanish(free, scaling(equations.equations), ending="arbitrary in every virtual displacement"),
     ]
 
 
 def _final(equations: QuasiEquations, configuration: Configuration) -> list[Block]:
     """The boxed equations, the kinematic ones and the finite constraints after them."""
-    quasi, suffix = equations.quasi, _suffix(equations.quasi)
+    quasi, suffix = equations.quasi, suffix_of(equations.quasi.configuration.name)
     lines = [
         Equation((e.expression, ZERO), label=f"motion-in-speeds{suffix}-{e.coordinate.name}")
         for e in equations.equations

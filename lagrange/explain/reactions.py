@@ -1,18 +1,22 @@
-"""The reactions as functions of position, velocity and time."""
+"""The reactions as functions of position, velocity and time; at rest, at each equilibrium or given position."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import sympy as sp
 
-from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step, display, listed, math, prose
-from lagrange.explain.words import plural, spoken
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
+from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
-from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.reactions import Reactions
+from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 
 LONGEST = 60
-"""Operations of a reaction that is still shown without being asked for, where other coordinates are to be had."""
+"""The most operations of a reaction that is shown by default where there are other coordinates."""
 
 
 def explain_reactions(
@@ -20,15 +24,15 @@ def explain_reactions(
 ) -> Step | None:
     """The multipliers and the tensions; None where there is nothing to show.
 
-    choice   the name of the choice of coordinates that they are written in
-    shorter  whether there are choices, where they may be shorter
+    choice   the name of the choice of coordinates in which they are written
+    shorter  whether there are choices, in which they may be shorter
     first    whether they have not been shown in other coordinates before
     """
     reactions = motion.reactions
     if reactions is None or not newton.reactions:
         return None
     body: list[Block] = []
-    suffix = f"-{choice}" if choice else ""
+    suffix = suffix_of(choice)
     lines = reaction_lines(reactions, newton, suffix)
     long = (shorter or choice) and any(
         s.count_ops() > LONGEST for line in lines for s in line.sides if isinstance(s, sp.Expr)
@@ -36,92 +40,206 @@ def explain_reactions(
     lost = [
         r.name for r in newton.reactions if r.name in reactions.multipliers and reactions.multipliers[r.name] is None
     ]
-    equations = "Lagrange's" if isinstance(motion.written, LagrangeMotion) else "Newton's"
+    by_lagrange = isinstance(motion.written, LagrangeMotion)
+    equations = "Lagrange's equations" if by_lagrange else "Newton's equations"
+    if newton.equations is None and not by_lagrange:
+        equations = "the equations with multipliers"
     if lines and not long:
-        named = newton.equations is not None or isinstance(motion.written, LagrangeMotion)
-        which = f"{equations} equations" if named else "The equations with multipliers"
-        words = f"{which} and the constraints, differentiated until accelerations occur, are linear in "
-        what = "accelerations and multipliers; solved for the latter they give"
-        body.append(prose(*((words, what) if first else ("In these coordinates the same equations give",))))
+        words = (
+            f"{_differentiated(newton)}, and {equations} are linear in the accelerations and multipliers; solved for "
+        )
+        words += "the latter, they give"
+        body.append(prose(words if first else "In these coordinates the same equations give"))
     elif lines:
-        named = newton.equations is not None or isinstance(motion.written, LagrangeMotion)
-        which = f"{equations} equations" if named else "these equations"
-        body.append(prose(f"Solved for the multipliers, {which} give long expressions, left out here."))
+        body.append(prose(f"Solved for the multipliers, {equations} give long expressions."))
     if lines:
         body.append(display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS))
     if lost:
-        names = listed(f"of {spoken(n)}" for n in lost)
-        body.append(prose("The reaction ", *names, " is too long to be written down here."))
+        reactions_of = plural(len(lost), "The reaction of", "The reactions of")
+        verb = plural(len(lost), "is", "are")
+        body.append(prose(f"{reactions_of} {constraints_called(lost)} {verb} too long to be written out here."))
     body += _undetermined(reactions, newton)
     body += _signs(motion)
     if first:
         body += explain_bounds(newton)
-    title = f"Reactions: {spoken(choice)}" if choice else plural(len(newton.reactions), "The reaction", "The reactions")
+    title = title_in(plural(len(newton.reactions), "The reaction", "The reactions"), choice)
     return Step(Rule.SOLVED_REACTIONS, title, tuple(body)) if body else None
+
+
+def _differentiated(newton: Newton) -> str:
+    """`The constraint, differentiated twice`: as often as it takes for accelerations to appear."""
+    kinds = {r.row.finite is None for r in newton.reactions}
+    often = "until accelerations appear" if len(kinds) > 1 else "once" if True in kinds else "twice"
+    return f"{plural(len(newton.reactions), 'The constraint', 'The constraints')}, differentiated {often}"
 
 
 def reaction_lines(reactions: Reactions, newton: Newton, suffix: str) -> list[Equation]:
     """The multipliers, where the file has no name for the tension, and the tensions."""
-    found = []
+    lines = []
     for r in newton.reactions:
         value = reactions.multipliers.get(r.name)
         if value is None:
             continue
         if not r.named:
-            found.append(Equation((r.multiplier, value), label=f"multiplier{suffix}-{r.name}"))
+            lines.append(Equation((r.multiplier, value), label=f"multiplier{suffix}-{r.name}"))
         if r.tension is not None and r.name in reactions.tensions:
-            found.append(Equation((r.tension, reactions.tensions[r.name]), label=f"tension{suffix}-{r.name}"))
-    return found
+            lines.append(Equation((r.tension, reactions.tensions[r.name]), label=f"tension{suffix}-{r.name}"))
+    return lines
 
 
 def _undetermined(reactions: Reactions, newton: Newton) -> list[Block]:
-    """What is determined where the multipliers are not."""
+    """The combinations that are determined where the multipliers are not."""
     loose = [r for r in newton.reactions if r.name not in reactions.multipliers]
     if not loose:
         return []
     names = listed(math(r.force) for r in loose)
-    words: tuple[Part, ...] = (*names, " are not determined one by one, because the constraints depend on one another.")
+    words: tuple[Part, ...] = (
+        *names, are(loose), "not determined individually, because the constraints are not independent.",
+    )  # fmt: skip
     lines = [Equation(d.written) for d in reactions.combinations if d.written is not None]
     if not lines:
         return [prose(*words)]
-    return [prose(*words, " What is determined is"), display(*lines)]
+    return [prose(*words, " The equations determine only"), display(*lines)]
 
 
 def _signs(motion: Motion) -> list[Block]:
-    found: list[Block] = []
+    blocks: list[Block] = []
     for sign, value in motion.signs.items():
         condition = math(sp.Mul(sign, value, evaluate=False), sp.S.Zero, relation=">")
-        found.append(
+        blocks.append(
             prose("The friction depends on the reaction, and the reaction on the friction: ", math(sign),
                   " is +1 or −1, the sign of the multiplier, so that ", condition, ".")
         )  # fmt: skip
-    return found
+    return blocks
 
 
 def explain_bounds(newton: Newton) -> list[Block]:
-    """What rods, strings and surfaces can bear."""
-    found: list[Block] = []
+    """The forces that rods, strings and surfaces can exert."""
+    blocks: list[Block] = []
     rods = [r for r in newton.reactions if r.rod is not None and r.tension is not None]
     tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r in rods if r.tension is not None)
     if len(rods) == 1 and rods[0].rod is not None and rods[0].rod.centre is not None and rods[0].tension is not None:
         outside = math(rods[0].tension, sp.S.Zero, relation="≤")
-        found.append(
-            prose("A rod can pull and push. A string in its place, or a surface that holds the particle inside, needs ",
-                  *tensions, "; a surface that carries it on its outside, ", outside, ".")
+        blocks.append(
+            prose("A rod can pull and push. A string in its place, or a surface that holds the particle inside it, "
+                  "requires ", *tensions, "; a surface that supports it from outside requires ", outside, ".")
         )  # fmt: skip
     elif rods:
-        found.append(
-            prose("A rod can pull and push. A string in its place can only pull, and keeps its length as long as "
+        blocks.append(
+            prose("A rod can pull and push. A string in its place can only pull, and stays taut as long as "
                   if len(rods) == 1 else
-                  "Rods can pull and push. Strings in their place can only pull, and keep their lengths as long as ",
+                  "Rods can pull and push. Strings in their place can only pull, and stay taut as long as ",
                   *tensions, ".")
         )  # fmt: skip
     normal = [r for r in newton.reactions if r.is_normal]
     if normal:
         multipliers = listed(math(r.multiplier) for r in normal)
         keep = plural(len(normal), " keeps its sign", " keep their signs")
-        found.append(
-            prose("A surface that can only push keeps its particle as long as ", *multipliers, keep,
-                  ": there is contact while the reaction points to the side of the particle.")
+        blocks.append(
+            prose("A surface that can only push stays in contact as long as ", *multipliers, keep,
+                  ": the reaction must point to the side on which the particle is.")
         )  # fmt: skip
-    return found
+    return blocks
+
+
+def explain_reactions_at_rest(static: StaticReactions, newton: Newton) -> Step | None:
+    """The multipliers and tensions at every branch of equilibria; None where there is nothing to show."""
+    if not static.at or not (newton.reactions or static.configuration.rows):
+        return None
+    name = static.configuration.name
+    suffix = suffix_of(name)
+    several = len(static.at) > 1
+    body: list[Block] = list(_beginning(static, newton))
+    for n, there in enumerate(static.at, start=1):
+        place: tuple[Part, ...] = ("At ", Ref(f"equilibrium{suffix}-{n}")) if _labelled(static) else ()
+        if there is None:
+            words = "the reactions are" if place else "The reactions are"
+            body.append(prose(*place, " " if place else "", f"{words} not found in a form that can be written out."))
+            continue
+        lines = _lines(there, newton, f"{suffix}-{n}" if several else suffix)
+        if lines:
+            if place and several:
+                body.append(prose(*place, " it is" if len(lines) == 1 else " they are"))
+            body.append(display(*lines, boxed=True, detail=Detail.BRIEF))
+        body += _open(there, newton)
+    if not name:
+        body += explain_bounds(newton)
+    title = plural(len(newton.reactions), "The reaction at rest", "The reactions at rest")
+    return Step(Rule.SOLVED_REACTIONS, title_in(title, name), tuple(body))
+
+
+def _labelled(static: StaticReactions) -> bool:
+    """Whether the branches are displayed with numbers."""
+    return any(b.relations or b.left for b in static.equilibrium.branches)
+
+
+def _beginning(static: StaticReactions, newton: Newton) -> Iterator[Block]:
+    """The equations that are solved; those with multipliers, where nothing else has shown them."""
+    if static.configuration.name:
+        yield prose("In these coordinates the same equations give")
+        return
+    several = len(static.at) > 1
+    known = _balances(newton)
+    if not known:
+        yield prose(
+            "With multipliers for the reactions, the forces balance for every coordinate, not only for those whose "
+            "displacements are free:"
+        )
+        yield _written_out(static, newton)
+    where: list[Part] = ["At an equilibrium "]
+    if static.equilibrium.given:
+        where = ["With ", *listed(math(f) for f in static.equilibrium.forces), " as just found "]
+    elif _labelled(static):
+        where = ["At ", *listed(Ref(f"equilibrium-{n}") for n, _ in enumerate(static.at, start=1)), " "]
+    equations: list[Part] = [*(("the equations ", *listed(known)) if known else ("these equations",))]
+    sole = not any(there and there.reactions.combinations for there in static.at)
+    unknowns = listed(math(r.multiplier) for r in newton.reactions) if sole else []
+    words = " are consistent and give " if sole else " are consistent and give"
+    yield prose(*where, *equations, words, *unknowns, "." if several else ":")
+
+
+def _balances(newton: Newton) -> list[Part]:
+    """The equations between applied forces and reactions that the free bodies have given."""
+    if newton.bodies is None or any(c.inertia != 0 for b in newton.bodies for c in b.laws):
+        return []
+    balances: list[Part] = []
+    for b in newton.bodies:
+        balances += [Ref(f"newton-{b.name}-{n}") for n, _ in enumerate(b.components, start=1)]
+        balances += [Ref(f"turning-{b.name}-{n}") for n, _ in enumerate(b.turning, start=1)]
+    return [*balances, *(Ref(f"idle-{q.name}") for q in newton.idle)]
+
+
+def _written_out(static: StaticReactions, newton: Newton) -> Block:
+    """Q_k + Σ λ_j a_jk = 0 for every coordinate."""
+    work, slots = static.equilibrium.work, static.configuration.slots
+    lines = []
+    for k, force in enumerate(work.forces):
+        reaction = sp.Add(*(r.multiplier * r.row.coefficients[k] for r in newton.reactions))
+        if force != 0 or reaction != 0:
+            lines.append(Equation((force + reaction, sp.S.Zero), label=f"balance-{slots.coordinates[k].name}"))
+    return display(*lines)
+
+
+def _lines(there: ReactionsAtRest, newton: Newton, suffix: str) -> list[Equation]:
+    reactions = there.reactions
+    lines = reaction_lines(reactions, newton, f"-at-rest{suffix}")
+    for c in reactions.combinations:
+        if c.value is not None:
+            lines.append(Equation((sp.Add(*(share * symbol for share, symbol in c.terms)), c.value)))
+    return lines
+
+
+def _open(there: ReactionsAtRest, newton: Newton) -> Iterator[Block]:
+    """The multipliers that the equations do not determine."""
+    shared = {symbol for c in there.reactions.combinations for _, symbol in c.terms}
+    loose = [r.multiplier for r in newton.reactions if r.multiplier in shared]
+    if loose:
+        yield prose(
+            *listed(math(s) for s in loose), " are not determined individually: the constraints are not independent, "
+            "and the system is statically indeterminate. Only these combinations of them are determined."
+        )  # fmt: skip
+    if there.open:
+        yield prose(
+            *listed(math(s) for s in there.open), are(there.open), "not determined here: in this position the "
+            "constraints are not independent, to first order."
+        )  # fmt: skip

@@ -1,4 +1,4 @@
-"""What one run shows: the solution, its comparison with the file's answers, the derivation."""
+"""One run: the problem solved, compared with the file's answers, and explained."""
 
 from __future__ import annotations
 
@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.equations import Verdict
 from lagrange.answers.examiner import compared_answers, not_compared
-from lagrange.answers.verdicts import ComparedAnswer
+from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic
 from lagrange.core.records import record
 from lagrange.document.derivation import Derivation, Step
@@ -24,28 +23,27 @@ from lagrange.explain.constraints import (
     explain_integrability,
 )
 from lagrange.explain.displacements import explain_displacements
-from lagrange.explain.illustrated import illustrated
-from lagrange.explain.matrix_form import explain_matrix_form
+from lagrange.explain.illustrations import illustrated
 from lagrange.explain.motion import (
     explain_choice,
     explain_equations,
+    explain_matrix_form,
     explain_motion_in_choice,
     explain_principle,
 )
 from lagrange.explain.newton import explain_newton, explain_works
-from lagrange.explain.reactions import explain_reactions
+from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
 from lagrange.explain.statement import explain_statement
 from lagrange.mechanics.dynamics.conservation import Conserved
-from lagrange.mechanics.dynamics.equations import DalembertMotion
-from lagrange.mechanics.dynamics.motion import Law, Method, Motion
-from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
-from lagrange.mechanics.energy_symbols import letters, states_potential
-from lagrange.mechanics.solution import Solution, letters_of_oscillations, small_displacements, solve
+from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
+from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
+from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
+from lagrange.mechanics.solution import OnStage, Solution, letters_of_oscillations, silent, small_displacements, solve
 from lagrange.problem.model import Find, Problem
 
 if TYPE_CHECKING:
-    from lagrange.explain.energies import Told
-    from lagrange.mechanics.dynamics.quasi_verification import InSpeeds
+    from lagrange.explain.energies import LagrangeExposition
+    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 
@@ -55,48 +53,50 @@ class Report:
     """One problem, solved and explained."""
 
     solution: Solution
-    answers: tuple[ComparedAnswer, ...]
+    answers: tuple[AnswerVerdict, ...]
     derivation: Derivation
     notation: Notation
     remarks: tuple[Diagnostic, ...] = ()
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
-        """What is to be said of how the file was read, and of what was asked."""
+        """Notes on how the file was read, and on what was asked."""
         return (*self.solution.problem.notes, *self.remarks)
 
     @property
     def shortcomings(self) -> tuple[Diagnostic, ...]:
-        """What is undecided, which checks did not hold, which answers of the file do not agree."""
+        """The undecided questions, the checks that did not hold, the answers of the file that do not agree."""
         return tuple(_shortcomings(self.solution, self.answers))
 
     @property
     def holds(self) -> bool:
-        """Whether there are none."""
+        """Whether there are no shortcomings."""
         return not self.shortcomings
-
-    def _repr_markdown_(self) -> str:
-        """What a notebook shows of a report."""
-        from lagrange.render import markdown
-
-        return markdown.body(self.derivation, self.notation)
 
 
 def report(
-    problem: Problem, choice: str | None = None, *, complete: bool = True, method: Method = Method.DALEMBERT
+    problem: Problem,
+    choice: str | None = None,
+    *,
+    complete: bool = True,
+    method: Method = Method.DALEMBERT,
+    on_stage: OnStage = silent,
 ) -> Report:
-    """Solves a problem and explains the solution. Raises what `solve` raises."""
-    solution = solve(problem, choice, complete=complete, method=method)
+    """Solves a problem and explains the solution. Arguments are those of `solve`; raises what `solve` raises."""
+    solution = solve(problem, choice, complete=complete, method=method, on_stage=on_stage)
+    on_stage("comparing answers")
     answers = tuple(compared_answers(solution))
+    on_stage("explanations and pictures")
     notation = notation_of(solution)
-    steps = tuple(illustrated(_steps(solution, answers, complete), solution, notation))
+    shown = (step for step in _steps(solution, answers, complete) if step is not None)
+    steps = tuple(illustrated(shown, solution, notation))
     derivation = Derivation(problem.title, problem.source, steps)
     remarks = (*_remarks(problem, method), *not_compared(solution, answers))
     return Report(solution, answers, derivation, notation, remarks)
 
 
 def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
-    """That a method of motion was asked for where nothing moves."""
+    """A note if a method was chosen but no equations of motion are asked for."""
     if method is Method.DALEMBERT or Find.MOTION in problem.find:
         return ()
     message = f"`--method {method}` makes no difference here: no equations of motion are asked for"
@@ -104,176 +104,167 @@ def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
     return (Diagnostic("method-without-motion", message, help=help_).as_note(),)
 
 
-def _steps(solution: Solution, answers: tuple[ComparedAnswer, ...], complete: bool) -> Iterator[Step]:
+def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: bool) -> Iterator[Step | None]:
+    """The steps in the order of the chapter; None for one that has nothing to show."""
     problem, classification = solution.problem, solution.classification
-    yield explain_statement(problem, solution.configuration, not _tells_energies(solution))
+    yield explain_statement(problem, solution.own.configuration, not _states_energies(solution))
     yield explain_constraints(classification)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
         yield explain_integrability(classification, problem.slots, names_of(problem))
     yield explain_classification(classification, names_of(problem))
     yield explain_freedom(classification)
-    yield explain_displacements(solution.configuration, solution.elimination, solution.carried, solution.normals)
+    yield explain_displacements(
+        solution.own.configuration, solution.own.elimination, solution.transport_rates, solution.normals
+    )
     yield from _statics(solution)
     yield from _motion(solution, complete)
-    if solution.dynamics is None:
-        yield from _speeds(solution.in_speeds, solution)
-    yield from _small_oscillations(solution.linearization)
+    if solution.own.dynamics is None:
+        yield _speeds(solution.own.in_speeds, solution)
+    yield _small_oscillations(solution.own.linearization)
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
             from lagrange.explain.statics import explain_equilibrium_in_choice
 
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
-            yield from _reactions_at_rest(solution, c.reactions_at_rest)
+            yield _reactions_at_rest(solution, c.reactions_at_rest)
         if c.dynamics is not None:
             written = c.dynamics.written
             if isinstance(written, LagrangeMotion):
                 yield from _by_lagrange(solution, written)
             elif isinstance(written, DalembertMotion):
-                yield explain_motion_in_choice(c.coordinates, written, problem, c.dynamics.with_multipliers)
-            yield from _matrix_form(c.dynamics, c.name, complete)
-        yield from _speeds(c.in_speeds, solution)
-        if c.dynamics is not None:
-            yield from _reactions(solution, c.dynamics, c.name)
-        yield from _conserved(c.conserved, problem, c.name)
-        yield from _small_oscillations(c.linearization)
+                yield explain_motion_in_choice(written, problem, c.dynamics.with_multipliers)
+            yield explain_matrix_form(c.dynamics, c.name) if complete else None
+        yield _speeds(c.in_speeds, solution)
+        yield _reactions(solution, c.dynamics, c.name)
+        yield _conserved(c.conserved, problem, c.name)
+        yield _small_oscillations(c.linearization)
     stated = (e for a in answers if a.name == "reactions" for e in a.equations)
-    remarks = [(e.text.partition(":")[0], said) for e in stated for said in e.remarks]
+    remarks = [(e.text.partition(":")[0], remark) for e in stated for remark in e.remarks]
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], remarks)
 
 
 def names_of(problem: Problem) -> frozenset[str]:
-    """What the problem has names for: its symbols, vectors and functions."""
+    """The names that the problem uses: of symbols, vectors and functions."""
     scope = problem.scope
     symbols = (*problem.slots.coordinates, *problem.slots.prescribed)
     return frozenset({*scope.scalars, *scope.vectors, *scope.functions, *(s.name for s in symbols)})
 
 
-def _statics(solution: Solution) -> Iterator[Step]:
-    """From the free bodies, unless those of motion are shown, to the equilibria and the reactions there."""
-    if solution.equilibrium is None:
+def _statics(solution: Solution) -> Iterator[Step | None]:
+    """Free bodies (unless those of the motion are shown), virtual work, equilibria, reactions at rest."""
+    if solution.own.equilibrium is None:
         return
     law = solution.law
-    shown = bool(solution.works) and law is not None and solution.dynamics is None
+    shown = bool(solution.works) and law is not None and solution.own.dynamics is None
     if shown and law is not None:
         freedom = solution.classification.degrees_of_freedom
         unknown = bool(solution.problem.unknowns)
-        yield explain_newton(law.newton, (), solution.configuration, freedom, at_rest=True, unknown_forces=unknown)
-        yield explain_works(solution.works, solution.configuration)
+        yield explain_newton(law.newton, (), solution.own.configuration, freedom, at_rest=True, unknown_forces=unknown)
+        yield explain_works(solution.works, solution.own.configuration)
     workless = shown and all(w.vanishes for w in solution.works)
-    stability = None if solution.problem.choices else solution.stability
+    stability = None if solution.problem.choices else solution.own.stability
     from lagrange.explain.statics import explain_virtual_work
 
-    yield explain_virtual_work(solution.equilibrium, stability, workless)
-    yield from _reactions_at_rest(solution, solution.reactions_at_rest)
+    yield explain_virtual_work(solution.own.equilibrium, stability, workless)
+    yield _reactions_at_rest(solution, solution.own.reactions_at_rest)
 
 
-def _matrix_form(dynamics: Motion, choice: str, complete: bool) -> Iterator[Step]:
-    """The equations in matrix form: in full detail only."""
-    step = explain_matrix_form(dynamics, choice) if complete else None
-    if step is not None:
-        yield step
+def _small_oscillations(linearization: Linearization | None) -> Step | None:
+    if linearization is None:
+        return None
+    from lagrange.explain.oscillations import explain_linearization
+
+    return explain_linearization(linearization)
 
 
-def _small_oscillations(found: Linearization | None) -> Iterator[Step]:
-    if found is not None:
-        from lagrange.explain.oscillations import explain_linearization
-
-        yield explain_linearization(found)
-
-
-def _reactions_at_rest(solution: Solution, found: StaticReactions | None) -> Iterator[Step]:
-    if found is not None and solution.law is not None:
-        from lagrange.explain.static_reactions import explain_reactions_at_rest
-
-        step = explain_reactions_at_rest(found, solution.law.newton)
-        if step is not None:
-            yield step
+def _reactions_at_rest(solution: Solution, reactions: StaticReactions | None) -> Step | None:
+    if reactions is None or solution.law is None:
+        return None
+    return explain_reactions_at_rest(reactions, solution.law.newton)
 
 
-def _motion(solution: Solution, complete: bool) -> Iterator[Step]:
+def _motion(solution: Solution, complete: bool) -> Iterator[Step | None]:
     """From Newton's law to the equations of motion; friction needs the reactions first."""
-    law, dynamics = solution.law, solution.dynamics
+    law, dynamics = solution.law, solution.own.dynamics
     if law is None or dynamics is None:
         return
     written = dynamics.written
     if solution.works and not isinstance(written, LagrangeMotion):
         freedom = solution.classification.degrees_of_freedom
-        yield explain_newton(law.newton, dynamics.rubbed, solution.configuration, freedom)
-        yield explain_works(solution.works, solution.configuration)
-    if dynamics.rubbed and isinstance(written, LagrangeMotion):
+        yield explain_newton(law.newton, dynamics.friction_forces, solution.own.configuration, freedom)
+        yield explain_works(solution.works, solution.own.configuration)
+    if dynamics.friction_forces and isinstance(written, LagrangeMotion):
         from lagrange.explain.energies import explain_friction_first
 
-        yield explain_friction_first(_told(solution, law, written))
-    if dynamics.rubbed:
-        yield from _reactions(solution, dynamics)
+        yield explain_friction_first(_exposition(solution, law, written))
+    if dynamics.friction_forces:
+        yield _reactions(solution, dynamics)
     if isinstance(written, LagrangeMotion):
         yield from _by_lagrange(solution, written)
     elif isinstance(written, DalembertMotion):
         yield explain_principle(written)
         multiplied = None if law.newton.equations is not None else dynamics.with_multipliers  # they are Newton's, then
         yield explain_equations(written, solution.problem, multiplied)
-    yield from _matrix_form(dynamics, "", complete)
-    yield from _speeds(solution.in_speeds, solution)
-    if not dynamics.rubbed:
-        yield from _reactions(solution, dynamics)
-    yield from _conserved(solution.conserved, solution.problem)
+    yield explain_matrix_form(dynamics) if complete else None
+    yield _speeds(solution.own.in_speeds, solution)
+    if not dynamics.friction_forces:
+        yield _reactions(solution, dynamics)
+    yield _conserved(solution.own.conserved, solution.problem)
 
 
-def _conserved(found: Conserved | None, problem: Problem, choice: str = "") -> Iterator[Step]:
-    step = None if found is None else explain_conserved(found, choice, names_of(problem))
-    if step is not None:
-        yield step
+def _conserved(conserved: Conserved | None, problem: Problem, choice: str = "") -> Step | None:
+    return None if conserved is None else explain_conserved(conserved, choice, names_of(problem))
 
 
-def _speeds(found: InSpeeds | None, solution: Solution) -> Iterator[Step]:
-    if found is not None:
-        from lagrange.explain.quasi_velocities import explain_speeds
+def _speeds(form: QuasiVelocityForm | None, solution: Solution) -> Step | None:
+    if form is None:
+        return None
+    from lagrange.explain.quasi_velocities import explain_speeds
 
-        others = (solution.in_speeds, *(c.in_speeds for c in solution.choices))
-        stated = solution.law is not None and solution.law.method is Method.DALEMBERT
-        yield explain_speeds(found, solution.problem, found is next(s for s in others if s is not None), stated)
+    first = next(v.in_speeds for v in solution.views if v.in_speeds is not None)
+    stated = solution.law is not None and solution.law.method is Method.DALEMBERT
+    return explain_speeds(form, solution.problem, form is first, stated)
 
 
 def _by_lagrange(solution: Solution, written: LagrangeMotion) -> Iterator[Step]:
-    """T, V and Q_k, Lagrange's equations, and what they come to without multipliers."""
+    """T, V and Q_k, Lagrange's equations, and the equations without multipliers."""
     from lagrange.explain.energies import explain_energies
     from lagrange.explain.lagrange import explain_lagrange, explain_lagrange_motion
 
     if solution.law is not None:
-        told = _told(solution, solution.law, written)
-        yield explain_energies(told)
-        yield explain_lagrange(told)
-        yield explain_lagrange_motion(told)
+        exposition = _exposition(solution, solution.law, written)
+        yield explain_energies(exposition)
+        yield explain_lagrange(exposition)
+        yield explain_lagrange_motion(exposition)
 
 
-def _told(solution: Solution, law: Law, written: LagrangeMotion) -> Told:
-    """What is told of Lagrange's equations in one set of coordinates."""
-    from lagrange.explain.energies import Told
+def _exposition(solution: Solution, law: NewtonLaw, written: LagrangeMotion) -> LagrangeExposition:
+    """What the explanation of Lagrange's method needs in one set of coordinates."""
+    from lagrange.explain.energies import LagrangeExposition
 
     finite = frozenset(c.row.name for c in solution.classification.constraints if c.integrable)
-    rubbed = solution.dynamics.rubbed if solution.dynamics is not None else ()
-    return Told(written, letters(solution), law, solution.problem, rubbed, finite)
+    friction_forces = solution.own.dynamics.friction_forces if solution.own.dynamics is not None else ()
+    return LagrangeExposition(written, energy_symbols(solution), law, solution.problem, friction_forces, finite)
 
 
-def _tells_energies(solution: Solution) -> bool:
-    """Whether V is told of where T is, the weights' with that of springs and fields."""
+def _states_energies(solution: Solution) -> bool:
+    """Whether V is stated together with T, for weights, springs and fields alike."""
     by_lagrange = solution.law is not None and solution.law.method is Method.LAGRANGE
     return by_lagrange and not states_potential(solution)
 
 
-def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Iterator[Step]:
-    if solution.law is not None and dynamics is not None:
-        shorter = bool(solution.choices and not choice)
-        first = solution.dynamics is not None and solution.dynamics.reactions is None
-        first = first and choice == next((c.name for c in solution.choices if c.dynamics and c.dynamics.reactions), "")
-        step = explain_reactions(dynamics, solution.law.newton, choice, shorter=shorter, first=first or not choice)
-        if step is not None:
-            yield step
+def _reactions(solution: Solution, dynamics: Motion | None, choice: str = "") -> Step | None:
+    if solution.law is None or dynamics is None:
+        return None
+    shorter = bool(solution.choices and not choice)
+    first = solution.own.dynamics is not None and solution.own.dynamics.reactions is None
+    first = first and choice == next((c.name for c in solution.choices if c.dynamics and c.dynamics.reactions), "")
+    return explain_reactions(dynamics, solution.law.newton, choice, shorter=shorter, first=first or not choice)
 
 
-def _shortcomings(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> Iterator[Diagnostic]:
+def _shortcomings(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Iterator[Diagnostic]:
     c = solution.classification
     for word, verdict in (("holonomic", c.holonomic), ("scleronomic", c.scleronomic), ("catastatic", c.catastatic)):
         if verdict is None:
@@ -291,8 +282,8 @@ def _shortcomings(solution: Solution, answers: tuple[ComparedAnswer, ...]) -> It
 def notation_of(solution: Solution) -> Notation:
     """How the symbols of a solution are written."""
     problem = solution.problem
-    new = [q for c in solution.choices for q in c.coordinates.configuration.slots.coordinates]
-    lengths = [link.length_symbol for link in solution.configuration.links]
+    new = [q for c in solution.choices for q in c.configuration.slots.coordinates]
+    lengths = [link.length_symbol for link in solution.own.configuration.links]
     return Notation(
         coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *lengths, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,

@@ -1,4 +1,4 @@
-"""The statement: what the system is, which symbols it has, where things are and what acts on them."""
+"""The statement: description, symbols, positions, applied forces and moments."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ import sympy as sp
 
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import UNITS, Vector
-from lagrange.document.derivation import Block, Equation, Part, Rule, Step, Table, display, listed, math, prose
-from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies
-from lagrange.explain.words import plural, spoken
+from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.derivation import Block, Equation, Part, Rule, Step, Table
+from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies, unit_vectors
+from lagrange.explain.words import are, capital, constraints_called, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
 
@@ -19,14 +20,14 @@ from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, 
 def explain_statement(problem: Problem, configuration: Configuration, with_potential: bool = True) -> Step:
     """Description, symbols, positions, applied forces.
 
-    with_potential  whether the potential energy of fields and springs is stated here, and not with the weights' later
+    with_potential  whether the potential energy of fields and springs is stated here, rather than later with T
     """
     body: list[Block] = []
     if problem.description:
         body.append(prose(problem.description))
     if problem.axes:
-        words = [(UNITS[name], f" points {word}") for name, word in problem.axes.items()]
-        body.append(prose(*_sentence(listed_pairs(words))))
+        axes = ((math(UNITS[name]), f" points {word}") for name, word in problem.axes.items())
+        body.append(prose(*series(axes), "."))
     body += _symbols(problem)
     body += _functions(problem)
     body += _frame(problem)
@@ -37,28 +38,13 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
     return Step(Rule.STATEMENT, "The system", tuple(body))
 
 
-def listed_pairs(pairs: Iterable[tuple[sp.Expr, str]]) -> tuple[Part, ...]:
-    """`i points right and j points down`."""
-    joined: list[Part] = []
-    pairs = list(pairs)
-    for n, (symbol, words) in enumerate(pairs):
-        if n:
-            joined.append(" and " if n == len(pairs) - 1 else ", ")
-        joined += [math(symbol), words]
-    return tuple(joined)
-
-
-def _sentence(parts: Iterable[Part]) -> tuple[Part, ...]:
-    return (*parts, ".")
-
-
 def _symbols(problem: Problem) -> list[Block]:
     """A table of the symbols where the file says what they mean, sentences where it does not."""
     groups: list[Sequence[Coordinate | Parameter]] = [problem.coordinates, problem.parameters]
-    said = [any(x.meaning or x.unit for x in group) for group in groups]
-    found: list[Block] = [*_listed("coordinate", problem.coordinates)] if not said[0] else []
-    found += _listed("parameter", problem.parameters) if not said[1] else []
-    rows = [x for group, has in zip(groups, said, strict=True) if has for x in group]
+    explained = [any(x.meaning or x.unit for x in group) for group in groups]
+    blocks: list[Block] = [*_listed("coordinate", problem.coordinates)] if not explained[0] else []
+    blocks += _listed("parameter", problem.parameters) if not explained[1] else []
+    rows = [x for group, has_meanings in zip(groups, explained, strict=True) if has_meanings for x in group]
     if rows:
         with_units = any(x.unit for x in rows)
         header: tuple[Part, ...] = ("symbol", "meaning", "unit") if with_units else ("symbol", "meaning")
@@ -67,8 +53,8 @@ def _symbols(problem: Problem) -> list[Block]:
             kind = "parameter" if isinstance(x, Parameter) else "coordinate"
             row: tuple[Part, ...] = (math(x.symbol), x.meaning or kind)
             cells.append((*row, raised(x.unit)) if with_units else row)
-        found.append(Table(header, tuple(cells)))
-    return [*found, *_assumptions(problem)]
+        blocks.append(Table(header, tuple(cells)))
+    return [*blocks, *_assumptions(problem)]
 
 
 def _listed(what: str, members: Sequence[Coordinate | Parameter]) -> list[Block]:
@@ -84,7 +70,7 @@ _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 def raised(unit: str) -> str:
     """A unit as it is printed: m/s^2 is m/s²."""
-    return re.sub(r"\^(-?\d+)", lambda found: found[1].translate(_SUPERSCRIPTS), unit)
+    return re.sub(r"\^(-?\d+)", lambda match: match[1].translate(_SUPERSCRIPTS), unit)
 
 
 _ASSUMED = {
@@ -107,27 +93,22 @@ def _assumptions(problem: Problem) -> list[Block]:
     for kind in Assumption:
         members = [p.symbol for p in problem.parameters if p.assume is kind]
         if members:
-            clauses += [
-                "; " if clauses else "",
-                *listed(math(s) for s in members),
-                " is " if len(members) == 1 else " are ",
-            ]
-            clauses.append(_ASSUMED[kind])
+            clauses += ["; " if clauses else "", *listed(math(s) for s in members), are(members), _ASSUMED[kind]]
     return [prose(*clauses, ".")]
 
 
 def _functions(problem: Problem) -> list[Block]:
     """The prescribed motions; the undefined functions, those of the same arguments together."""
-    found: list[Block] = []
+    blocks: list[Block] = []
     prescribed = problem.slots.prescribed
     if prescribed:
         words = plural(len(prescribed), " is a prescribed function of time.", " are prescribed functions of time.")
-        found.append(prose(*listed(math(u) for u in prescribed), words))
+        blocks.append(prose(*listed(math(u) for u in prescribed), words))
     for arguments in dict.fromkeys(f.arguments for f in problem.functions):
         members = [f.name for f in problem.functions if f.arguments == arguments]
         words = plural(len(members), " is an unspecified function of ", " are unspecified functions of ")
-        found.append(prose(*_names(members), words, *_names(arguments), "."))
-    return found
+        blocks.append(prose(*_names(members), words, *_names(arguments), "."))
+    return blocks
 
 
 def _names(names: Iterable[str]) -> tuple[Part, ...]:
@@ -135,44 +116,39 @@ def _names(names: Iterable[str]) -> tuple[Part, ...]:
 
 
 def _abbreviations(problem: Problem) -> list[Block]:
-    """What the file writes for short: unit vectors, angular velocities."""
+    """The abbreviations of the file: unit vectors, angular velocities."""
     if not problem.abbreviations:
         return []
     lines = (
         Equation((VectorSymbol(name) if isinstance(value, Vector) else sp.Symbol(name), value))
         for name, value in problem.abbreviations.items()
     )
-    return [prose("For short, write"), display(*lines)]
+    return [prose("For brevity, write"), display(*lines)]
 
 
 def _frame(problem: Problem) -> list[Block]:
     """The unit vectors that turn."""
-    found: list[Block] = []
+    blocks: list[Block] = []
     triad = problem.frame
     if triad is not None and triad.directions is not None:
-        found.append(prose("The unit vectors of the frame turn with the coordinates:"))
-        lines = []
-        for n, unit in enumerate(triad.units):
-            row = triad.directions[n, :]
-            direction = Vector((row[0], row[1], row[2]))
-            if unit.name not in UNITS:
-                lines.append(Equation((unit, direction)))
-        found.append(display(*lines))
-    return found
+        blocks.append(prose("The unit vectors of the frame turn with the coordinates:"))
+        blocks.append(display(*(Equation((unit, v)) for unit, v in unit_vectors(triad) if unit.name not in UNITS)))
+    return blocks
 
 
 def _body(configuration: Configuration, centre: MassPoint) -> Block:
     """Its mass, and where its mass centre is."""
+    called = the(centre.name)
     if configuration.is_pinned(centre):
-        mass: tuple[Part, ...] = (", of mass ", math(centre.mass), ",") if centre.mass != 0 else ()
-        return prose(f"The mass centre of the rigid body {centre.name}", *mass, " stays at")
-    has: tuple[Part, ...] = ("the mass ", math(centre.mass)) if centre.mass != 0 else ("no mass",)
-    return prose(f"The rigid body {centre.name} has ", *has, ". The position of its mass centre is")
+        mass: tuple[Part, ...] = (" of mass ", math(centre.mass)) if centre.mass != 0 else ()
+        return prose(f"The mass centre of {called}, a rigid body", *mass, ", stays at")
+    mass = (" and has the mass ", math(centre.mass)) if centre.mass != 0 else (" and has no mass",)
+    return prose(f"{capital(called)} is rigid", *mass, ". The position of its mass centre is")
 
 
 def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
-    """Where the particles are. That a point has no mass is worth saying only where others have some."""
-    found: list[Block] = []
+    """The positions. That a point has no mass is mentioned only where others have some."""
+    blocks: list[Block] = []
     massless = ", a massless point," if any(p.mass != 0 for p in configuration.points) else ""
     bodies = {b.name: b for b in problem.bodies}
     turning = {r.name: r for r in configuration.rotations}
@@ -180,53 +156,54 @@ def _positions(problem: Problem, configuration: Configuration) -> list[Block]:
         what: tuple[Part, ...] = (", of mass ", math(p.mass), ",") if p.mass != 0 else (massless,)
         position = Equation((VectorSymbol(f"r_{p.name}"), p.position), label=f"position-{p.name}")
         if p.name in bodies:
-            found.append(_body(configuration, p))
-            found += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
+            blocks.append(_body(configuration, p))
+            blocks += [display(position), *explain_rotation(bodies[p.name], turning[p.name])]
         else:
-            found += [prose(f"The position of {p.name}", *what, " is"), display(position)]
-    return found
+            blocks += [prose(f"The position of {the(p.name)}", *what, " is"), display(position)]
+    return blocks
 
 
 def _forces(configuration: Configuration, frictions: Sequence[Friction], with_potential: bool) -> list[Block]:
-    found: list[Block] = []
-    rubbing = {f.name: f.constraint for f in frictions}
+    blocks: list[Block] = []
+    rough = {f.name: f.constraint for f in frictions}
     for p in configuration.points:
         loads = [f for f in configuration.loads if f.on == p.name and not f.elsewhere]
         if not loads:
             continue
-        names = [
-            "its weight"
-            if f.name == "weight"
-            else f"the friction {f.name}"
-            if f.name in rubbing
-            else f"the force {f.name}"
-            for f in loads
-        ]
+        names = [_force_called(f.name, f.name in rough, len(loads) == 1) for f in loads]
         total = sum((f.vector for f in loads), Vector.zero(p.position.triad))
         shown = total.along(p.position.triad)
         sides = (VectorSymbol(f"F_{p.name}"), total, shown) if shown != total else (VectorSymbol(f"F_{p.name}"), total)
-        words = "The applied force on " if len(loads) == 1 else "The applied forces on "
-        verb = " is " if len(loads) == 1 else " are "
-        found += [
-            prose(f"{words}{p.name}{verb}", *listed(names), ","),
+        applied = plural(len(loads), "The force applied to", "The forces applied to")
+        blocks += [
+            prose(f"{applied} {the(p.name)}{are(loads)}", *listed(names), ":"),
             display(Equation(sides, label=f"force-{p.name}")),
         ]
-        unknown = listed(dict.fromkeys(spoken(rubbing[f.name]) for f in loads if f.name in rubbing))
+        unknown = dict.fromkeys(rough[f.name] for f in loads if f.name in rough)
         if unknown:
-            found.append(prose("The friction has the multiplier of the reaction of ", *unknown, " in it, found below."))
+            whose = constraints_called(unknown)
+            blocks.append(prose(f"The friction contains the multiplier of the reaction of {whose}, found below."))
     for f in configuration.loads:
         if f.elsewhere:
             lines = (
                 Equation((VectorSymbol(f"F_{f.name}"), f.vector)),
                 Equation((VectorSymbol(f"r_{f.name}"), f.point)),
             )
-            found += [prose(f"The force {f.name} on {f.on}, and the point where it acts, are"), display(*lines)]
-    found += moments_on(configuration)
-    found += explain_links(configuration)
+            force = "weight" if f.name == "weight" else f"force {spoken(f.name)}"
+            blocks += [prose(f"The {force} on {the(f.on)} and its point of application are"), display(*lines)]
+    blocks += moments_on(configuration)
+    blocks += explain_links(configuration)
     if configuration.potential != 0 and with_potential:
         of = "" if configuration.springs else " of the given fields"
-        found += [
+        blocks += [
             prose(f"The potential energy{of} is"),
             display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
         ]
-    return found
+    return blocks
+
+
+def _force_called(name: str, rough: bool, alone: bool) -> str:
+    """`its weight`, `the friction rub`, `the force push`; only `push` where it is the only force."""
+    if name == "weight":
+        return "its weight"
+    return f"the friction {spoken(name)}" if rough else spoken(name) if alone else f"the force {spoken(name)}"

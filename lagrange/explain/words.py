@@ -1,15 +1,59 @@
-"""Small words that several parts of a derivation use."""
+"""English shared by all parts of a derivation: names as nouns, numbers with their nouns, titles, standing clauses."""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
-from lagrange.document.derivation import Detail, Prose
+from lagrange.document.builders import listed, math, prose
+from lagrange.document.derivation import Detail, Part, Prose
+
+if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.signs import SignCondition
+    from lagrange.algebra.closed_forms.solution_sets import Branch
+
+_ADJECTIVES = ("left", "right", "middle", "single", "upper", "lower", "inner", "outer", "front", "rear", "one", "other")
 
 
 def spoken(name: str) -> str:
     """A name of the file in running text: `upper_rod` is upper rod, `no_slip.2` is no slip 2."""
     return name.replace("_", " ").replace(".", " ").strip()
+
+
+def the(name: str) -> str:
+    """A particle or body as a noun: `P1`, but the ball, and the left body."""
+    words = spoken(name)
+    if not words.islower() or len(words) == 1:
+        return words
+    return f"the {words} body" if words in _ADJECTIVES else f"the {words}"
+
+
+def constraints_called(names: Iterable[str]) -> str:
+    """`the rod constraint`, `the upper-rod and no-slip 1 constraints`."""
+    called = [re.sub(r" (?=\D)", "-", spoken(n)) for n in names]
+    return f"the {joined(called)} {plural(len(called), 'constraint', 'constraints')}"
+
+
+def capital(words: str) -> str:
+    """The words as the beginning of a sentence."""
+    return words[:1].upper() + words[1:]
+
+
+def joined(words: Iterable[str]) -> str:
+    """`a, b and c`."""
+    return "".join(str(part) for part in listed(words))
+
+
+def title_in(title: str, choice: str) -> str:
+    """The title of a step in a choice of coordinates: `Equation of motion (choice angle)`."""
+    return f"{title} (choice {spoken(choice)})" if choice else title
+
+
+def suffix_of(choice: str) -> str:
+    """The end of a label in a choice of coordinates; nothing in the file's own, whose name is empty."""
+    return f"-{choice}" if choice else ""
 
 
 def brief(block: Prose, short: Prose) -> Prose:
@@ -20,6 +64,11 @@ def brief(block: Prose, short: Prose) -> Prose:
 def plural(number: int, one: str, more: str) -> str:
     """The word for one, or for more."""
     return one if number == 1 else more
+
+
+def are(members: Collection[object]) -> str:
+    """` is ` or ` are `, for as many as there are members."""
+    return plural(len(members), " is ", " are ")
 
 
 _WORDS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
@@ -34,3 +83,38 @@ def in_words(number: int, what: str) -> str:
 def counted(number: int, what: str) -> str:
     """`1 coordinate`, `2 coordinates`."""
     return f"{number} {what}{'' if number == 1 else 's'}"
+
+
+def sign_conditions(conditions: Iterable[SignCondition], last: str = " and ") -> tuple[Part, ...]:
+    """`a > b and c ≥ d`."""
+    return listed((math(c.lhs, c.rhs, relation=c.relation) for c in conditions), last)
+
+
+def branch_conditions(b: Branch) -> tuple[Part, ...]:
+    """`where b ≤ a`; whether the equilibria of the branch are special or left open."""
+    words: list[Part] = ["where ", *sign_conditions(b.conditions)] if b.conditions else []
+    if b.special:
+        words.append("; every such position is then an equilibrium" if words else "then in every position")
+    if b.left:
+        words.append("; not solved in closed form" if words else "not solved in closed form")
+    return tuple(words)
+
+
+# -- clauses common to d'Alembert's principle and the principle of virtual work ----------------------------------------
+
+
+def substituting(displacements: Iterable[Part], equation: Part) -> Prose:
+    """`Substituting for δx, (13) becomes`."""
+    return prose("Substituting for ", *listed(displacements), ", ", equation, " becomes")
+
+
+def must_vanish(free: Sequence[Part], clauses: Sequence[Part], *, ending: str = "independent") -> Prose:
+    """`δθ is arbitrary, so its coefficient must vanish (dividing by m l):`."""
+    one = " is arbitrary, so its coefficient must vanish"
+    more = f" are {ending}, so the coefficient of each must vanish"
+    return prose(*listed(free), plural(len(free), one, more), *in_brackets(clauses), ":")
+
+
+def in_brackets(clauses: Sequence[Part]) -> tuple[Part, ...]:
+    """` (dividing by m l)`; nothing where there are no clauses."""
+    return (" (", *clauses, ")") if clauses else ()

@@ -1,9 +1,9 @@
-"""Characters as what they look like: `ẍ` is an x with two dots, `−` a minus, `ｘ` and `𝑥` an x.
+"""Characters normalized to what they look like: `ẍ` is an x with two dots, `−` a minus, `ｘ` and `𝑥` an x.
 
-Letters of mathematical alphabets and full-width forms count as the letters that they show; dots, precomposed
-or combining, follow their letter one by one; spaces of any width are spaces. What is invisible (control and
-zero-width characters) is an error, for it could change a meaning that nobody sees. Superscripts, subscripts
-and primes stay what they are: `x²` is not `x2`.
+Letters of mathematical alphabets and full-width forms count as the letters that they show; dots, precomposed or
+combining, follow their letter one by one; spaces of any width are spaces. Invisible characters (control and zero-width
+ones) are errors, for they could change the meaning unseen. Superscripts, subscripts and primes are kept: `x²` is not
+`x2`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ GREEK = {
     "Δ": "Delta", "Θ": "Theta", "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Σ": "Sigma", "Υ": "Upsilon",
     "Φ": "Phi", "Ψ": "Psi", "Ω": "Omega", "ℓ": "ell",
 }  # fmt: skip
-"""Greek letters and the names that they are read as; ℓ, which is `l` where no `ell` is declared."""
+"""Greek letters and their names; ℓ is `l` where no `ell` is declared."""
 
 VARIANTS = {
     "vartheta": "theta",
@@ -36,7 +36,7 @@ VARIANTS = {
     "varepsilon": "epsilon",
     "ell": "l",
 }
-"""A variant of a letter names the plain letter where only that one is declared."""
+"""Variants of letters; a variant means the plain letter where only that one is declared."""
 
 PRIMES = {"'": 1, "′": 1, "’": 1, "ʹ": 1, "″": 2, "‴": 3, "⁗": 4}
 SUPERSCRIPTS = dict(zip("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-", strict=True))
@@ -54,7 +54,7 @@ _SAME = {
 _SPACES = " \t\r\n"
 _INVISIBLE = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
 _BLANK = (0x34F, 0x115F, 0x1160, 0x2800, 0x3164, 0xFFA0, *range(0xFE00, 0xFE10), *range(0xE0100, 0xE01F0))
-"""Characters shown as nothing, though they count as letters, marks or signs."""
+"""Characters that are shown as nothing, though Unicode counts them as letters, marks or signs."""
 _LOOK_ALIKES = dict(
     zip(
         "аеорсухіјѕԁһкмтАВЕКМНОРСТХІЈЅΑΒΕΖΗΙΚΜΝΟΡΤΧ",
@@ -62,8 +62,8 @@ _LOOK_ALIKES = dict(
         strict=True,
     )
 )
-_CURES = {
-    "#": "comments stand on lines of their own",
+_SUGGESTIONS = {
+    "#": "comments go on lines of their own",
     ";": "write one equation at a time",
     '"': "primes are written with apostrophes: `theta''`",
     "“": "primes are written with apostrophes: `theta''`",
@@ -96,26 +96,26 @@ _CURES = {
     "•": "a product is written `*`",
     "ϖ": "write `pi` for the number, or another name",
 }
-_DEFAULT_CURE = "write it with numbers, declared names, `+ - * / ^ =` and parentheses"
+_DEFAULT_SUGGESTION = "write it with numbers, declared names, `+ - * / ^ =` and parentheses"
 
 
 @record
-class Looks:
-    """A text as it looks. Character n of it stands at `places[n]` of the text as it was written."""
+class NormalizedText:
+    """A normalized text. Its character n comes from position `places[n]` of the text as it was written."""
 
     text: str
     places: Sequence[int]
 
     def written(self, start: int, end: int) -> tuple[int, int]:
-        """Where characters `start` to `end` (exclusive) stand in the text as it was written."""
+        """The place of characters `start` to `end` (exclusive) in the text as it was written."""
         return self.places[start], max(self.places[end], self.places[start] + 1)
 
 
-def looks(fragment: Fragment) -> Looks:
-    """A text as it looks. Raises ProblemError at an invisible character."""
+def normalized(fragment: Fragment) -> NormalizedText:
+    """Normalize a text. Raises ProblemError at an invisible character."""
     text = fragment.text
     if text.isascii() and text.isprintable():
-        return Looks(text, range(len(text) + 1))
+        return NormalizedText(text, range(len(text) + 1))
     shown: list[str] = []
     places: list[int] = []
     for index, char in enumerate(text):
@@ -127,26 +127,26 @@ def looks(fragment: Fragment) -> Looks:
             raise ProblemError(Diagnostic("invisible-character", message, span, help="delete it"))
         shown.append(look)
         places.extend([index] * len(look))
-    return Looks("".join(shown), [*places, len(text)])
+    return NormalizedText("".join(shown), [*places, len(text)])
 
 
-def cure(char: str) -> str:
-    """What to write instead of a character that has no meaning."""
+def suggestion_for_character(char: str) -> str:
+    """A suggestion what to write instead of a character that has no meaning."""
     if char in _LOOK_ALIKES:
         return f"this is {unicodedata.name(char)}; write the Latin letter `{_LOOK_ALIKES[char]}`"
-    if char in _CURES:
-        return _CURES[char]
+    if char in _SUGGESTIONS:
+        return _SUGGESTIONS[char]
     category = unicodedata.category(char)
     if category.startswith("M"):
         return "dots over a letter are time derivatives; other accents mean nothing"
     if category.startswith("L"):
-        return "names have letters a to z, digits, `_` and Greek letters"
-    return _DEFAULT_CURE
+        return "names consist of letters a to z, digits, `_` and Greek letters"
+    return _DEFAULT_SUGGESTION
 
 
 @lru_cache(maxsize=4096)
 def _look(char: str) -> str:
-    """The character that one looks like, with the dots over it behind it; an empty one if it is invisible."""
+    """The character that this one looks like, followed by the dots over it; empty if it is invisible."""
     if char in _SPACES:
         return " "
     if char in _DOTS:

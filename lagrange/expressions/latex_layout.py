@@ -1,9 +1,9 @@
-r"""Where the equations stand in a piece of LaTeX: between `$`, in environments, in rows that `\\` ends.
+r"""The equations in a piece of LaTeX: between `$`, in environments, in rows that end with `\\`.
 
-An equation is a run of characters of the text, found by its marks and not rewritten, so that every place in it stays
-what it is. A row that begins with `=`, or with a sign and has none, continues the row before it. Labels and numbers,
-punctuation and words beside an equation are left out. One pass over the text finds the marks, and everything else is
-about them.
+An equation is a range of characters of the text, delimited by marks and not rewritten, so that places in it remain
+places in the text. A row that begins with `=`, or with a sign and has no `=`, continues the row before it. Labels and
+numbers, punctuation and words next to an equation are left out. One pass over the text collects the marks; everything
+else works on them.
 """
 
 from __future__ import annotations
@@ -14,18 +14,18 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from lagrange.core.diagnostics import Fragment, Span
 from lagrange.core.records import record
-from lagrange.expressions.latex_commands import ENVIRONMENTS
+from lagrange.expressions.latex_names import ENVIRONMENTS
 
 
 @record
 class LatexFragment(Fragment):
-    """A piece of another fragment that is in LaTeX, whether or not anything in it says so. It begins at `offset`."""
+    """A piece of another fragment, from `offset`, that is in LaTeX even where it has neither a backslash nor a `$`."""
 
     outer: Fragment | None = None
     offset: int = 0
 
     def span(self, start: int, end: int) -> Span:
-        """Where characters `start` to `end` of the text stand in the source."""
+        """The place of characters `start` to `end` in the source."""
         return (
             super().span(start, end) if self.outer is None else self.outer.span(self.offset + start, self.offset + end)
         )
@@ -33,8 +33,10 @@ class LatexFragment(Fragment):
 
 @record
 class Region:
-    """Mathematics between two marks of a text: characters `start` to `end`, with the marks around them from `opens` to
-    `closes`; the marks in it are those numbered `first` to `last` (exclusive)."""
+    """Mathematics between two marks of a text: characters `start` to `end`, `opens` to `closes` with the two marks.
+
+    The marks inside are those numbered `first` to `last` (exclusive).
+    """
 
     start: int
     end: int
@@ -46,7 +48,7 @@ class Region:
 
 @record
 class Mark:
-    """Something that matters for the layout: `kind` is what stands there, or a word for it."""
+    """Something that matters for the layout: `kind` is its text, or a word for it."""
 
     kind: str
     start: int
@@ -65,11 +67,11 @@ _MARK = re.compile(
     re.DOTALL,
 )
 ALTERNATIVE = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
-"""What stands between alternatives: it parts no equations that hold together."""
+"""What separates alternatives; it does not separate equations that hold together."""
 _BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _OPEN = {"$": "$", "$$": "$$", r"\(": r"\)", r"\[": r"\]"}
 _DISPLAYS = ("$$", r"\[", r"\]")
-_PRINTED = ("verbatim", "verbatim*", "lstlisting", "comment", "thebibliography")
+_VERBATIM = ("verbatim", "verbatim*", "lstlisting", "comment", "thebibliography")
 _ARGUMENTS = re.compile(r"(?:\s?\[[a-z]{0,3}\])?(?:\s?\{[^{}=\\]{0,40}\})?")
 _WITH_ARGUMENTS = ("array", "alignat", "alignedat", "aligned", "gathered", "split")
 _NUMBER = re.compile(r"\([0-9]{1,3}[a-z]?\)\Z")
@@ -84,17 +86,17 @@ def piece(fragment: Fragment, start: int, end: int) -> LatexFragment:
 
 
 def is_latex(fragment: Fragment) -> bool:
-    """Whether a text is LaTeX: a backslash or `$` says so."""
+    """Whether a text is LaTeX: it has a backslash or a `$`."""
     return isinstance(fragment, LatexFragment) or "\\" in fragment.text or "$" in fragment.text
 
 
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
-    """The equations of an answer, one by one; a text in LaTeX may have several."""
+    """The equations of an answer; one text in LaTeX may have several."""
     return tuple(e for fragment in answer for e in equations(fragment))
 
 
 def equations(fragment: Fragment) -> Sequence[Fragment]:
-    """The equations in one text. A text in which none is found is one that cannot be read, and stays whole."""
+    """The equations in one text; the whole text where there are none, so that an error can point at it."""
     if isinstance(fragment, LatexFragment) or not is_latex(fragment):
         return (fragment,)
     marks = marks_of(fragment.text)
@@ -102,51 +104,51 @@ def equations(fragment: Fragment) -> Sequence[Fragment]:
     inside = sum(m.kind == "=" for r in regions for m in marks[r.first : r.last])
     if inside < sum(m.kind == "=" for m in marks):  # `$\ddot x$ = 0`
         regions = []
-    found = [e for r in regions or [Region(0, len(fragment.text), 0, len(marks))] for e in rows(fragment, marks, r)]
-    return found or (piece(fragment, 0, len(fragment.text)),)
+    parts = [e for r in regions or [Region(0, len(fragment.text), 0, len(marks))] for e in rows(fragment, marks, r)]
+    return parts or (piece(fragment, 0, len(fragment.text)),)
 
 
 def marks_of(text: str) -> list[Mark]:
-    """What matters for the layout, in the order of the text. What is printed as it is typed is passed over."""
-    found = []
+    """What matters for the layout, in the order of the text. Verbatim environments are skipped."""
+    marks = []
     closing = _closing_braces(text)
-    at, printed = 0, ""
+    at, verbatim = 0, ""
     while match := _MARK.search(text, at):
         start, at = match.start(), match.end()
         side, name = match["side"], match["name"]
-        if printed:
-            printed = "" if side == "end" and name == printed else printed
-        elif side == "begin" and name in _PRINTED:
-            printed = name
+        if verbatim:
+            verbatim = "" if side == "end" and name == verbatim else verbatim
+        elif side == "begin" and name in _VERBATIM:
+            verbatim = name
         elif side:
             if name.rstrip("*") in _WITH_ARGUMENTS and side == "begin" and (arguments := _ARGUMENTS.match(text, at)):
                 at = arguments.end()
-            found.append(Mark(f"{side} {name}", start, at))
+            marks.append(Mark(f"{side} {name}", start, at))
         elif match["words"] and at - 1 not in closing:
-            found.append(Mark("{", at - 1, at))
+            marks.append(Mark("{", at - 1, at))
         elif match.lastgroup:
             at = closing[at - 1] if match["words"] else at
             kind = match[0] if match.lastgroup == "sign" else match.lastgroup
             kind = "or" if ALTERNATIVE.fullmatch(text, start, at) else kind
-            found.append(Mark(kind, start, at))
-    return found
+            marks.append(Mark(kind, start, at))
+    return marks
 
 
 def _closing_braces(text: str) -> dict[int, int]:
-    """Where each brace `{` stands that is closed, and the place behind the one that closes it."""
-    found: dict[int, int] = {}
+    """The position of each `{` that is closed -> the position after the brace that closes it."""
+    ends: dict[int, int] = {}
     opened: list[int] = []
     for match in _BRACE.finditer(text):
         if match[0] == "{":
             opened.append(match.start())
         elif match[0] == "}" and opened:
-            found[opened.pop()] = match.end()
-    return found
+            ends[opened.pop()] = match.end()
+    return ends
 
 
 def delimited(marks: Sequence[Mark]) -> tuple[list[Region], list[Mark]]:
-    r"""The outermost parts between `$`, `$$`, `\(`, `\[` or in environments of mathematics; and what is not closed."""
-    found: list[Region] = []
+    r"""The outermost parts between `$`, `$$`, `\(`, `\[` or in environments; and the marks that are not closed."""
+    regions: list[Region] = []
     unclosed: list[Mark] = []
     opened: Mark | None = None
     index = level = 0
@@ -161,37 +163,37 @@ def delimited(marks: Sequence[Mark]) -> tuple[list[Region], list[Mark]]:
         else:
             closes = mark.kind == _OPEN[opened.kind]
         if closes:
-            found.append(Region(opened.end, mark.start, index + 1, n, opened.start, mark.end))
+            regions.append(Region(opened.end, mark.start, index + 1, n, opened.start, mark.end))
             opened = None
         elif mark.kind == "paragraph" and opened.kind in ("$", r"\("):
             unclosed += [opened] if any(m.kind == "=" for m in marks[index:n]) else []
             opened = None
     if opened is not None and any(m.kind == "=" for m in marks[index:]):
         unclosed.append(opened)
-    return found, unclosed
+    return regions, unclosed
 
 
 def has_equation(marks: Sequence[Mark], region: Region) -> bool:
-    """Whether there is a `=` in a part of a text."""
+    """Whether there is a `=` in a region."""
     return any(m.kind == "=" for m in marks[region.first : region.last])
 
 
 def rows(fragment: Fragment, marks: Sequence[Mark], region: Region) -> list[LatexFragment]:
-    """The equations in one part of a text."""
+    """The equations in one region of a text."""
     text, trim = fragment.text, _Trim(fragment.text, marks[region.first : region.last])
     cut = [(*trim.both(start, end), equals) for start, end, equals in _cut(marks, region)]
     parts = [(start, end, equals) for start, end, equals in cut if start < end]
-    found: list[tuple[int, int, bool]] = []
+    joined: list[tuple[int, int, bool]] = []
     for n, (start, end, equals) in enumerate(parts):
-        if found and (not found[-1][2] or _continues(text, *found[-1][:2], parts[n:])):
-            found[-1] = (found[-1][0], end, found[-1][2] or equals)
+        if joined and (not joined[-1][2] or _continues(text, *joined[-1][:2], parts[n:])):
+            joined[-1] = (joined[-1][0], end, joined[-1][2] or equals)
         else:
-            found.append((start, end, equals))
-    return [piece(fragment, start, end) for start, end, _ in found]
+            joined.append((start, end, equals))
+    return [piece(fragment, start, end) for start, end, _ in joined]
 
 
 def _continues(text: str, begun: int, ended: int, parts: Sequence[tuple[int, int, bool]]) -> bool:
-    """Whether the first of the parts continues an equation that stands before it and has its `=`."""
+    """Whether the first of the parts continues the equation before it, which has its `=`."""
     start, _, equals = parts[0]
     if text[start] == "=" or text.count("(", begun, ended) > text.count(")", begun, ended):
         return True
@@ -200,13 +202,13 @@ def _continues(text: str, begun: int, ended: int, parts: Sequence[tuple[int, int
 
 
 def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool]]:
-    """Cuts at rows, delimiters and environments, and at commas and wide spaces behind which another equation stands.
+    """Cut at rows, delimiters and environments, and at commas and wide spaces that another equation follows.
 
-    Gives where each part begins and ends, and whether it has a `=`.
+    Yields where each part begins and ends, and whether it has a `=`.
     """
     boxes = _boxes_of_equations(marks, region)
     followed = _followed_by_equation(marks, region)
-    start, equals, since = region.start, False, False  # `since`: there has been a `=` since the last "or"
+    start, equals, equals_since_or = region.start, False, False
     braces = brackets = 0
     for n in range(region.first, region.last):
         kind = marks[n].kind
@@ -222,22 +224,22 @@ def _cut(marks: Sequence[Mark], region: Region) -> Iterator[tuple[int, int, bool
         elif kind in (")", "]", r"\}"):
             brackets = max(brackets - 1, 0)
         elif kind == "=":
-            equals = since = True
+            equals = equals_since_or = True
         elif kind == "or":
-            since = False
+            equals_since_or = False
         elif braces == 0 and kind == "row":
             outside = True
         elif braces == brackets == 0 and kind in (",", ";", "wide", "words"):
-            outside = since and n in followed
+            outside = equals_since_or and n in followed
         if outside:
             yield start, marks[n].start, equals
-            start, equals, since, brackets = marks[n].end, False, False, 0
+            start, equals, equals_since_or, brackets = marks[n].end, False, False, 0
     yield start, region.end, equals
 
 
 def _followed_by_equation(marks: Sequence[Mark], region: Region) -> set[int]:
-    """The marks behind which a `=` stands in the same row."""
-    found, follows = set(), False
+    """The marks that a `=` follows in the same row."""
+    followed, follows = set(), False
     for n in range(region.last - 1, region.first - 1, -1):
         kind = marks[n].kind
         if kind == "row" or kind.startswith(("begin ", "end ")):
@@ -247,13 +249,13 @@ def _followed_by_equation(marks: Sequence[Mark], region: Region) -> set[int]:
         elif kind == "or":
             follows = False
         elif follows:
-            found.add(n)
-    return found
+            followed.add(n)
+    return followed
 
 
 def _boxes_of_equations(marks: Sequence[Mark], region: Region) -> set[int]:
     r"""The marks of each `\boxed{...}` around whole equations."""
-    found: set[int] = set()
+    boxes: set[int] = set()
     open_: list[tuple[int, int]] = []
     equals = 0
     for n in range(region.first, region.last):
@@ -264,12 +266,12 @@ def _boxes_of_equations(marks: Sequence[Mark], region: Region) -> set[int]:
         elif kind == "}" and open_:
             first, before = open_.pop()
             if marks[first].kind == "box" and equals > before:
-                found |= {first, n}
-    return found
+                boxes |= {first, n}
+    return boxes
 
 
 class _Trim:
-    """Leaves out what stands beside an equation: spaces, labels, its number, punctuation, words."""
+    """Leaves out what accompanies an equation: spaces, labels, its number, punctuation, words."""
 
     def __init__(self, text: str, marks: Sequence[Mark]) -> None:
         self.text = text
@@ -278,7 +280,7 @@ class _Trim:
         self.ends = [m.end for m in marks]
 
     def both(self, start: int, end: int) -> tuple[int, int]:
-        """Where what is left begins and ends."""
+        """Where the equation itself begins and ends."""
         start = self._from_the_left(start, end)
         return start, self._from_the_right(start, end)
 
@@ -312,28 +314,28 @@ class _Trim:
         return end
 
     def _wide_before(self, place: int) -> bool:
-        """Whether a wide space ends where a place is, blanks apart."""
+        """Whether a wide space precedes a position, up to blanks."""
         n = bisect_left(self.ends, place + 1) - 1
         while n >= 0 and self.starts[n] >= place:
             n -= 1
         return n >= 0 and self.marks[n].kind == "wide" and not self.text[self.ends[n] : place].strip()
 
-    def _stands_apart(self, mark: Mark) -> bool:
-        """Whether there is a wide space on both sides, or on one and nothing on the other: no factor stands so."""
-        before, behind = self._wide_before(mark.start), self._wide_behind(mark.end)
-        return (before and (behind or not self.text[mark.end :].strip())) or (
-            behind and not self.text[: mark.start].strip()
+    def _is_separate(self, mark: Mark) -> bool:
+        """Whether there is a wide space on both sides, or on one and nothing on the other, as around no factor."""
+        before, after = self._wide_before(mark.start), self._wide_after(mark.end)
+        return (before and (after or not self.text[mark.end :].strip())) or (
+            after and not self.text[: mark.start].strip()
         )
 
-    def _wide_behind(self, place: int) -> bool:
-        """Whether a wide space begins where a place is, blanks apart."""
+    def _wide_after(self, place: int) -> bool:
+        """Whether a wide space follows a position, up to blanks."""
         n = bisect_left(self.starts, place)
         return n < len(self.marks) and self.marks[n].kind == "wide" and not self.text[place : self.starts[n]].strip()
 
     def _is_beside(self, mark: Mark) -> bool:
         if mark.kind != "words":
             return mark.kind in _BESIDE
-        if self._stands_apart(mark):
+        if self._is_separate(mark):
             return True
         written = self.text[mark.start : mark.end]
         inside = written[written.index("{") + 1 : -1].strip()

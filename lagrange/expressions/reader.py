@@ -1,8 +1,8 @@
 """Text -> SymPy: the one small language of problem files and answers. No text is ever evaluated as code.
 
-`tokens` cuts the text, `syntax` builds a tree, and `meaning` gives the tree its meaning with the names that
-`scope` declares: nothing else has one. Whatever the text, reading takes a bounded time (`bounded`), and what
-comes out is real, finite and of moderate size.
+`tokens` or `latex_lexer` splits the text, `parser` builds a tree, and `meaning` evaluates the tree with the names that
+`scope` declares: nothing else has a meaning. Whatever the text, reading takes a bounded time (`limits`,
+`bounded_arithmetic`), and the value is real, finite and of moderate size.
 """
 
 from __future__ import annotations
@@ -14,21 +14,18 @@ from typing import TypeAlias, TypeVar
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, Fragment, Level, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import is_latex
-from lagrange.expressions.lexicon import FUNCTIONS, OPERATIONS
-from lagrange.expressions.meaning import DIFFERENTIALS
+from lagrange.expressions.limits import MAX_CHARACTERS, MAX_NAME
+from lagrange.expressions.meaning import DIFFERENTIALS, Meaning
+from lagrange.expressions.parser import Parser
 from lagrange.expressions.scope import RESERVED, FunctionDeclaration, Scope
-from lagrange.expressions.syntax import Parser
-from lagrange.expressions.tokens import Kind, Token, tokens
-from lagrange.expressions.trees import Call, Name, Tree, parts
-from lagrange.expressions.vector_meaning import Meaning
+from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Call, Name, Tree, parts
+from lagrange.expressions.tokens import Token, TokenKind, tokens
 
 __all__ = [
-    "MAX_ANSWER_CHARACTERS",
-    "MAX_CHARACTERS",
     "RESERVED",
     "EquationRead",
     "FunctionDeclaration",
@@ -40,10 +37,6 @@ __all__ = [
     "read_value",
     "read_vector",
 ]
-
-MAX_CHARACTERS = 10_000
-MAX_ANSWER_CHARACTERS = 2_000
-MAX_NAME = 60
 
 Value: TypeAlias = "sp.Expr | Vector"
 Notes: TypeAlias = "list[Diagnostic] | None"
@@ -79,7 +72,7 @@ def read_value(fragment: Fragment, scope: Scope, notes: Notes = None, latex: boo
 def read_equation(
     fragment: Fragment, scope: Scope, notes: Notes = None, limit: int = MAX_CHARACTERS, latex: bool = False
 ) -> EquationRead:
-    """An equation of scalars or of vectors; `latex`: it may be in LaTeX, as answers may.
+    """An equation of scalars or of vectors; with `latex` it may be in LaTeX, as answers may.
 
     Raises ProblemError at the place that cannot be read.
     """
@@ -87,16 +80,15 @@ def read_equation(
 
 
 def canonical_name(text: str) -> str | None:
-    """The spelling of a name that a file declares (`θ` is `theta`); None where it cannot be one."""
+    """The canonical spelling of a name (`θ` is `theta`); None where it cannot be declared."""
     text = text.strip()
     if len(text) > MAX_NAME:
         return None
     try:
-        found, _ = tokens(Fragment.of(text))
+        name, *rest = tokens(Fragment.of(text))[0]
     except ProblemError:
         return None
-    name = found[0]
-    if len(found) != 2 or name.kind is not Kind.NAME or name.text in RESERVED or len(name.text) > MAX_NAME:
+    if len(rest) != 1 or name.kind is not TokenKind.NAME or name.text in RESERVED or len(name.text) > MAX_NAME:
         return None
     return name.text
 
@@ -108,7 +100,7 @@ def _read(
         reading = _Reading(fragment, scope, limit, latex)
         value = what(reading)
     except RecursionError:
-        message, help_ = "this nests too deeply to be read here", "introduce abbreviations"
+        message, help_ = "this nests too deeply", "introduce abbreviations"
         span = fragment.span(0, len(fragment.text))
         raise ProblemError(Diagnostic("nested-too-deep", message, span, help=help_)) from None
     if notes is not None:
@@ -117,26 +109,28 @@ def _read(
 
 
 class _Reading:
-    """One text being read."""
+    """One text and its parse."""
 
     def __init__(self, fragment: Fragment, scope: Scope, limit: int, latex: bool = False) -> None:
         _check_length(fragment, limit)
         if latex and is_latex(fragment):
-            from lagrange.expressions.latex_input import latex_tokens  # many tables, wanted seldom
+            from lagrange.expressions.latex_lexer import (
+                latex_tokens,
+            )  # loaded where an answer is in LaTeX
 
-            found, notes = latex_tokens(fragment, scope)
+            written, notes = latex_tokens(fragment, scope)
         else:
-            found, notes = tokens(fragment, scientific=scope.scalar("e") is None)
-        found = [replace(f, text=scope.spelling(f.text)) if f.loose else f for f in found]
+            written, notes = tokens(fragment, scientific=scope.scalar("e") is None)
+        resolved = [replace(w, text=scope.spelling(w.text)) if w.loose else w for w in written]
         self._scope = scope
-        self._parser = Parser(fragment, found, scope)
-        self._meaning = Meaning(fragment, scope, frozenset(f.text for f in found if f.kind is Kind.NAME))
-        self._surprises = [*notes, *_powers_of_ten(fragment, scope, found)]
+        self._parser = Parser(fragment, resolved, scope)
+        self._meaning = Meaning(fragment, scope, frozenset(r.text for r in resolved if r.kind is TokenKind.NAME))
+        self._surprises = [*notes, *_powers_of_ten(fragment, scope, resolved)]
 
     @property
     def notes(self) -> list[Diagnostic]:
-        """What could surprise in this reading."""
-        return [*self._surprises, *self._parser.notes, *self._meaning.notes]
+        """Notes about surprising readings."""
+        return [*self._surprises, *self._parser.notes, *self._meaning.report.notes]
 
     def scalar(self) -> sp.Expr:
         """The whole text as a scalar."""
@@ -165,8 +159,8 @@ class _Reading:
         return tree
 
     def _check_names(self, *trees: Tree) -> None:
-        """Finds all names that nobody declared, each once."""
-        found: dict[str, Diagnostic] = {}
+        """Report all names that are not declared, each once."""
+        undeclared: dict[str, Diagnostic] = {}
         waiting = [*reversed(trees)]
         while waiting:
             tree = waiting.pop()
@@ -174,15 +168,17 @@ class _Reading:
             if (self._meaning.virtual_rotation(tree) or self._meaning.quasi_variation(tree)) is not None:
                 continue
             if isinstance(tree, Call) and not self._knows_function(tree.name):
-                found.setdefault(tree.name + "(", self._meaning.undeclared(tree))
+                undeclared.setdefault(tree.name + "(", self._meaning.report.undeclared(tree))
                 continue
             if isinstance(tree, Name) and not self._knows(tree.text):
-                found.setdefault(tree.text, self._meaning.undeclared(tree))
-            if isinstance(tree, Call) and tree.name == "diff":  # its second argument may be one of a function
+                undeclared.setdefault(tree.text, self._meaning.report.undeclared(tree))
+            if (
+                isinstance(tree, Call) and tree.name == "diff"
+            ):  # f in diff(f, X) may be undefined: X is then one of its arguments
                 inside = tuple(a for n, a in enumerate(inside) if n == 0 or not self._is_argument(a))
             waiting.extend(reversed(inside))
-        if found:
-            raise ProblemError(found.values())
+        if undeclared:
+            raise ProblemError(undeclared.values())
 
     def _knows(self, name: str) -> bool:
         scope = self._scope
@@ -203,14 +199,14 @@ def _check_length(fragment: Fragment, limit: int) -> None:
         raise ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
 
 
-def _powers_of_ten(fragment: Fragment, scope: Scope, found: list[Token]) -> list[Diagnostic]:
-    """Says that `2e3` was read as a number, where a symbol is called e3."""
+def _powers_of_ten(fragment: Fragment, scope: Scope, read: list[Token]) -> list[Diagnostic]:
+    """Notes that `2e3` was read as a number, where there is a symbol e3."""
     notes = []
-    for number in found:
+    for number in read:
         written = re.fullmatch(r"([0-9.]+)([eE][0-9]+)", fragment.text[number.start : number.end])
-        if number.kind is Kind.NUMBER and written and scope.spelling(written[2]) in scope.names():
+        if number.kind is TokenKind.NUMBER and written and scope.spelling(written[2]) in scope.names():
             span = fragment.span(number.start, number.end)
             message = f"`{written[0]}` is read as a number, not as `{written[1]}*{written[2]}`"
             help_ = "write `*` for the product"
-            notes.append(Diagnostic("read-as", message, span, help=help_, level=Level.NOTE))
+            notes.append(Diagnostic("read-as", message, span, help=help_, level=Severity.NOTE))
     return notes

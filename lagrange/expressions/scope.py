@@ -1,9 +1,8 @@
-"""What is declared: the only names that have a meaning in an expression.
+"""The declared names: the only ones that have a meaning in an expression.
 
-Coordinates and prescribed motions are slots; parameters, abbreviations, reactions are scalars; undefined
-functions and vectors have tables of their own. `i`, `j`, `k` are the fixed unit vectors as long as a file
-does not declare them; `e_x`, `e_y`, `e_z` always are. Beside these only `t`, `pi` and the functions of the
-language are known.
+Coordinates and prescribed motions are slots; parameters, abbreviations and reactions are scalars; undefined functions
+and vectors have tables of their own. `i`, `j`, `k` are the fixed unit vectors unless a file declares them; `e_x`,
+`e_y`, `e_z` always are. Apart from these only `t`, `pi` and the functions of the language are known.
 """
 
 from __future__ import annotations
@@ -17,19 +16,19 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, t
 from lagrange.core.vectors import Vector
-from lagrange.expressions.bounded import Purse
+from lagrange.expressions.bounded_arithmetic import WorkBudget
 from lagrange.expressions.characters import VARIANTS
-from lagrange.expressions.lexicon import FUNCTIONS, OPERATIONS, Role
+from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
 
 UNITS = {
     "i": Vector((sp.S.One, sp.S.Zero, sp.S.Zero)),
     "j": Vector((sp.S.Zero, sp.S.One, sp.S.Zero)),
     "k": Vector((sp.S.Zero, sp.S.Zero, sp.S.One)),
 }
-"""The fixed unit vectors, unless they are declared as something else."""
+"""The fixed unit vectors, unless these names are declared otherwise."""
 
 ALWAYS_UNITS = {f"e_{axis}": unit for axis, unit in zip("xyz", UNITS.values(), strict=True)}
-"""The fixed unit vectors under the names that nothing else can have."""
+"""The fixed unit vectors under reserved names."""
 
 RESERVED = frozenset({"t", "pi", *FUNCTIONS, *OPERATIONS, *ALWAYS_UNITS})
 """Names that a file cannot declare."""
@@ -39,9 +38,9 @@ _CONSTANTS = {"t": t, "pi": sp.pi}
 
 @record
 class FunctionDeclaration:
-    """An undefined function and what its arguments are called.
+    """An undefined function and the names of its arguments.
 
-    `standard` is where it is taken when its name stands alone, if the argument names do not say so.
+    standard  the arguments of the bare name, where the names of the arguments do not determine them
     """
 
     name: str
@@ -54,32 +53,32 @@ class FunctionDeclaration:
 
 @record
 class Scope:
-    """What is declared: the only names that have a meaning. `purse` is what reading in it may cost."""
+    """The declared names. `budget` is the work that is left for reading the texts of the file."""
 
     scalars: Mapping[str, sp.Expr] = field(default_factory=dict)
     slots: Slots = field(default_factory=lambda: Slots(()))
     functions: Mapping[str, FunctionDeclaration] = field(default_factory=dict)
     vectors: Mapping[str, Vector] = field(default_factory=dict)
-    purse: Purse | None = field(default=None, compare=False, repr=False)
+    budget: WorkBudget | None = field(default=None, compare=False, repr=False)
 
     def scalar(self, name: str) -> sp.Expr | None:
-        """The scalar that a name means, if it means one."""
+        """The scalar that a name means, if any."""
         if name in self.scalars:
             return self.scalars[name]
         return self._moving.get(name, _CONSTANTS.get(name))
 
     def vector(self, name: str) -> Vector | None:
-        """The vector that a name means, if it means one; `i`, `j`, `k` only where no symbol has that name."""
+        """The vector that a name means, if any; `i`, `j`, `k` only where no symbol has that name."""
         if name in UNITS:
             return self.unit(name) if self.scalar(name) is None and name not in self.functions else None
         return self.vectors.get(name, ALWAYS_UNITS.get(name))
 
     def unit(self, name: str) -> Vector | None:
-        """The unit vector `i`, `j` or `k`, whatever else has that name."""
+        """The unit vector `i`, `j` or `k`, even if a symbol has that name."""
         return self.vectors.get(name, UNITS[name]) if name in UNITS else None
 
     def role(self, name: str) -> Role:
-        """What a name is declared as, for the grammar."""
+        """The role of a name in the grammar."""
         value = self.scalar(name)
         if value is not None:
             return self._roles.get(value, Role.SCALAR)

@@ -1,25 +1,33 @@
-"""Plain text -> tokens: numbers, names, primes, operators, with Unicode read as what it looks like.
+"""Plain text -> tokens: numbers, names, primes, operators, with Unicode characters read as they look.
 
-`θ̈₁` is the name theta_1 with two primes, `x²` is x ^ 2, `−·×√′″` are - * * sqrt ' ''. A run of Latin
-letters, digits and underscores is one name and is never split; a Greek letter, or one with dots, begins a
-name of its own, so that `ωt` and `mẍ` are products. Other lexers (LaTeX) make the same tokens for the same
-parser.
+`θ̈₁` is the name theta_1 with two primes, `x²` is x ^ 2, `−·×√′″` are - * * sqrt ' ''. A run of Latin letters, digits
+and underscores is one name and is never split; a Greek letter, or a letter with dots, begins a name of its own, so
+that `ωt` and `mẍ` are products. `latex_lexer` makes the same tokens for the same parser.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from enum import Enum, auto
 
-from lagrange.core.diagnostics import Diagnostic, Fragment, Level, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
-from lagrange.expressions.characters import DOT, FRACTIONS, GREEK, PRIMES, SUBSCRIPTS, SUPERSCRIPTS, cure, looks
+from lagrange.expressions.characters import (
+    DOT,
+    FRACTIONS,
+    GREEK,
+    PRIMES,
+    SUBSCRIPTS,
+    SUPERSCRIPTS,
+    normalized,
+    suggestion_for_character,
+)
+from lagrange.expressions.limits import MAX_DIGITS
 
-MAX_DIGITS = 30
 
-
-class Kind(Enum):
-    """What a token is."""
+class TokenKind(Enum):
+    """The kinds of tokens."""
 
     NUMBER = auto()  # digits with a decimal point or a power of ten, or a fraction of two digits
     NAME = auto()
@@ -30,15 +38,15 @@ class Kind(Enum):
 
 @record
 class Token:
-    """A token, and where it stands in the fragment.
+    """A token and its place in the fragment.
 
-    loose   a name that was written with a subscript or as a variant (θ₁, ϑ): it means theta_1 or theta1,
-            vartheta or theta, whichever is declared
-    tight   a function that takes the one factor behind it (√)
+    loose   a name with several spellings, written with a subscript or as a variant (θ₁, ϑ): it means theta_1 or
+            theta1, vartheta or theta, whichever is declared
+    tight   a function that takes one factor only (√)
     hidden  a parenthesis that is not written as one: the braces of LaTeX
     """
 
-    kind: Kind
+    kind: TokenKind
     text: str
     start: int
     end: int
@@ -48,10 +56,11 @@ class Token:
     hidden: bool = False
 
 
-def _any_of(characters: object) -> str:
-    return f"[{re.escape(''.join(characters))}]"  # type: ignore[arg-type]
+def _any_of(characters: Iterable[str]) -> str:
+    return f"[{re.escape(''.join(characters))}]"
 
 
+# A letter with dots is a name by itself, so a run of plain letters stops in front of one: `mẍ` is m ẍ.
 _RUN = rf"(?:[A-Za-z_](?!{DOT})|[0-9])*"
 _NAME = (
     rf"(?:[A-Za-z](?!{DOT}){_RUN}|(?:[A-Za-z]{DOT}+|{_any_of(GREEK)}{DOT}*)(?:(?=[_0-9]){_RUN})?){DOT}*"
@@ -80,39 +89,39 @@ class _Lexer:
     def __init__(self, fragment: Fragment, scientific: bool) -> None:
         self.fragment = fragment
         self.scientific = scientific
-        self.looks = looks(fragment)
-        self.text = self.looks.text
+        self.normalized = normalized(fragment)
+        self.text = self.normalized.text
         self.at = 0
-        self.found: list[Token] = []
+        self.tokens: list[Token] = []
         self.notes: list[Diagnostic] = []
 
     def run(self) -> list[Token]:
         while self.at < len(self.text):
-            found = _TOKEN.match(self.text, self.at)
-            if found is None:
+            match = _TOKEN.match(self.text, self.at)
+            if match is None:
                 raise self._unexpected()
-            start, self.at = self.at, found.end()
-            self._one(found.lastgroup or "", found[0], start)
-        end = self.found[-1].end if self.found else 0
-        return [*self.found, Token(Kind.END, "", end, end)]
+            start, self.at = self.at, match.end()
+            self._read(match.lastgroup or "", match[0], start)
+        end = self.tokens[-1].end if self.tokens else 0
+        return [*self.tokens, Token(TokenKind.END, "", end, end)]
 
-    def _one(self, kind: str, text: str, start: int) -> None:
+    def _read(self, kind: str, text: str, start: int) -> None:
         match kind:
             case "name":
                 self._name(text, start)
             case "operator":
-                self._put(Kind.OPERATOR, text, start)
+                self._add(TokenKind.OPERATOR, text, start)
             case "number":
                 self._number(text, start)
             case "primes":
                 count = sum(PRIMES[c] for c in text)
-                self._put(Kind.PRIMES, "'" * count, start, count=count)
+                self._add(TokenKind.PRIMES, "'" * count, start, count=count)
             case "superscript":
                 self._superscript(text, start)
             case "fraction":
-                self._put(Kind.NUMBER, FRACTIONS[text], start)
+                self._add(TokenKind.NUMBER, FRACTIONS[text], start)
             case "root":
-                self._put(Kind.NAME, "sqrt", start, tight=True)
+                self._add(TokenKind.NAME, "sqrt", start, tight=True)
             case "double":
                 self._double(text, start)
             case "inequality":
@@ -125,62 +134,64 @@ class _Lexer:
         name = GREEK.get(stem[0], stem[0]) + stem[1:]
         if stem != plain:
             name = f"{name}_{''.join(SUBSCRIPTS[c] for c in plain[len(stem) :])}"
-        self._put(Kind.NAME, name, start, loose=stem != plain or plain[0] in "ϑϱςℓ")
+        self._add(TokenKind.NAME, name, start, loose=stem != plain or plain[0] in "ϑϱςℓ")
         if dots:
-            self._put(Kind.PRIMES, "'" * dots, start, count=dots)
+            self._add(TokenKind.PRIMES, "'" * dots, start, count=dots)
 
     def _number(self, text: str, start: int) -> None:
-        whole, _, decimals = text.partition(".")
+        integer, _, decimals = text.partition(".")
         exponent, places = "", 0
         if self.scientific and (power := _POWER_OF_TEN.match(self.text, self.at)):
             self.at = power.end()
             exponent = f"e{power[1].strip('+')}{power[2]}"
             places = int(power[2]) if len(power[2]) <= 4 else MAX_DIGITS
         if self.text.startswith(".", self.at):
-            help_ = "a component of a vector is `dot(a, i)`; points stand in numbers only"
-            raise self._mistake("bad-number", "a number has one decimal point", self.at, self.at + 1, help_)
-        if len(whole) + len(decimals) + places > MAX_DIGITS:
+            help_ = "a component of a vector is `dot(a, i)`; decimal points occur in numbers only"
+            raise self._error("bad-number", "a number has one decimal point", self.at, self.at + 1, help_)
+        if len(integer) + len(decimals) + places > MAX_DIGITS:
             raise self._too_long(start)
-        self._put(Kind.NUMBER, f"{whole or '0'}{'.' + decimals if decimals else ''}{exponent}", start)
+        self._add(TokenKind.NUMBER, f"{integer or '0'}{'.' + decimals if decimals else ''}{exponent}", start)
 
     def _superscript(self, text: str, start: int) -> None:
         digits = "".join(SUPERSCRIPTS[c] for c in text)
         number = digits.removeprefix("-")
         if not number.isdigit():
             message = "this exponent cannot be read"
-            raise self._mistake("bad-exponent", message, start, self.at, "write it as `^2`")
+            raise self._error("bad-exponent", message, start, self.at, "write it as `^2`")
         if len(number) > MAX_DIGITS:
             raise self._too_long(start)
-        self._put(Kind.OPERATOR, "^", start)
+        self._add(TokenKind.OPERATOR, "^", start)
         if number != digits:
-            self._put(Kind.OPERATOR, "-", start)
-        self._put(Kind.NUMBER, number, start)
+            self._add(TokenKind.OPERATOR, "-", start)
+        self._add(TokenKind.NUMBER, number, start)
 
     def _double(self, text: str, start: int) -> None:
-        self._put(Kind.OPERATOR, "^" if text == "**" else "=", start)
+        self._add(TokenKind.OPERATOR, "^" if text == "**" else "=", start)
         if text == "==":
-            span = self.fragment.span(self.found[-1].start, self.found[-1].end)
-            self.notes.append(Diagnostic("read-as", "`==` is read as `=`", span, level=Level.NOTE))
+            span = self.fragment.span(self.tokens[-1].start, self.tokens[-1].end)
+            self.notes.append(Diagnostic("read-as", "`==` is read as `=`", span, level=Severity.NOTE))
 
-    def _put(self, kind: Kind, text: str, start: int, count: int = 0, loose: bool = False, tight: bool = False) -> None:
-        """A token from `start` to here."""
-        first, last = self.looks.written(start, self.at)
-        self.found.append(Token(kind, text, first, last, count, loose, tight))
+    def _add(
+        self, kind: TokenKind, text: str, start: int, count: int = 0, loose: bool = False, tight: bool = False
+    ) -> None:
+        """Add a token from `start` to here."""
+        first, last = self.normalized.written(start, self.at)
+        self.tokens.append(Token(kind, text, first, last, count, loose, tight))
 
-    # -- mistakes --------------------------------------------------------------------------------------------
+    # -- errors ----------------------------------------------------------------------------------------------
 
     def _unexpected(self) -> ProblemError:
         char = self.text[self.at]
-        before = self.found[-1] if self.found else None
-        behind = re.compile(r"[A-Za-z]{1,20}").match(self.text, self.at + 1)
-        help_ = cure(char)
-        if char == "." and before and before.kind in (Kind.NAME, Kind.PRIMES):
+        before = self.tokens[-1] if self.tokens else None
+        command = re.compile(r"[A-Za-z]{1,20}").match(self.text, self.at + 1)
+        help_ = suggestion_for_character(char)
+        if char == "." and before and before.kind in (TokenKind.NAME, TokenKind.PRIMES):
             help_ = "a component of a vector is `dot(r, i)`; a product is written `*`"
-        elif char == "\\" and behind:
-            help_ = f"LaTeX is read in answers only: write `{behind[0]}` without a backslash"
+        elif char == "\\" and command:
+            help_ = f"LaTeX is read in answers only: write `{command[0]}` without a backslash"
         elif char == DOT:
-            help_ = "dots stand over letters: `ẋ`"
-        return self._mistake("unexpected-character", f"`{char}` has no meaning here", self.at, self.at + 1, help_)
+            help_ = "dots are placed over letters: `ẋ`"
+        return self._error("unexpected-character", f"`{char}` has no meaning here", self.at, self.at + 1, help_)
 
     def _inequality(self, sign: str, start: int) -> ProblemError:
         help_ = "write an equation with `=`"
@@ -189,15 +200,15 @@ class _Lexer:
                 "; a one-sided constraint allows displacements that cannot be reversed, and the principle of"
                 " virtual work needs reversible ones"
             )
-        return self._mistake("inequality", f"`{sign}` is not an equation", start, self.at, help_)
+        return self._error("inequality", f"`{sign}` is not an equation", start, self.at, help_)
 
     def _too_long(self, start: int) -> ProblemError:
         message, help_ = (
             f"a number may have {MAX_DIGITS} digits",
-            "round it, or declare a parameter in its place",
+            "round it, or declare a parameter instead",
         )
-        return self._mistake("number-too-long", message, start, self.at, help_)
+        return self._error("number-too-long", message, start, self.at, help_)
 
-    def _mistake(self, code: str, message: str, start: int, end: int, help_: str) -> ProblemError:
-        span = self.fragment.span(*self.looks.written(start, end))
+    def _error(self, code: str, message: str, start: int, end: int, help_: str) -> ProblemError:
+        span = self.fragment.span(*self.normalized.written(start, end))
         return ProblemError(Diagnostic(code, message, span, help=help_))

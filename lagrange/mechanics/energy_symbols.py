@@ -1,7 +1,7 @@
-"""What T, V, L, p_k, Q_k and v are called where the problem has these letters for something else.
+"""The symbols for T, V, L, p_k, Q_k and v, and replacements where the problem uses these letters for something else.
 
-A pendulum of length L has the Lagrangian Λ, one whose rod has the tension T the kinetic energy K. The names are text of
-the language of problem files, so that what is printed with them can be read back.
+A pendulum of length L has the Lagrangian Λ; one whose rod has the tension T has the kinetic energy K. The names are
+valid in the language of problem files, so that what is printed with them can be read back.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from lagrange.mechanics.solution import Solution
 
 
 @record
-class Letters:
+class EnergySymbols:
     """The symbols of one derivation; those of coordinates and points by their first letters."""
 
     kinetic: sp.Symbol
@@ -55,25 +55,25 @@ class Letters:
         """v of a particle or mass centre."""
         return _symbol(f"{self.speeds}_{point}")
 
-    def meanings(self, found: Energies) -> dict[sp.Symbol, sp.Expr]:
+    def meanings(self, energies: Energies) -> dict[sp.Symbol, sp.Expr]:
         """What each letter stands for in one set of coordinates."""
         known = {
-            self.kinetic: found.kinetic,
-            self.potential: found.potential,
-            self.lagrangian: found.kinetic - found.potential,
+            self.kinetic: energies.kinetic,
+            self.potential: energies.potential,
+            self.lagrangian: energies.kinetic - energies.potential,
         }
         known |= {s: s for s in self.any}
-        known |= {self.speed(name): sp.sqrt(square) for name, square in found.squares.items()}
-        for k, q in enumerate(found.configuration.slots.coordinates):
-            known |= {self.momentum(q): found.momenta[k], self.force(q): found.applied[k]}
-            known[self.addition(q)] = found.quasi[k]
+        known |= {self.speed(name): sp.sqrt(square) for name, square in energies.squares.items()}
+        for k, q in enumerate(energies.configuration.slots.coordinates):
+            known |= {self.momentum(q): energies.momenta[k], self.force(q): energies.applied[k]}
+            known[self.addition(q)] = energies.quasi[k]
         return known
 
 
-def letters(solution: Solution) -> Letters:
+def energy_symbols(solution: Solution) -> EnergySymbols:
     """The letters that a problem leaves free."""
     problem = solution.problem
-    chosen = [q.name for c in solution.choices for q in c.coordinates.configuration.slots.coordinates]
+    chosen = [q.name for c in solution.choices for q in c.configuration.slots.coordinates]
     forces = {c.reaction.name for c in problem.constraints}
     if solution.law is not None:
         forces |= {s.name for s in solution.law.newton.tensions}
@@ -81,8 +81,8 @@ def letters(solution: Solution) -> Letters:
     if states_potential(solution):
         taken.add("V")
     coordinates = [*(q.name for q in problem.slots.coordinates), *chosen]
-    points = [p.name for p in solution.configuration.points]
-    return Letters(
+    points = [p.name for p in solution.own.configuration.points]
+    return EnergySymbols(
         kinetic=_symbol(_free("T", "K", "T_kin", taken=taken)),
         potential=_symbol(_free("V", "U", "V_pot", taken=taken)),
         lagrangian=_symbol(_free("L", "Lambda", "L_agr", taken=taken)),
@@ -96,7 +96,7 @@ def letters(solution: Solution) -> Letters:
 
 def states_potential(solution: Solution) -> bool:
     """Whether the derivation has a V of its own, that of statics, in which the weights are not."""
-    return solution.equilibrium is not None and solution.configuration.potential != 0
+    return solution.own.equilibrium is not None and solution.own.configuration.potential != 0
 
 
 def _free(*candidates: str, taken: Collection[str], of: Sequence[str] = ()) -> str:

@@ -1,35 +1,33 @@
-"""solve(): the stages in order.
+"""solve(): the stages in their order, and the record of their results.
 
-statement -> constraints -> classification -> displacements -> Newton's law -> workless constraints -> d'Alembert's
-principle -> generalized coordinates -> equations of motion -> reactions -> what is conserved -> checks. Each stage is a
-function of its own in a module of its own; what each of them finds is a field of the result.
+Classification of the constraints, displacements, choices of generalized coordinates; then, as the file asks, Newton's
+law, the equations of motion with reactions and conserved quantities in each set of coordinates, quasi-velocities, small
+oscillations, equilibria. The checks of a stage follow it. (The page has its own order: `explain/report.py`, `_steps`.)
+
+Each stage is a function in a module of its own, and its result a field of `Solution` or, where it depends on the
+coordinates, of `InCoordinates`. The file's own coordinates and each choice of generalized coordinates have one such
+record, made by the same functions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import field, replace
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.core.records import record
+from lagrange.core.symbols import Sign
 from lagrange.mechanics.constraints.classification import Classification, classify
-from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates
-from lagrange.mechanics.constraints.displacements import Elimination, carrying_rates, eliminate
+from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
+from lagrange.mechanics.constraints.displacements import Elimination, transport_rates, virtual_displacements
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
-from lagrange.mechanics.dynamics.comparison import System
-from lagrange.mechanics.dynamics.conservation import Conserved, check_conserved, conserved
-from lagrange.mechanics.dynamics.constant_inertia import check_constant_inertia
-from lagrange.mechanics.dynamics.equations import EquationsOfMotion, check_inertia
-from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
-from lagrange.mechanics.dynamics.motion import Law, Method, Motion, law_of_motion, motion
-from lagrange.mechanics.dynamics.newton import Normal, normals
-from lagrange.mechanics.dynamics.spot_values import Spot, spot_value
-from lagrange.mechanics.dynamics.verification import (
+from lagrange.mechanics.dynamics.checks import (
     Check,
     check_choice,
+    check_constant_inertia,
     check_displacements,
     check_finite_forms,
     check_hidden,
@@ -39,30 +37,66 @@ from lagrange.mechanics.dynamics.verification import (
     check_reality,
     check_workless,
 )
-from lagrange.mechanics.dynamics.workless import WorkOfReaction, works_of_reactions
+from lagrange.mechanics.dynamics.comparison import System
+from lagrange.mechanics.dynamics.conservation import Conserved, check_conserved, conserved
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion, check_inertia
+from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
+from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
+from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
+from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
 from lagrange.problem.model import Choice, Find, Friction, Problem
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.dynamics.quasi_verification import InSpeeds
+    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 
 
+OnStage = Callable[[str], None]
+"""Called with the name of each stage when it begins."""
+
+
+def silent(_: str) -> None:
+    """Announce nothing."""
+
+
 @record
-class ChoiceSolution:
-    """The problem in one choice of generalized coordinates; what is not asked for is None."""
+class InCoordinates:
+    """The results in one set of coordinates: the file's own, or a choice of generalized coordinates.
+
+    coordinates        the verified choice; for the file's own coordinates it has no name
+    configuration      the system in these coordinates; with |λ| in its friction once the motion is known
+    elimination        the dependent virtual displacements in terms of the independent ones
+    dynamics           the motion and the reactions
+    spot               numbers to try the equations of motion with
+    equilibrium        the equilibria
+    reactions_at_rest  the reactions there, if there are constraints
+    stability          of the equilibria, if there is a potential
+    in_speeds          the velocities, and the equations of motion, in the quasi-velocities of the file
+    conserved          the conserved quantities
+    linearization      small oscillations
+
+    A result that is not requested, or is given in another set of coordinates, is None.
+    """
 
     coordinates: GeneralizedCoordinates
+    configuration: Configuration
+    elimination: Elimination
     dynamics: Motion | None = None
-    spot: Spot | None = None
+    spot: SpotValue | None = None
     equilibrium: Equilibrium | None = None
     reactions_at_rest: StaticReactions | None = None
     stability: SecondVariation | None = None
-    in_speeds: InSpeeds | None = None
+    in_speeds: QuasiVelocityForm | None = None
     conserved: Conserved | None = None
     linearization: Linearization | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of the choice; empty for the file's own coordinates."""
+        return self.configuration.name
 
     @property
     def motion(self) -> EquationsOfMotion | None:
@@ -70,295 +104,323 @@ class ChoiceSolution:
         return self.dynamics.equations if self.dynamics else None
 
     @property
-    def name(self) -> str:
-        """The choice's name."""
-        return self.coordinates.choice.name
+    def signs(self) -> tuple[Sign, ...]:
+        """The signs ±1 of the square roots in which a choice gives the file's coordinates."""
+        return self.coordinates.signs
+
+    @property
+    def is_own(self) -> bool:
+        """Whether these are the file's own coordinates."""
+        return not self.name
 
 
 @record
 class Solution:
-    """Everything that is found.
+    """All results for a problem.
 
-    configuration  the system in the file's own coordinates
-    elimination    of the dependent virtual displacements there
-    carried        shape (n,): rates w with which moving constraints carry the coordinates along, dq = δq + w dt
-    normals        gradients of the geometric constraints on one particle, where no motion is asked
-    law            Newton's law there, where motion is asked, or the reactions of a system at rest
-    works          the work of the reactions
-    dynamics       the motion and the reactions there
-    equilibrium    its equilibria, where these are asked for; their stability, where there is a potential
-    reactions_at_rest  the reactions there, where there are constraints
-    in_speeds    the velocities, and the equations of motion, by the quasi-velocities of the file
-    conserved      what the motion conserves; None where it is found in a choice only
-    linearization  small oscillations in the file's coordinates, where no choice serves
+    own              in the file's own coordinates
+    choices          in each choice of generalized coordinates
+    transport_rates  shape (n,): rates w that moving constraints impose on the file's coordinates, dq = δq + w dt
+    normals          gradients of the geometric constraints on one particle, unless the motion is requested
+    law              Newton's law in the file's coordinates, if the motion or the reactions at rest are requested
+    works            the work of the reactions
     """
 
     problem: Problem
     classification: Classification
-    configuration: Configuration
-    elimination: Elimination
-    carried: tuple[sp.Expr, ...]
+    own: InCoordinates
+    choices: tuple[InCoordinates, ...]
+    transport_rates: tuple[sp.Expr, ...]
     normals: tuple[Normal, ...] = ()
-    law: Law | None = None
+    law: NewtonLaw | None = None
     works: tuple[WorkOfReaction, ...] = ()
-    dynamics: Motion | None = None
-    spot: Spot | None = None
-    choices: tuple[ChoiceSolution, ...] = ()
-    checks: tuple[Check, ...] = field(default=())
-    equilibrium: Equilibrium | None = None
-    reactions_at_rest: StaticReactions | None = None
-    stability: SecondVariation | None = None
-    in_speeds: InSpeeds | None = None
-    conserved: Conserved | None = None
-    linearization: Linearization | None = None
+    checks: tuple[Check, ...] = ()
 
     @property
-    def motion(self) -> EquationsOfMotion | None:
-        """The equations of motion in the file's coordinates."""
-        return self.dynamics.equations if self.dynamics else None
+    def views(self) -> tuple[InCoordinates, ...]:
+        """The system in every set of coordinates, the file's own first."""
+        return (self.own, *self.choices)
 
     @property
     def holds(self) -> bool:
-        """Whether every check held and nothing is undecided."""
+        """Whether every check passed and nothing is undecided."""
         c = self.classification
         decided = None not in (c.holonomic, c.scleronomic, c.catastatic)
         return decided and all(check.passed for check in self.checks)
 
 
 def solve(
-    problem: Problem, choice: str | None = None, *, complete: bool = True, method: Method = Method.DALEMBERT
+    problem: Problem,
+    choice: str | None = None,
+    *,
+    complete: bool = True,
+    method: Method = Method.DALEMBERT,
+    on_stage: OnStage = silent,
 ) -> Solution:
-    """Solves a problem; with `choice`, in that choice of generalized coordinates only.
+    """Solve a problem; with `choice`, in that choice of generalized coordinates only.
 
-    method    by what equations of motion are derived; statics knows only the principle of virtual work
-    complete  also what is long and not shown unasked: several reactions, and what is conserved, in dependent
-              coordinates, if a choice has them
+    method    by which the equations of motion are derived; statics always uses the principle of virtual work
+    complete  include long results that are not shown by default: several reactions, and conserved quantities, in
+              dependent coordinates, if a choice has them
+    on_stage  called with the name of each stage when it begins
 
-    Raises ProblemError where the problem contradicts itself, UndecidedError and NotCoveredError where it cannot be
-    solved.
+    Raises ProblemError if the problem contradicts itself, UndecidedError or NotCoveredError if it cannot be solved.
     """
     _refuse_what_is_not_covered(problem)
     if Find.LINEARIZATION in problem.find and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
+    solution = _kinematics(problem, choice, on_stage)
+    if Find.EQUILIBRIUM in problem.find:
+        from lagrange.mechanics.equilibrium.checks import check_statics
+
+        check_statics(problem, solution.own.configuration)
+    if Find.MOTION in problem.find:
+        solution = _with_motion(solution, complete, method, on_stage)
+    if problem.speeds:
+        solution = _with_speeds(solution, on_stage)
+    if Find.LINEARIZATION in problem.find:
+        solution = _with_linearization(solution, on_stage)
+    if Find.EQUILIBRIUM in problem.find:
+        solution = _with_equilibrium(solution, on_stage)
+    return solution
+
+
+def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solution:
+    """The constraints, the displacements that they allow, and the choices of generalized coordinates."""
+    on_stage("classifying the constraints")
     classification = classify(problem)
-    configuration = file_configuration(problem, classification.rows)
-    elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.states)
-    carried = carrying_rates(configuration.rows, elimination, len(problem.coordinates), configuration.surface)
-    chosen = [generalized_coordinates(c, configuration) for c in _choices(problem, choice)]
+    configuration = file_configuration(problem, classification.constrained)
+    on_stage("displacements")
+    own = _in_coordinates(own_coordinates(configuration))
+    rates = transport_rates(configuration.constrained, own.elimination)
+    on_stage("choices of coordinates")
+    choices = tuple(_in_coordinates(generalized_coordinates(c, configuration)) for c in _choices(problem, choice))
+    on_stage("checks")
     checks = [
         *check_reality(configuration),
         *check_integrability(classification),
-        *check_finite_forms(classification, problem.slots, configuration.surface),
-        *check_displacements(configuration, elimination, carried),
-        *check_hidden(classification, elimination, configuration),
+        *check_finite_forms(classification),
+        *check_displacements(configuration, own.elimination, rates),
+        *check_hidden(classification, own.elimination, configuration),
+        *_substitutions(choices),
     ]
-    solution = Solution(
+    return Solution(
         problem,
         classification,
-        configuration,
-        elimination,
-        carried,
+        own,
+        choices,
+        rates,
         normals=() if Find.MOTION in problem.find else normals(configuration),
-        choices=tuple(ChoiceSolution(c) for c in chosen),
-        checks=(*checks, *_substitutions(chosen)),
+        checks=tuple(checks),
     )
-    if Find.EQUILIBRIUM in problem.find:
-        from lagrange.mechanics.equilibrium.statics import check_statics
-
-        check_statics(problem, configuration)
-    if Find.MOTION in problem.find:
-        solution = _with_motion(solution, complete, method)
-    if problem.speeds:
-        solution = _with_speeds(solution)
-    if Find.LINEARIZATION in problem.find:
-        solution = _with_linearization(solution)
-    return _with_equilibrium(solution) if Find.EQUILIBRIUM in problem.find else solution
 
 
-def _with_linearization(solution: Solution) -> Solution:
+def _in_coordinates(chosen: GeneralizedCoordinates) -> InCoordinates:
+    """Coordinates with their virtual displacements, those known through velocities solved for first."""
+    constrained = chosen.configuration.constrained
+    first = [constrained.slots.coordinates.index(q) for q in chosen.through_rates]
+    return InCoordinates(chosen, chosen.configuration, virtual_displacements(constrained, first))
+
+
+def _stage(name: str, view: InCoordinates) -> str:
+    return name if view.is_own else f"{name}, choice {view.name}"
+
+
+def _law(solution: Solution, at_rest: bool = False, method: Method = Method.DALEMBERT) -> NewtonLaw:
+    """Newton's law in the file's coordinates."""
+    own, rank = solution.own, solution.classification.rank
+    return law_of_motion(solution.problem, own.configuration, own.elimination, rank, at_rest, method)
+
+
+def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: OnStage) -> Solution:
+    """The solution with the equations of motion in every set of coordinates."""
+    on_stage("Newton's law")
+    law = _law(solution, method=method)
+    configuration = solution.own.configuration
+    check_constant_inertia(law.problem, configuration)
+    works = works_of_reactions(law.newton, configuration, solution.own.elimination)
+    checks = [*solution.checks, *check_workless(works, configuration)]
+    moving: list[InCoordinates] = []
+    for view in solution.views:
+        on_stage(_stage("equations of motion and reactions", view))
+        view = _in_motion(view, solution, law, complete)
+        on_stage(_stage("checks", view))
+        checks += _checks_of_motion(view, moving[0] if moving else view, law)
+        moving.append(view)
+    own, *choices = moving
+    return replace(
+        solution,
+        problem=law.problem,
+        law=law,
+        works=tuple(works),
+        own=own,
+        choices=tuple(choices),
+        checks=tuple(checks),
+    )
+
+
+def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete: bool) -> InCoordinates:
+    """The motion in one set of coordinates, and what it conserves."""
+    # Several reactions in dependent coordinates are long; a choice without square roots gives the same in fewer terms.
+    left_to_choice = (
+        view.is_own and len(law.used) > 1 and not law.frictions and any(not c.signs for c in solution.choices)
+    )
+    dynamics = motion(law, view.configuration, view.elimination, complete or not left_to_choice)
+    dynamics = dynamics.closed(view.coordinates.through_rates)
+    if view.is_own:
+        check_inertia(dynamics.equations)
+    if complete and not dynamics.accelerations:
+        dynamics = replace(dynamics, solved=solved_accelerations(dynamics.matrices))
+    equations = dynamics.equations
+    frictions = {f.name for f in law.frictions}
+    is_shown = complete or _is_preferred(view, solution)
+    return replace(
+        view,
+        configuration=dynamics.shown,
+        dynamics=dynamics,
+        spot=spot_value(
+            System(equations.configuration, equations.expressions),
+            {p.symbol: p.value for p in law.problem.parameters if p.value is not None},
+        ),
+        conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,
+    )
+
+
+def _checks_of_motion(view: InCoordinates, own: InCoordinates, law: NewtonLaw) -> list[Check]:
+    """The equations of motion, reactions and conserved quantities in one set of coordinates, by second routes."""
+    equations, original, reactions = view.motion, own.motion, law.newton.multipliers_by_name
+    if view.dynamics is None or equations is None or original is None:
+        return []
+    checks = [] if view is own else check_displacements(view.configuration, view.elimination)
+    checks += check_motion(equations, reactions, law.method)
+    checks += [] if view is own else [check_choice(original, equations)]
+    multipliers = tuple(reactions.values())
+    checks += check_reactions(original.configuration, multipliers, view.dynamics.reactions, law.method)
+    return [*checks, *(check_conserved(view.conserved) if view.conserved else [])]
+
+
+def _is_preferred(view: InCoordinates, solution: Solution) -> bool:
+    """Whether results are given in these coordinates by default.
+
+    In the choices without square roots if there are any, otherwise in all choices; without choices, in the file's own
+    coordinates.
+    """
+    if view.is_own:
+        return not solution.choices
+    return not view.signs or all(c.signs for c in solution.choices)
+
+
+def _with_speeds(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the quasi-velocities: in every choice of coordinates, and in the file's own coordinates unless
+    a choice satisfies their geometric constraints.
+    """
+    from lagrange.mechanics.dynamics.quasi_equations import check_speeds, in_speeds
+
+    on_stage("equations in quasi-velocities")
+    problem, own = solution.problem, solution.own
+    checks = [*solution.checks]
+    left_out = solution.choices and own.configuration.finite_constraints
+    views = []
+    for view in solution.views:
+        if view is not own or not left_out:
+            form = in_speeds(problem.speeds, view.configuration, view.motion)
+            checks += check_speeds(form, problem)
+            view = replace(view, in_speeds=form)
+        views.append(view)
+    return replace(solution, own=views[0], choices=tuple(views[1:]), checks=tuple(checks))
+
+
+def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with small oscillations, in every choice without square roots, else in the file's coordinates."""
+    from lagrange.mechanics.equilibrium.checks import check_linearization
     from lagrange.mechanics.equilibrium.linearization import linearization
-    from lagrange.mechanics.equilibrium.linearization_checks import check_linearization
 
+    on_stage("small oscillations")
     problem = solution.problem
     taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
     checks = [*solution.checks]
-    choices = []
-    for c in solution.choices:
-        if c.dynamics is not None and not c.coordinates.signs:
-            found = linearization(c.dynamics.equations, taken)
-            checks += check_linearization(found)
-            c = replace(c, linearization=found)
-        choices.append(c)
-    here = None
-    if solution.dynamics is not None and not any(s for c in choices if c.linearization for s in c.linearization.at):
-        here = linearization(solution.dynamics.equations, taken)
-        checks += check_linearization(here)
-    return replace(solution, linearization=here, choices=tuple(choices), checks=tuple(checks))
+
+    def linearized(view: InCoordinates) -> InCoordinates:
+        if view.motion is None or view.signs:
+            return view
+        equations = linearization(view.motion, taken)
+        checks.extend(check_linearization(equations))
+        return replace(view, linearization=equations)
+
+    choices = tuple(linearized(c) for c in solution.choices)
+    is_solved_in_choice = any(at for c in choices if c.linearization for at in c.linearization.at)
+    own = solution.own if is_solved_in_choice else linearized(solution.own)
+    return replace(solution, own=own, choices=choices, checks=tuple(checks))
 
 
-def _with_equilibrium(solution: Solution) -> Solution:
-    """The solution with the equilibria, in the file's coordinates and in every choice."""
+def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the equilibria in every set of coordinates."""
+    from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
-    from lagrange.mechanics.equilibrium.statics import check_equilibrium, check_reactions_at_rest
 
-    problem = solution.problem
-    original = equilibrium(solution.configuration, solution.elimination, problem.unknowns)
+    problem, own = solution.problem, solution.own
+    on_stage("equilibria")
+    original = equilibrium(own.configuration, own.elimination, problem.unknowns)
     law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
-    works = solution.works or (
-        works_of_reactions(law.newton, solution.configuration, solution.elimination) if law else ()
-    )
-    reactions = static_reactions(original, original, law.newton, law.used) if law else None
-    checks = [*solution.checks, *check_equilibrium(original, original), *check_reactions_at_rest(reactions)]
-    if solution.law is None:
-        checks += check_workless(works, solution.configuration)
-    choices = []
-    for c in solution.choices:
-        configuration = c.coordinates.configuration
-        found = equilibrium(configuration, _elimination_in(c), problem.unknowns)
-        there = static_reactions(found, original, law.newton, law.used) if law else None
-        checks += [*check_equilibrium(found, original), *check_reactions_at_rest(there)]
-        choices.append(replace(c, equilibrium=found, stability=second_variation(found), reactions_at_rest=there))
+    works = solution.works or (works_of_reactions(law.newton, own.configuration, own.elimination) if law else ())
+    checks = [*solution.checks]
+    views = []
+    for view in solution.views:
+        on_stage(_stage("equilibria", view))
+        resting = original if view is own else equilibrium(view.configuration, view.elimination, problem.unknowns)
+        on_stage(_stage("reactions at rest", view))
+        reactions = static_reactions(resting, original, law.newton, law.used) if law else None
+        checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]
+        if view is own and solution.law is None:
+            checks += check_workless(works, own.configuration)
+        on_stage(_stage("stability", view))
+        stability = second_variation(resting)
+        views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
     return replace(
         solution,
         problem=law.problem if law else problem,
         law=law,
         works=tuple(works),
-        reactions_at_rest=reactions,
-        equilibrium=original,
-        stability=second_variation(original),
-        choices=tuple(choices),
+        own=views[0],
+        choices=tuple(views[1:]),
         checks=tuple(checks),
     )
 
 
 def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
     """The letters ξ of all linear equations."""
-    found = [solution.linearization, *(c.linearization for c in solution.choices)]
-    return tuple(dict.fromkeys(x for f in found if f is not None for x in f.displacements))
+    return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
 
 
 def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
     """The letters for frequencies, exponents and damping ratios."""
-    found = [f for f in (solution.linearization, *(c.linearization for c in solution.choices)) if f is not None]
-    names = {f"{f.omega}{i}" for f in found for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
-    names |= {f.exponent.name for f in found} | ({"zeta"} if found else set())
+    linear = [v.linearization for v in solution.views if v.linearization is not None]
+    names = {f"{f.omega}{i}" for f in linear for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
+    names |= {f.exponent.name for f in linear} | ({"zeta"} if linear else set())
     return tuple(sp.Symbol(n, real=True) for n in sorted(names))
 
 
-def _law(solution: Solution, at_rest: bool = False, method: Method = Method.DALEMBERT) -> Law:
-    """Newton's law in the file's coordinates."""
-    rank = solution.classification.rank
-    return law_of_motion(solution.problem, solution.configuration, solution.elimination, rank, at_rest, method)
-
-
-def _elimination_in(c: ChoiceSolution) -> Elimination:
-    """The dependent virtual displacements of a choice, those known through velocities first."""
-    configuration = c.coordinates.configuration
-    coordinates = configuration.slots.coordinates
-    first = [coordinates.index(q) for q in c.coordinates.through_rates]
-    return eliminate(configuration.rows, len(coordinates), configuration.states, first)
-
-
-def _with_motion(solution: Solution, complete: bool, method: Method) -> Solution:
-    """The solution with the equations of motion, in the file's coordinates and in every choice."""
-    original = solution.configuration
-    law = _law(solution, method=method)
-    problem = law.problem
-    reactions = law.newton.multipliers_by_name
-    given = {p.symbol: p.value for p in problem.parameters if p.value is not None}
-    check_constant_inertia(problem, original)
-    works = works_of_reactions(law.newton, original, solution.elimination)
-    elsewhere = any(not c.coordinates.signs for c in solution.choices)
-    with_reactions = complete or not elsewhere or len(law.used) < 2 or bool(law.frictions)
-    dynamics = motion(law, original, solution.elimination, with_reactions)
-    found = dynamics.equations
-    check_inertia(found)
-    if complete and not dynamics.accelerations:
-        dynamics = replace(dynamics, solved=solved_accelerations(dynamics.matrices))
-    multipliers = tuple(reactions.values())
-    checks = [*solution.checks, *check_workless(works, original), *check_motion(found, reactions, method)]
-    checks += check_reactions(found.configuration, multipliers, dynamics.reactions, method)
-    frictions = {f.name for f in law.frictions}
-    kept = conserved(dynamics, reactions, frictions) if complete or not solution.choices else None
-    checks += check_conserved(kept) if kept else []
-    choices = []
-    for c in solution.choices:
-        configuration = c.coordinates.configuration
-        elimination = _elimination_in(c)
-        there = motion(law, configuration, elimination)
-        there = there.closed(c.coordinates.through_rates)
-        if complete:
-            there = replace(there, solved=solved_accelerations(there.matrices))
-        checks += check_displacements(configuration, elimination)
-        checks += check_motion(there.equations, reactions, method)
-        checks.append(check_choice(found, there.equations))
-        checks += check_reactions(found.configuration, multipliers, there.reactions, method)
-        spot = spot_value(System(there.equations.configuration, there.equations.expressions), given)
-        integrals = conserved(there, reactions, frictions) if complete or _is_short(c, solution.choices) else None
-        checks += check_conserved(integrals) if integrals else []
-        choices.append(replace(c, dynamics=there, spot=spot, conserved=integrals))
-    spot = spot_value(System(found.configuration, found.expressions), given)
-    return replace(
-        solution,
-        problem=problem,
-        configuration=dynamics.shown,
-        law=law,
-        works=tuple(works),
-        dynamics=dynamics,
-        spot=spot,
-        choices=tuple(choices),
-        checks=tuple(checks),
-        conserved=kept,
-    )
-
-
-def _with_speeds(solution: Solution) -> Solution:
-    """The solution with the quasi-velocities: in every choice of coordinates, and in the file's own coordinates unless
-    a choice rids these of geometric constraints.
-    """
-    from lagrange.mechanics.dynamics.quasi_verification import check_speeds, in_speeds
-
-    problem = solution.problem
-    checks = [*solution.checks]
-    own = None
-    if not (solution.choices and solution.configuration.finite_constraints):
-        own = in_speeds(problem.speeds, solution.configuration, solution.motion)
-        checks += check_speeds(own, problem)
-    choices = []
-    for c in solution.choices:
-        there = in_speeds(problem.speeds, c.coordinates.configuration, c.motion)
-        checks += check_speeds(there, problem)
-        choices.append(replace(c, in_speeds=there))
-    return replace(solution, in_speeds=own, choices=tuple(choices), checks=tuple(checks))
-
-
-def _is_short(choice: ChoiceSolution, choices: Sequence[ChoiceSolution]) -> bool:
-    """Whether a choice has no square roots, or all have."""
-    return not choice.coordinates.signs or all(c.coordinates.signs for c in choices)
-
-
-def _substitutions(chosen: list[GeneralizedCoordinates]) -> list[Check]:
-    """What `generalized_coordinates` has verified, as checks."""
-    found = []
-    for c in chosen:
-        if c.satisfied:
-            listed = ", ".join(c.satisfied)
-            found.append(Check(f"satisfied identically: {listed}", True, "exact, at random states", c.choice.name))
-    return found
+def _substitutions(choices: Sequence[InCoordinates]) -> list[Check]:
+    """The constraints that `generalized_coordinates` has verified to hold, as checks."""
+    checks = []
+    for c in choices:
+        if c.coordinates.satisfied:
+            listed = ", ".join(name.replace("_", " ") for name in c.coordinates.satisfied)
+            checks.append(Check(f"satisfied identically: {listed}", True, "exact, at random states", c.name))
+    return checks
 
 
 def _choices(problem: Problem, name: str | None) -> list[Choice]:
     if name is None:
         return list(problem.choices)
-    found = [c for c in problem.choices if c.name == name]
-    if not found:
+    chosen = [c for c in problem.choices if c.name == name]
+    if not chosen:
         names = [c.name for c in problem.choices]
         help_ = suggestion(name, names, "choices")
         raise ProblemError(Diagnostic("no-such-choice", f"the problem has no choice `{name}`", help=help_))
-    return found
+    return chosen
 
 
 def _refuse_what_is_not_covered(problem: Problem) -> None:
@@ -369,7 +431,7 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
-        if Find.MOTION in problem.find and force.on in bodies:  # where it touches, nobody says
+        if Find.MOTION in problem.find and force.on in bodies:  # the file does not give the point of contact
             raise NotCoveredError(f"friction on a rigid body, `{force.name}`,", force.span)
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")

@@ -1,1 +1,1 @@
-"""Pictures of a solution: the system in a general position, its free bodies. What would be wrong is left out."""
+"""Pictures of the system and its free bodies, in floating point, drawn from the solution alone."""

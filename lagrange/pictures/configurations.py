@@ -1,4 +1,8 @@
-"""Draws a system in a general position."""
+"""The picture of a system in a general position: axes, rods, springs, bodies, curves, loads, coordinates, gravity.
+
+Lines are drawn first and labels placed last, when everything they have to avoid is known. `busy` collects the straight
+lines drawn so far, so that coordinates and links do not draw a second line on top of one.
+"""
 
 from __future__ import annotations
 
@@ -6,20 +10,20 @@ import math
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import UnitVector
 from lagrange.document.math_writer import Notation
-from lagrange.document.scene import Box, Kind, Point, Scene
+from lagrange.document.scene import Box, PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.coordinate_drawings import Measures
-from lagrange.pictures.curves import constraint_curve
-from lagrange.pictures.floats import NoValueError, Space, plus
-from lagrange.pictures.loads import Acting, given_loads
-from lagrange.pictures.marks import angle_mark
-from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, is_planar, reaction_point
+from lagrange.pictures.coordinate_drawings import CoordinateDrawings
+from lagrange.pictures.floats import FloatVector, NoValueError, plus
+from lagrange.pictures.limits import LONGEST_ROD_LABEL
+from lagrange.pictures.loads import Acting, as_words, constraint_curve, given_loads
+from lagrange.pictures.poses import angle_mark
+from lagrange.pictures.shapes import force_and_moment, has_one_direction, in_space, plane_rotation, reaction_point
 from lagrange.pictures.sketch import (
     HINGE,
     PARTICLE,
@@ -34,15 +38,14 @@ from lagrange.pictures.sketch import (
     touches,
     toward,
 )
-from lagrange.pictures.systems import System, ends_of, rod_ends
+from lagrange.pictures.systems import SystemPicture, ends_of, rod_ends
 
 ARROW = 1.15
-LONGEST_LABEL = 12
-"""Operations of the length of a rod that is written beside it."""
+"""Length of the arrows of unit vectors and loads, in centimetres."""
 
 
-def configuration_scene(system: System, notation: Notation, with_loads: bool) -> Scene | None:
-    """The picture; None where it cannot be drawn sensibly. `with_loads`: whether applied forces are drawn too."""
+def configuration_scene(system: SystemPicture, notation: Notation, with_loads: bool) -> Scene | None:
+    """The picture, with applied forces if `with_loads`; None if it cannot be drawn sensibly."""
     try:
         drawing = _Drawing(system)
         drawing.all(with_loads)
@@ -54,15 +57,15 @@ def configuration_scene(system: System, notation: Notation, with_loads: bool) ->
 class _Drawing:
     """One picture."""
 
-    def __init__(self, system: System) -> None:
+    def __init__(self, system: SystemPicture) -> None:
         self.system = system
         self.pose = system.pose
         self.page = system.page
         self.sketch = Sketch()
         self.places = {p.name: self.pose.at(p.position) for p in system.configuration.points}
         self.origin = self.page((0.0, 0.0, 0.0))
-        self.hinges: list[Point] = []
-        self.busy: list[tuple[Point, Point]] = []
+        self.hinges: list[PagePoint] = []
+        self.busy: list[tuple[PagePoint, PagePoint]] = []
 
     def all(self, with_loads: bool) -> None:
         self.axes()
@@ -73,19 +76,19 @@ class _Drawing:
         self.curves()
         if with_loads:
             self.loads()
-        Measures(self.system, self.sketch, self.busy, self.places).all()
+        CoordinateDrawings(self.system, self.sketch, self.busy, self.places).all()
         self.gravity()
         self.name_origin()
 
-    def flat(self, place: Space) -> Point:
+    def flat(self, place: FloatVector) -> PagePoint:
         return self.page(place)
 
     @property
     def in_line(self) -> bool:
-        """Whether everything is on one line."""
+        """Whether the whole system is on one line."""
         return len(self.system.view.shown) == 1
 
-    # What there is
+    # The parts of the system
 
     def axes(self) -> None:
         units = self.system.view.units
@@ -94,32 +97,32 @@ class _Drawing:
             size = ARROW * (math.hypot(*units[n]) if not self.system.view.planar else 1.0)
             start = beyond(self.origin, left_of(way), 0.95) if self.in_line else self.origin
             end = beyond(start, way, size)
-            self.sketch.arrow(start, end, Kind.AXIS)
+            self.sketch.arrow(start, end, StrokeKind.AXIS)
             self.sketch.label(UnitVector("ijk"[n]), end, way)
 
     def rods(self) -> None:
         for _, rod in self.system.rods:
             first, second = (self.flat(p) for p in rod_ends(rod, self.system.configuration, self.pose))
-            self.sketch.line([second, first], Kind.ROD)
+            self.sketch.line([second, first], StrokeKind.ROD)
             self.busy.append((second, first))
             if not rod.ends[1]:
                 self.hinge(second)
-            if sp.count_ops(rod.length) <= LONGEST_LABEL:
+            if sp.count_ops(rod.length) <= LONGEST_ROD_LABEL:
                 self.sketch.label_beside(rod.length, second, first, optional=True)
 
         for a, b, by_constraints in self.system.kept_distances:
             if by_constraints:
                 start, end = self.flat(self.places[a]), self.flat(self.places[b])
-                self.sketch.line([start, end], Kind.ROD)
+                self.sketch.line([start, end], StrokeKind.ROD)
                 self.busy.append((start, end))
 
-    def hinge(self, at: Point) -> None:
+    def hinge(self, at: PagePoint) -> None:
         if all(apart(at, h) > 1e-3 for h in self.hinges):
             self.hinges.append(at)
             self.sketch.dot(at, HINGE, open_=True)
 
     def links(self) -> None:
-        """Springs and dampers, side by side where they are between the same points."""
+        """Springs and dampers; those between the same points are side by side."""
         configuration = self.system.configuration
         ends = [self.ends(link) for link in configuration.links]
         for n, link in enumerate(configuration.links):
@@ -140,24 +143,24 @@ class _Drawing:
                 if not isinstance(named, str) and all(apart(at, h) > 1e-3 for h in self.hinges):
                     self.fixed_end(at, other)
 
-    def ends(self, link: Stretched | Damped) -> tuple[Point, Point]:
+    def ends(self, link: Stretched | DamperForce) -> tuple[PagePoint, PagePoint]:
         first, second = ends_of(link, self.system.configuration, self.pose)
         return self.flat(first), self.flat(second)
 
-    def bypass(self, a: Point, b: Point, shift: float) -> tuple[Point, Point]:
-        """Two ends beside those given, joined to them."""
+    def bypass(self, a: PagePoint, b: PagePoint, shift: float) -> tuple[PagePoint, PagePoint]:
+        """Two ends shifted to one side of the given ones, and joined to them."""
         way = toward(a, b)
         side = left_of(way)
-        found = []
+        corners = []
         for foot, sense in ((a, 0.16), (b, -0.16)):
             post = beyond(foot, way, sense)
             corner = beyond(post, side, shift)
-            self.sketch.line([foot, post, corner], Kind.SPRING)
-            found.append(corner)
-        return found[0], found[1]
+            self.sketch.line([foot, post, corner], StrokeKind.SPRING)
+            corners.append(corner)
+        return corners[0], corners[1]
 
-    def fixed_end(self, at: Point, other: Point) -> None:
-        """A wall where all is on one line, a hinge where the spring can turn."""
+    def fixed_end(self, at: PagePoint, other: PagePoint) -> None:
+        """A wall if the system is on one line, a hinge if the spring can turn."""
         if self.in_line:
             self.hinges.append(at)
             self.sketch.wall(at, toward(at, other))
@@ -166,7 +169,7 @@ class _Drawing:
 
     def bodies(self) -> None:
         for p in self.system.configuration.points:
-            rotation = is_planar(self.system.configuration, p.name)
+            rotation = plane_rotation(self.system.configuration, p.name)
             if rotation is not None and self.system.view.planar:
                 self.plane_body(p, rotation)
             else:
@@ -186,7 +189,7 @@ class _Drawing:
             radius = known.radius * self.page.scale
             self.sketch.ellipse(centre, (radius, 0.0), (0.0, radius))
             e1 = self.page.way(self.pose.at(rotation.axes[0]))
-            self.sketch.line([centre, beyond(centre, toward((0, 0), e1), radius)], Kind.GUIDE)
+            self.sketch.line([centre, beyond(centre, toward((0, 0), e1), radius)], StrokeKind.GUIDE)
         elif held and in_line(centre, held):
             a, b = farthest([centre, *held])
             self.sketch.capsule(a, b, 0.12)
@@ -204,7 +207,7 @@ class _Drawing:
         self.supports(p, rotation)
 
     def supports(self, p: MassPoint, rotation: Rotation) -> None:
-        """The lines on which a body slides or rolls: across a reaction that always has the same direction."""
+        """The lines on which a body slides or rolls: perpendicular to a reaction whose direction is constant."""
         known = self.system.shapes[p.name]
         for reaction in self.system.reactions_on(p.name):
             rolls = known.radius and reaction.name not in known.at
@@ -222,10 +225,10 @@ class _Drawing:
             way = toward((0, 0), self.page.way(force))
             way = way if rolls else left_of(way)
             half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
-            self.sketch.line([beyond(at, way, -half), beyond(at, way, half)], Kind.CURVE)
+            self.sketch.line([beyond(at, way, -half), beyond(at, way, half)], StrokeKind.CURVE)
 
     def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float] | None) -> bool:
-        """Whether a point of a body does not move."""
+        """Whether a point of a body is fixed in space."""
         if point is None:
             return False
         poses = (self.pose, *self.pose.others)
@@ -233,7 +236,7 @@ class _Drawing:
         return all(math.dist(places[0], q) < 1e-7 for q in places)
 
     def track(self, p: MassPoint, rotation: Rotation, reaction: Reaction) -> None:
-        """The part near a wheel of the circle on which it rolls."""
+        """The part of the circle on which a wheel rolls that is near it."""
         known = self.system.shapes[p.name]
         if not known.radius or reaction.name in known.at:
             return
@@ -251,11 +254,11 @@ class _Drawing:
                 turn = math.atan2(y - centre[1], x - centre[0])
                 radius = distances[0] * self.page.scale
                 angles = [turn + (k - 16) * 0.06 for k in range(33)]
-                self.sketch.line([beyond(centre, (math.cos(a), math.sin(a)), radius) for a in angles], Kind.CURVE)
+                self.sketch.line([beyond(centre, (math.cos(a), math.sin(a)), radius) for a in angles], StrokeKind.CURVE)
                 return
 
     def triad(self, p: MassPoint, rotation: Rotation) -> None:
-        """The axes of a body, with the names that they have; not those that are i, j and k."""
+        """The axes of a body with their names, except those that are i, j or k."""
         centre = self.flat(self.places[p.name])
         body = next(b for b in self.system.problem.bodies if b.name == p.name)
         for n, axis in enumerate(rotation.axes):
@@ -267,7 +270,7 @@ class _Drawing:
             if math.hypot(x, y) < 0.15:
                 raise NoValueError("an axis points at the reader")
             end = (centre[0] + x * 0.95, centre[1] + y * 0.95)
-            self.sketch.arrow(centre, end, Kind.BODY)
+            self.sketch.arrow(centre, end, StrokeKind.BODY)
             name = body.axes_called[n] if body.axes_called else f"e_{n + 1}"
             self.sketch.label(UnitVector(name), end, toward(centre, end))
         self.sketch.dot(centre, PARTICLE)
@@ -279,10 +282,11 @@ class _Drawing:
             at = self.flat(self.places[p.name])
             if p.name not in turning:
                 self.sketch.dot(at)
+            # The name goes opposite to the lines that meet at the particle.
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in lines if touches(at, a, b)]
             x, y = -sum(w[0] for w in ways), -sum(w[1] for w in ways)
             prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 1e-3 else (0.7, 0.7)
-            self.sketch.label(_name(p.name), at, prefer, clear=PARTICLE)
+            self.sketch.label(as_words(p.name), at, prefer, clear=PARTICLE)
 
     def curves(self) -> None:
         if not self.system.view.planar:
@@ -297,11 +301,12 @@ class _Drawing:
             if row is None or name in {r.name for r in self.system.configuration.rotations}:
                 continue
             frame = Box.around(points).grown(1.5)
-            found = constraint_curve(self.pose, row, p.position, self.page, frame)
-            if found is not None:
-                self.sketch.line(found[0], Kind.CURVE, closed=found[1])
-                if in_line(found[0][0], found[0][1:]):
-                    self.busy.append((found[0][0], found[0][-1]))
+            curve = constraint_curve(self.pose, row, p.position, self.page, frame)
+            if curve is not None:
+                points_on_curve, closed = curve
+                self.sketch.line(points_on_curve, StrokeKind.CURVE, closed=closed)
+                if in_line(points_on_curve[0], points_on_curve[1:]):
+                    self.busy.append((points_on_curve[0], points_on_curve[-1]))
 
     def loads(self) -> None:
         for name in self.places:
@@ -314,11 +319,11 @@ class _Drawing:
         start = self.flat(plus(self.places[acting.on], acting.offset))
         way = toward((0.0, 0.0), self.page.way(acting.vector))
         end = beyond(start, way, ARROW)
-        self.sketch.arrow(start, end, Kind.FORCE)
+        self.sketch.arrow(start, end, StrokeKind.FORCE)
         self.sketch.label(acting.label, end, way)
 
     def gravity(self) -> None:
-        """Its direction, beside the picture."""
+        """An arrow in the direction of gravity, to the right of the picture."""
         field = self.system.problem.gravity
         if field is None or field.is_zero:
             return
@@ -332,7 +337,7 @@ class _Drawing:
         x = box.right + 0.75
         start = (x, (box.top + box.bottom) / 2 - way[1] * 0.45)
         end = beyond(start, way, 0.9)
-        self.sketch.arrow(start, end, Kind.AXIS)
+        self.sketch.arrow(start, end, StrokeKind.AXIS)
         self.sketch.label_beside(size, start, end)
 
     def name_origin(self) -> None:
@@ -340,7 +345,3 @@ class _Drawing:
         away = (-sum(u[0] for u in units), -sum(u[1] for u in units))
         if not self.in_line:
             self.sketch.label("O", self.origin, toward((0, 0), away), clear=0.05, optional=True)
-
-
-def _name(name: str) -> str:
-    return name.replace("_", " ").replace(".", " ")

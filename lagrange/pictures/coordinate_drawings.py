@@ -1,4 +1,9 @@
-"""Draws what is measured in a system: its coordinates, and the distances that the coordinates keep by themselves."""
+"""The coordinates in a picture of a system, and the distances that the coordinates keep by themselves.
+
+What a coordinate measures is recognised by what it moves (`poses`): an angle at a point is an arc from its reference
+direction; a distance is a dashed line, or a dimension line next to a line that is drawn already; the angle of a plane
+body is an arc at its mass centre. In space, an angle about an axis is drawn in the plane of the origin.
+"""
 
 from __future__ import annotations
 
@@ -8,41 +13,42 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.document.scene import Kind, Point
+from lagrange.document.scene import PagePoint, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
-from lagrange.pictures.floats import NoValueError, Space, minus, outer, plus
-from lagrange.pictures.marks import (
+from lagrange.pictures.floats import FloatVector, NoValueError, minus, outer, plus
+from lagrange.pictures.poses import (
     AngleMark,
     DistanceMark,
+    Pose,
     angle_mark,
     crosswise,
     distance_marks,
     relative_angle_mark,
 )
-from lagrange.pictures.poses import Pose
-from lagrange.pictures.shapes import is_planar
+from lagrange.pictures.shapes import plane_rotation
 from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, overlapping, same_ends, toward
-from lagrange.pictures.systems import Page, System
+from lagrange.pictures.systems import Page, SystemPicture
 
 ARC = 0.62
+"""Radius of the arc of an angle, in centimetres."""
 
 
 @dataclass
-class Measures:
+class CoordinateDrawings:
     """The coordinates of one picture.
 
-    busy            pieces along which there is a line already
+    busy            pieces along which a line is drawn already
     places          of the particles and mass centres
     guides          dashed lines of angles
-    turning_points  centres of angles, with the coordinate and the point that turns about it
+    turning_points  the coordinate and the point that turns, with the centre of its circle
     """
 
-    system: System
+    system: SystemPicture
     sketch: Sketch
-    busy: list[tuple[Point, Point]]
-    places: dict[str, Space]
-    guides: list[tuple[Point, Point]] = field(default_factory=list)
-    turning_points: list[tuple[tuple[sp.Symbol, MassPoint], Space]] = field(default_factory=list)
+    busy: list[tuple[PagePoint, PagePoint]]
+    places: dict[str, FloatVector]
+    guides: list[tuple[PagePoint, PagePoint]] = field(default_factory=list)
+    turning_points: list[tuple[tuple[sp.Symbol, MassPoint], FloatVector]] = field(default_factory=list)
 
     @property
     def pose(self) -> Pose:
@@ -54,14 +60,14 @@ class Measures:
         """From space to the page."""
         return self.system.page
 
-    def flat(self, place: Space) -> Point:
-        """Where a place is on the page."""
+    def flat(self, place: FloatVector) -> PagePoint:
+        """The image of a point of space on the page."""
         return self.page(place)
 
     def all(self) -> None:
-        """Marks the coordinates. Raises NoValueError where one that moves something is seen nowhere."""
+        """Mark the coordinates. Raises NoValueError if one that moves a particle cannot be marked."""
         rest = [q for q in self.pose.coordinates if not self.is_length(q)]
-        known: list[Space] = [(0.0, 0.0, 0.0), *self.places.values()]
+        known: list[FloatVector] = [(0.0, 0.0, 0.0), *self.places.values()]
         for q in list(rest):
             if self.angle(q):
                 rest.remove(q)
@@ -76,11 +82,11 @@ class Measures:
         left = [q for q in rest if not self.turn(q)]
         bodies = bool(self.system.configuration.rotations)
         if self.system.view.planar and not bodies and any(self.moves_something(q) for q in left):
-            raise NoValueError("a coordinate that is seen nowhere")
+            raise NoValueError("a coordinate that cannot be marked")
         self.stiff()
 
     def moves_something(self, q: sp.Symbol) -> bool:
-        """Whether a coordinate moves a particle, by itself, and is not kept at 0 by a constraint."""
+        """Whether a coordinate by itself moves a particle, and no constraint keeps it at 0."""
         if abs(self.pose.values[q]) < 1e-3:
             return False
         moved = self.pose.moved(q, 0.3)
@@ -89,19 +95,19 @@ class Measures:
         )
 
     def on_the_floor(self, marks: list[DistanceMark]) -> list[DistanceMark]:
-        """The way to a point at a fixed height is drawn at the height 0, with a plumb line."""
+        """The same distances at height 0, with a plumb line to the point, which is at a fixed height."""
         start, end = marks[0].start, marks[-1].end
         if math.hypot(*start) < 1e-9:
             return marks
-        self.sketch.line([self.flat(end), self.flat(minus(end, start))], Kind.GUIDE)
+        self.sketch.line([self.flat(end), self.flat(minus(end, start))], StrokeKind.GUIDE)
         return [DistanceMark(m.coordinate, minus(m.start, start), minus(m.end, start)) for m in marks]
 
     def is_length(self, q: sp.Symbol) -> bool:
-        """Whether a coordinate is written at a rod as its length."""
+        """Whether a coordinate is the length of a rod, which is written beside it."""
         return any(rod.length == q for _, rod in self.system.rods)
 
     def angle(self, q: sp.Symbol) -> bool:
-        """Marks a coordinate that is an angle at a point; whether it is one."""
+        """Mark a coordinate if it is an angle at a point; return whether it is one."""
         for p in self.system.configuration.points:
             mark = angle_mark(self.pose, q, p.position)
             if mark is not None:
@@ -115,14 +121,14 @@ class Measures:
                 relative_angle_mark(self.pose, q, *pair)
                 for pair in ((b.position, a.position), (a.position, b.position))
             ]
-            found = [m for m in marks if m is not None]
-            if found:
-                self.angle_at(max(found, key=lambda m: sum(m.reference)))
+            candidates = [m for m in marks if m is not None]
+            if candidates:
+                self.angle_at(max(candidates, key=lambda m: sum(m.reference)))
                 return True
         return False
 
     def angle_at(self, mark: AngleMark) -> None:
-        """An angle, with its line where there is none yet."""
+        """An angle, with the line to its point if none is drawn yet."""
         if not self.system.view.planar:
             self.angle_in_space(mark)
             return
@@ -131,53 +137,53 @@ class Measures:
         radius = min(ARC + 0.25 * self.arcs_at(centre), 0.8 * length)
         ways = [toward((0, 0), self.page.way(a)) for a in mark.arc]
         if not any(overlapping((centre, end), b) for b in self.busy):
-            self.sketch.line([centre, end], Kind.GUIDE)
+            self.sketch.line([centre, end], StrokeKind.GUIDE)
             self.busy.append((centre, end))
             self.guides.append((centre, end))
         self.arc(mark.coordinate, centre, ways, radius)
 
-    def arcs_at(self, centre: Point) -> int:
-        """How many arcs there are around a point."""
-        arcs = [line for line in self.sketch.lines if line.kind is Kind.ANGLE]
+    def arcs_at(self, centre: PagePoint) -> int:
+        """The number of arcs around a point."""
+        arcs = [line for line in self.sketch.lines if line.kind is StrokeKind.ANGLE]
         return sum(
             abs(apart(centre, a.points[0]) - apart(centre, a.points[-1])) < 1e-6 and apart(centre, a.points[0]) < 1.6
             for a in arcs
         )
 
-    def arc(self, q: sp.Symbol, centre: Point, ways: list[Point], radius: float) -> None:
+    def arc(self, q: sp.Symbol, centre: PagePoint, ways: list[PagePoint], radius: float) -> None:
         """The arc of an angle, its reference line and its label."""
         reference = beyond(centre, ways[0], radius + 0.35)
-        self.sketch.line([centre, reference], Kind.GUIDE)
+        self.sketch.line([centre, reference], StrokeKind.GUIDE)
         points = [beyond(centre, w, radius) for w in ways]
-        self.sketch.arc(points, Kind.ANGLE)
+        self.sketch.arc(points, StrokeKind.ANGLE)
         self.sketch.label(q, points[10], ways[10])
 
     def angle_in_space(self, mark: AngleMark) -> None:
-        """An angle about an axis is drawn in the plane through the origin, below or above the circle of the point."""
+        """An angle about an axis, drawn in the plane through the origin, below or above the circle of the point."""
         axis = outer(mark.arc[0], mark.arc[7])
         size = math.hypot(*axis)
         upright = [n for n in range(3) if abs(abs(axis[n]) / size - 1) < 1e-6]
         centre, point = mark.centre, mark.point
         if upright and math.hypot(*centre) > 1e-6 and all(abs(centre[m]) < 1e-9 for m in range(3) if m not in upright):
             foot = minus(point, centre)
-            self.sketch.line([self.flat(point), self.flat(foot)], Kind.GUIDE)
+            self.sketch.line([self.flat(point), self.flat(foot)], StrokeKind.GUIDE)
             centre, point = (0.0, 0.0, 0.0), foot
         self.guide(self.flat(centre), self.flat(point))
         radius = math.hypot(*minus(point, centre))
         part = min(0.8, ARC * 1.1 / (radius * self.page.scale))
         arc = [self.flat(plus(centre, a, part)) for a in mark.arc]
-        self.sketch.line([self.flat(centre), self.flat(plus(centre, mark.reference, part * 1.3))], Kind.GUIDE)
-        self.sketch.arc(arc, Kind.ANGLE)
+        self.sketch.line([self.flat(centre), self.flat(plus(centre, mark.reference, part * 1.3))], StrokeKind.GUIDE)
+        self.sketch.arc(arc, StrokeKind.ANGLE)
         self.sketch.label(mark.coordinate, arc[10], toward(self.flat(centre), arc[10]))
 
-    def guide(self, a: Point, b: Point) -> None:
-        """A dashed line where there is no line yet."""
+    def guide(self, a: PagePoint, b: PagePoint) -> None:
+        """A dashed line if none is drawn between these points yet."""
         if not any(same_ends((a, b), other) for other in self.busy):
-            self.sketch.line([a, b], Kind.GUIDE)
+            self.sketch.line([a, b], StrokeKind.GUIDE)
             self.busy.append((a, b))
 
-    def distance(self, q: sp.Symbol, start: Space, end: Space, alone: bool) -> None:
-        """A distance as a dashed line, or beside the line that is there."""
+    def distance(self, q: sp.Symbol, start: FloatVector, end: FloatVector, alone: bool) -> None:
+        """A distance as a dashed line, or next to the line that is drawn already."""
         a, b = self.flat(start), self.flat(end)
         if apart(a, b) < 0.25:
             return
@@ -190,24 +196,24 @@ class Measures:
         self.guide(a, b)
         self.sketch.label_beside(q, a, b)
 
-    def dimension(self, q: sp.Symbol, a: Point, b: Point) -> None:
-        """A distance beside the line on which it is."""
+    def dimension(self, q: sp.Symbol, a: PagePoint, b: PagePoint) -> None:
+        """A dimension line parallel to the line on which a distance is measured."""
         side = left_of(toward(a, b))
         side = side if side[1] < 0 or (side[1] == 0 and side[0] > 0) else (-side[0], -side[1])
-        row = sum(line.kind is Kind.ANGLE and len(line.points) == 2 for line in self.sketch.lines)
-        off = 0.75 + 0.55 * row
+        row = sum(line.kind is StrokeKind.ANGLE and len(line.points) == 2 for line in self.sketch.lines)
+        off = 0.75 + 0.55 * row  # dimension lines are the arcs of two points: each further one is a row lower
         start, end = beyond(a, side, off), beyond(b, side, off)
         for point, moved in ((a, start), (b, end)):
-            self.sketch.line([beyond(point, side, 0.45), beyond(moved, side, 0.1)], Kind.GUIDE)
-        self.sketch.arc([start, end], Kind.ANGLE)
+            self.sketch.line([beyond(point, side, 0.45), beyond(moved, side, 0.1)], StrokeKind.GUIDE)
+        self.sketch.arc([start, end], StrokeKind.ANGLE)
         self.sketch.label_beside(q, start, end)
 
     def turn(self, q: sp.Symbol) -> bool:
-        """The angle of a plane body, at its mass centre."""
+        """Mark a coordinate if it is the angle of a plane body; return whether it is one."""
         if not self.system.view.planar:
             return False
         for p in self.system.configuration.points:
-            rotation = is_planar(self.system.configuration, p.name)
+            rotation = plane_rotation(self.system.configuration, p.name)
             if rotation is None:
                 continue
             mark = angle_mark(self.pose, q, rotation.axes[0])
@@ -216,26 +222,26 @@ class Measures:
                 known = self.system.shapes[p.name]
                 ways = [toward((0, 0), self.page.way(a)) for a in mark.arc]
                 radius = min(ARC, 0.6 * known.radius * self.page.scale) if known.radius else ARC + 0.2
-                self.sketch.line([centre, beyond(centre, ways[-1], radius + 0.3)], Kind.GUIDE)
+                self.sketch.line([centre, beyond(centre, ways[-1], radius + 0.3)], StrokeKind.GUIDE)
                 self.arc(q, centre, ways, radius)
                 return True
         return False
 
     def stiff(self) -> None:
-        """Thin lines between points that keep their distance by the choice of coordinates."""
+        """Thin lines between points whose distance is constant by the choice of coordinates."""
         pairs = [(self.places[a], self.places[b]) for a, b, bound in self.system.kept_distances if not bound]
         for q, centre in self.turning_points:
             for p in self.system.configuration.points:
-                if is_planar(self.system.configuration, p.name) is None and self.keeps_distance(q, centre, p):
+                if plane_rotation(self.system.configuration, p.name) is None and self.keeps_distance(q, centre, p):
                     pairs.append((centre, self.places[p.name]))
         for a, b in pairs:
             start, end = self.flat(a), self.flat(b)
             if apart(start, end) > 0.1 and not any(overlapping((start, end), other) for other in self.busy):
-                self.sketch.line([start, end], Kind.LINK)
+                self.sketch.line([start, end], StrokeKind.LINK)
                 self.busy.append((start, end))
 
-    def keeps_distance(self, q: tuple[sp.Symbol, MassPoint], centre: Space, p: MassPoint) -> bool:
-        """Whether a point keeps its distance from the centre of the circle of another."""
+    def keeps_distance(self, q: tuple[sp.Symbol, MassPoint], centre: FloatVector, p: MassPoint) -> bool:
+        """Whether a point has a constant distance from the centre of the circle of another."""
         symbol, turning = q
         distances = [math.dist(centre, self.places[p.name])]
         for pose in self.pose.others:

@@ -1,6 +1,7 @@
-"""Values of expressions in ordinary floating point, for drawing: nothing is decided by them.
+"""Values of expressions and vectors in ordinary floating point, for drawing only: no verdict depends on them.
 
-A value that is not real, or does not exist, raises NoValueError; so does an undefined function.
+A value that is not real or does not exist raises NoValueError; so does an undefined function, and a symbol without a
+value.
 """
 
 from __future__ import annotations
@@ -11,11 +12,10 @@ from collections.abc import Callable, Mapping, Sequence
 import sympy as sp
 
 from lagrange.core.vectors import Vector
+from lagrange.pictures.limits import LARGEST_VALUE
 
 Values = Mapping[sp.Symbol, float]
-Space = tuple[float, float, float]
-
-LARGEST = 1e6
+FloatVector = tuple[float, float, float]
 
 _FUNCTIONS: dict[type[sp.Basic], Callable[..., float]] = {
     sp.sin: math.sin,
@@ -37,18 +37,18 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., float]] = {
 
 
 class NoValueError(ValueError):
-    """There is no such number."""
+    """An expression has no real value of reasonable size."""
 
 
 def value(expression: sp.Expr, values: Values) -> float:
-    """The value of an expression; symbols without a value have none. Raises NoValueError."""
+    """The value of an expression. Raises NoValueError, also for a symbol without a value."""
     try:
-        found = _value(expression, values)
+        number = _value(expression, values)
     except (ArithmeticError, ValueError) as error:
         raise NoValueError(str(error)) from None
-    if not abs(found) < LARGEST:
+    if not abs(number) < LARGEST_VALUE:  # the negation also catches nan
         raise NoValueError("too large")
-    return found
+    return number
 
 
 def _value(e: sp.Basic, values: Values) -> float:
@@ -63,28 +63,28 @@ def _value(e: sp.Basic, values: Values) -> float:
     if e.is_Mul:
         return math.prod(_value(a, values) for a in e.args)
     if isinstance(e, sp.Pow):
-        found = _value(e.base, values) ** _value(e.exp, values)
-        if isinstance(found, complex):
+        power = _value(e.base, values) ** _value(e.exp, values)
+        if isinstance(power, complex):
             raise NoValueError("a root of a negative number")
-        return float(found)
+        return float(power)
     function = _FUNCTIONS.get(type(e))
     if function is None:
         raise NoValueError(type(e).__name__)
     return float(function(*(_value(a, values) for a in e.args)))
 
 
-def place(vector: Vector, values: Values) -> Space:
+def place(vector: Vector, values: Values) -> FloatVector:
     """A vector's components along i, j, k. Raises NoValueError."""
     x, y, z = (value(c, values) for c in vector.fixed().components)
     return x, y, z
 
 
-def minus(a: Space, b: Space) -> Space:
+def minus(a: FloatVector, b: FloatVector) -> FloatVector:
     """a − b."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
-def plus(a: Space, b: Space, times: float = 1.0) -> Space:
+def plus(a: FloatVector, b: FloatVector, times: float = 1.0) -> FloatVector:
     """a + times · b."""
     return a[0] + times * b[0], a[1] + times * b[1], a[2] + times * b[2]
 
@@ -94,12 +94,12 @@ def inner(a: Sequence[float], b: Sequence[float]) -> float:
     return math.fsum(x * y for x, y in zip(a, b, strict=True))
 
 
-def outer(a: Space, b: Space) -> Space:
+def outer(a: FloatVector, b: FloatVector) -> FloatVector:
     """a × b."""
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
-def unit(a: Space) -> Space:
+def unit(a: FloatVector) -> FloatVector:
     """a/|a|. Raises NoValueError."""
     size = math.hypot(*a)
     if size < 1e-9:
@@ -108,7 +108,7 @@ def unit(a: Space) -> Space:
 
 
 def solved(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[float]:
-    """The solution of a square system, by elimination with pivots. Raises NoValueError."""
+    """The solution of a square system by Gaussian elimination with pivoting. Raises NoValueError if it is singular."""
     rows = [[*row, r] for row, r in zip(matrix, right, strict=True)]
     n = len(rows)
     for k in range(n):
@@ -126,22 +126,24 @@ def solved(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[fl
 def projected(
     relations: Sequence[sp.Expr], slopes: Sequence[Sequence[sp.Expr]], moving: Sequence[sp.Symbol], start: Values
 ) -> dict[sp.Symbol, float]:
-    """Values near the start where the relations vanish, by Newton's iteration with the shortest steps.
+    """Values near the start at which the relations f vanish, by Newton's iteration.
 
-    slopes  the derivatives of each relation by the coordinates that may change, shape (m, n)
+    With fewer relations than coordinates, the step is the shortest one, δq = −Jᵀ (J Jᵀ)⁻¹ f.
 
-    Raises NoValueError.
+    slopes  J, the derivatives of each relation by the coordinates that may change, shape (m, n)
+
+    Raises NoValueError if it does not converge.
     """
-    found = dict(start)
+    values = dict(start)
     if not relations:
-        return found
+        return values
     for _ in range(40):
-        rest = [value(f, found) for f in relations]
-        if max(map(abs, rest)) < 1e-11:
-            return found
-        rows = [[value(e, found) for e in row] for row in slopes]
+        residuals = [value(f, values) for f in relations]
+        if max(map(abs, residuals)) < 1e-11:
+            return values
+        rows = [[value(e, values) for e in row] for row in slopes]
         gram = [[inner(a, b) for b in rows] for a in rows]
-        weights = solved(gram, rest)
+        weights = solved(gram, residuals)
         for k, q in enumerate(moving):
-            found[q] -= sum(w * row[k] for w, row in zip(weights, rows, strict=True))
+            values[q] -= sum(w * row[k] for w, row in zip(weights, rows, strict=True))
     raise NoValueError("no point near the start")

@@ -1,7 +1,8 @@
-"""Free-body diagrams: each particle and body by itself, with an arrow for all that acts on it.
+"""Free-body diagrams: each particle and body by itself, with an arrow for every force and moment on it.
 
-Applied forces have the direction that they have in the position drawn; an unknown reaction has the direction in which
-it is positive. All arrows are of one length: sizes are not drawn.
+An applied force has its direction in the position drawn; an unknown reaction has the direction in which it is positive.
+All arrows have the same length: magnitudes are not drawn. Forces with nearly the same point and direction are shifted
+apart.
 """
 
 from __future__ import annotations
@@ -10,23 +11,24 @@ import math
 from collections.abc import Sequence
 
 from lagrange.document.math_writer import Notation
-from lagrange.document.scene import Kind, Point, Scene, side_by_side
+from lagrange.document.scene import PagePoint, Scene, side_by_side
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import NoValueError, minus
+from lagrange.pictures.limits import MOST_BODIES, TEXT_WIDTH
 from lagrange.pictures.loads import Acting, acting_on
-from lagrange.pictures.shapes import in_space, is_planar
+from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
-from lagrange.pictures.systems import System
+from lagrange.pictures.systems import SystemPicture
 
 LENGTH = 1.35
-TEXT_WIDTH = 14.5
-MOST_BODIES = 6
+"""Length of an arrow, in centimetres."""
 _NEAR = math.cos(math.radians(14))
+"""Cosine of the angle between arrows below which their labels would collide."""
 
 
-def free_body_scene(system: System, notation: Notation) -> Scene | None:
-    """The diagrams, side by side; None where one of them cannot be drawn."""
+def free_body_scene(system: SystemPicture, notation: Notation) -> Scene | None:
+    """The diagrams side by side; None if one of them cannot be drawn."""
     bodies = system.newton.bodies
     if not bodies or len(bodies) > MOST_BODIES:
         return None
@@ -38,12 +40,12 @@ def free_body_scene(system: System, notation: Notation) -> Scene | None:
     return side_by_side(drawn, TEXT_WIDTH) if len(drawn) == len(panels) else None
 
 
-def _panel(system: System, body: FreeBody, notation: Notation) -> Scene | None:
+def _panel(system: SystemPicture, body: FreeBody, notation: Notation) -> Scene | None:
     acting = acting_on(system, body)
     if not acting:
         raise NoValueError("nothing acts on it")
     sketch = Sketch()
-    rotation = is_planar(system.configuration, body.name)
+    rotation = plane_rotation(system.configuration, body.name)
     turning = any(r.name == body.name for r in system.configuration.rotations)
     crowded = _crowded(system, acting)
     radius = PARTICLE
@@ -56,7 +58,7 @@ def _panel(system: System, body: FreeBody, notation: Notation) -> Scene | None:
         sketch.ellipse((0.0, 0.0), (radius, 0.0), (0.0, radius))
     if not crowded or turning:
         sketch.dot((0.0, 0.0), PARTICLE)
-    used: list[tuple[Point, Point]] = []
+    used: list[tuple[PagePoint, PagePoint]] = []
     for a in acting:
         _arrow(sketch, system, a, radius if crowded and not turning else 0.0, used)
     x, y = -sum(w[0] for _, w in used), -sum(w[1] for _, w in used)
@@ -65,21 +67,23 @@ def _panel(system: System, body: FreeBody, notation: Notation) -> Scene | None:
     return sketch.scene(notation)
 
 
-def _ways(system: System, acting: Sequence[Acting]) -> list[Point]:
+def _ways(system: SystemPicture, acting: Sequence[Acting]) -> list[PagePoint]:
     return [toward((0, 0), system.page.way(a.vector)) for a in acting if not a.is_moment]
 
 
-def _crowded(system: System, acting: Sequence[Acting]) -> bool:
-    """Whether two forces at the same place have nearly the same direction."""
+def _crowded(system: SystemPicture, acting: Sequence[Acting]) -> bool:
+    """Whether two forces have nearly the same direction."""
     ways = _ways(system, acting)
     return any(a[0] * b[0] + a[1] * b[1] > _NEAR for n, a in enumerate(ways) for b in ways[:n])
 
 
-def _arrow(sketch: Sketch, system: System, a: Acting, edge: float, used: list[tuple[Point, Point]]) -> None:
+def _arrow(
+    sketch: Sketch, system: SystemPicture, a: Acting, edge: float, used: list[tuple[PagePoint, PagePoint]]
+) -> None:
     x, y = system.page.way(a.offset)
     scale = system.page.scale
     start = (x * scale, y * scale)
-    seen = system.page.way(a.vector)
+    on_page = system.page.way(a.vector)
     kind = a.kind
     if a.is_moment and system.view.planar:
         normal = _out_of_page(system, a)
@@ -87,12 +91,13 @@ def _arrow(sketch: Sketch, system: System, a: Acting, edge: float, used: list[tu
         middle = sketch.turning((0.0, 0.0), radius, normal > 0, kind)
         sketch.label(a.label, middle, toward((0, 0), middle))
         return
-    if math.hypot(*seen) < 0.12 * math.hypot(*a.vector):
+    if math.hypot(*on_page) < 0.12 * math.hypot(*a.vector):
         raise NoValueError("it points at the reader")
-    way = toward((0, 0), seen)
+    way = toward((0, 0), on_page)
     same = [u for u in used if apart(u[0], start) < 0.3 and u[1][0] * way[0] + u[1][1] * way[1] > _NEAR]
     used.append((start, way))
     if same:
+        # To the right, to the left, further to the right, ...
         shift = 0.19 * (1 if len(same) % 2 else -1) * ((len(same) + 1) // 2) * 2
         start = beyond(start, left_of(way), shift)
     start = beyond(start, way, math.sqrt(max(edge**2 - (0.38 * len(same)) ** 2, 0)) if edge else 0.0)
@@ -101,20 +106,20 @@ def _arrow(sketch: Sketch, system: System, a: Acting, edge: float, used: list[tu
     sketch.label(a.label, end, way)
 
 
-def _out_of_page(system: System, a: Acting) -> float:
-    """The sense of a moment as seen: positive where it turns counterclockwise on the page."""
+def _out_of_page(system: SystemPicture, a: Acting) -> float:
+    """The component of a moment out of the page: positive if it turns counterclockwise there."""
     first, second = (n for n in range(3) if system.view.units[n] != (0.0, 0.0))
     u, v = system.view.units[first], system.view.units[second]
-    seen_from_front = u[0] * v[1] - u[1] * v[0]
+    orientation = u[0] * v[1] - u[1] * v[0]  # −1 where the axes of the file make a left-handed page
     third = ({0, 1, 2} - {first, second}).pop()
-    sign = -1 if third == 1 else 1
-    return a.vector[third] * sign * seen_from_front
+    sign = -1 if third == 1 else 1  # i × k = −j
+    return a.vector[third] * sign * orientation
 
 
-def _outline(sketch: Sketch, system: System, body: FreeBody, rotation: Rotation) -> None:
+def _outline(sketch: Sketch, system: SystemPicture, body: FreeBody, rotation: Rotation) -> None:
     scale, known = system.page.scale, system.shapes[body.name]
 
-    def flat(point: tuple[float, float]) -> Point:
+    def flat(point: tuple[float, float]) -> PagePoint:
         x, y = system.page.way(in_space(system.pose, rotation, point))
         return x * scale, y * scale
 
@@ -140,6 +145,3 @@ def _outline(sketch: Sketch, system: System, body: FreeBody, rotation: Rotation)
             sketch.ellipse((0.0, 0.0), (way[0] * reach, way[1] * reach), (side[0] * 0.6 * reach, side[1] * 0.6 * reach))
     else:
         sketch.ellipse((0.0, 0.0), (e1[0] * 0.62, e1[1] * 0.62), (-e1[1] * 0.36, e1[0] * 0.36))
-
-
-__all__ = ["Kind", "free_body_scene"]

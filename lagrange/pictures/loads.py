@@ -1,33 +1,94 @@
-"""All that acts on one particle or body, as arrows with labels.
+"""The forces and moments on one particle or body, as arrows with labels, and the curve on which a constraint keeps it.
 
-What the free body has as its applied force must be the sum of what is drawn; where something would be missing, there is
-no picture.
+The arrows on a free body must add up to its applied force; if one would be missing, there is no picture.
+
+The curve f(a, b) = 0 of a particle with the coordinates a, b has the direction (−∂f/∂b, ∂f/∂a). It is traced from the
+particle in small steps, each brought back onto the curve by Newton's iteration, until it leaves the picture or closes.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified
 from lagrange.core.vectors import Vector
-from lagrange.document.scene import Kind
+from lagrange.document.scene import Box, PagePoint, StrokeKind
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Load
-from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
 from lagrange.mechanics.dynamics.newton import FreeBody
-from lagrange.pictures.floats import NoValueError, Space, minus, unit
+from lagrange.pictures.floats import FloatVector, NoValueError, minus, projected, unit, value
+from lagrange.pictures.limits import CURVE_STEP, LONGEST_FORCE_LABEL, MOST_CURVE_STEPS
 from lagrange.pictures.poses import Pose
-from lagrange.pictures.shapes import force_and_moment, is_planar, reaction_point
-from lagrange.pictures.systems import System, ends_of, with_other_values
+from lagrange.pictures.shapes import force_and_moment, plane_rotation, reaction_point
+from lagrange.pictures.systems import SystemPicture, ends_of, with_other_values
 
-MOST_OPERATIONS = 4
-NOWHERE: Space = (0.0, 0.0, 0.0)
+
+def constraint_curve(
+    pose: Pose, row: Row, position: Vector, on_page: Callable[[FloatVector], PagePoint], frame: Box
+) -> tuple[list[PagePoint], bool] | None:
+    """The curve on the page and whether it is closed; None if the constraint is not on one particle in a plane."""
+    if row.finite is None:
+        return None
+    moving = set(pose.coordinates)
+    f = sp.sympify(row.finite, strict=True)
+    own = [q for q in pose.coordinates if q in set().union(*(c.free_symbols for c in position.fixed().components))]
+    if len(own) != 2 or not (f.free_symbols & moving) <= set(own):
+        return None
+    slopes = [f.diff(q) for q in own]
+    try:
+        forward, closed = _traced(pose, f, slopes, own, position, on_page, frame, 1)
+        if closed:
+            return forward, True
+        backward, _ = _traced(pose, f, slopes, own, position, on_page, frame, -1)
+    except NoValueError:
+        return None
+    return [*reversed(backward[1:]), *forward], False
+
+
+def _traced(
+    pose: Pose,
+    f: sp.Expr,
+    slopes: Sequence[sp.Expr],
+    own: Sequence[sp.Symbol],
+    position: Vector,
+    on_page: Callable[[FloatVector], PagePoint],
+    frame: Box,
+    sense: int,
+) -> tuple[list[PagePoint], bool]:
+    """The points of the curve in one sense from the particle, which is the first, and whether it closes."""
+    fixed = position.fixed()
+    partials = [fixed.map(lambda c, q=q: c.diff(q)) for q in own]  # type: ignore[misc]
+    reached = pose
+    points = [on_page(pose.at(fixed))]
+    origin = on_page((0.0, 0.0, 0.0))
+    for number in range(MOST_CURVE_STEPS):
+        a, b = (value(e, reached.values) for e in slopes)
+        way = (-b * sense, a * sense)
+        moved = [on_page(reached.at(p)) for p in partials]
+        # Centimetres on the page for one unit of `way`: steps have the same length there, whatever the coordinates are.
+        speed = math.hypot(*(sum(w * (m[n] - origin[n]) for w, m in zip(way, moved, strict=True)) for n in (0, 1)))
+        if speed < 1e-9:
+            raise NoValueError("the curve has no direction")
+        step = {q: reached.values[q] + CURVE_STEP / speed * w for q, w in zip(own, way, strict=True)}
+        reached = Pose(pose.configuration, projected([f], [slopes], own, dict(reached.values) | step))
+        points.append(on_page(reached.at(fixed)))
+        x, y = points[-1]
+        if not (frame.left <= x <= frame.right and frame.bottom <= y <= frame.top):
+            return points[:-1], False
+        if number > 5 and math.hypot(x - points[0][0], y - points[0][1]) < CURVE_STEP * 0.9:
+            return points, True
+    raise NoValueError("the curve does not end")
+
+
+NOWHERE: FloatVector = (0.0, 0.0, 0.0)
 _SOMEWHERE = ((0.83, 0.56, 0.0), (0.7, 0.4, 0.6))
-"""A direction for a force of which none is known: in the plane, in space."""
+"""The direction in which a force given by undefined functions is drawn: in the plane, in space."""
 
 
 @record
@@ -35,68 +96,68 @@ class Acting:
     """A force or moment.
 
     vector     its direction
-    offset     from the particle or mass centre to where it acts
+    offset     from the particle or mass centre to the point where it acts
     """
 
     on: str
     label: sp.Expr | str
-    vector: Space
-    kind: Kind
-    offset: Space = NOWHERE
+    vector: FloatVector
+    kind: StrokeKind
+    offset: FloatVector = NOWHERE
     is_moment: bool = False
 
 
-def loads_on(system: System, name: str) -> list[Acting]:
-    """The applied forces and moments on a particle or body that have names. Raises NoValueError."""
+def loads_on(system: SystemPicture, name: str) -> list[Acting]:
+    """The named applied forces and moments on a particle or body. Raises NoValueError."""
     return [*_loads(system, name), *_pulls(system, name), *_torques(system, name)]
 
 
-def acting_on(system: System, body: FreeBody) -> list[Acting]:
-    """All that acts on a free body. Raises NoValueError, also where something would be missing."""
-    found = loads_on(system, body.name)
-    found += _rest(system, body)
+def acting_on(system: SystemPicture, body: FreeBody) -> list[Acting]:
+    """All forces and moments on a free body. Raises NoValueError, also if one could not be drawn."""
+    acting = loads_on(system, body.name)
+    acting += _rest(system, body)
     for reaction in body.bound:
-        found += _reaction(system, body, reaction.name)
-    return found
+        acting += _reaction(system, body, reaction.name)
+    return acting
 
 
-def given_loads(system: System, name: str) -> list[Acting]:
+def given_loads(system: SystemPicture, name: str) -> list[Acting]:
     """The applied forces on a particle or body, without springs and dampers. Raises NoValueError."""
     return [*_loads(system, name)]
 
 
-def _posed(system: System, *vectors: Vector) -> Pose:
+def _posed(system: SystemPicture, *vectors: Vector) -> Pose:
     return with_other_values(system.pose, [c for v in vectors for c in v.fixed().components])
 
 
-def _loads(system: System, name: str) -> Iterator[Acting]:
+def _loads(system: SystemPicture, name: str) -> Iterator[Acting]:
     centre = next(p.position for p in system.configuration.points if p.name == name)
     for load in system.configuration.loads:
         if load.on != name:
             continue
         if any(c.has(Unspecified) for c in load.vector.components):
-            yield Acting(name, _spoken(load.name), _SOMEWHERE[not system.view.planar], Kind.FORCE)
+            yield Acting(name, as_words(load.name), _SOMEWHERE[not system.view.planar], StrokeKind.FORCE)
             continue
         pose = _posed(system, load.vector, load.point - centre)
         vector = pose.at(load.vector)
         if math.hypot(*vector) > 1e-9:
             where = minus(pose.at(load.point), pose.at(centre))
-            yield Acting(name, _force_label(load), vector, Kind.FORCE, where)
+            yield Acting(name, _force_label(load), vector, StrokeKind.FORCE, where)
 
 
 def _force_label(load: Load) -> sp.Expr | str:
-    """Its size where that is short; its name otherwise."""
+    """The magnitude of a load if that is short; its name otherwise."""
     parts = [c for c in load.vector.components if c != 0]
     if len(parts) == 1:
         size = -parts[0] if parts[0].could_extract_minus_sign() else parts[0]
     else:
         size = sp.sqrt(textbook_form(load.vector.dot(load.vector)))
-    if sp.count_ops(size) <= MOST_OPERATIONS and not size.has(sp.cos, sp.sin) and not size.has(sp.Abs):
+    if sp.count_ops(size) <= LONGEST_FORCE_LABEL and not size.has(sp.cos, sp.sin) and not size.has(sp.Abs):
         return size
-    return _spoken(load.name)
+    return as_words(load.name)
 
 
-def _pulls(system: System, name: str) -> Iterator[Acting]:
+def _pulls(system: SystemPicture, name: str) -> Iterator[Acting]:
     configuration = system.configuration
     for link in configuration.links:
         for own, sign in zip(link.ends, (-1, 1), strict=True):
@@ -104,39 +165,39 @@ def _pulls(system: System, name: str) -> Iterator[Acting]:
                 first, second = ends_of(link, configuration, system.pose)
                 away = minus(first, second)
                 pull = _pull(link, system.pose)
-                label = pull if sp.count_ops(pull) <= MOST_OPERATIONS else _spoken(link.name)
-                yield Acting(name, label, (sign * away[0], sign * away[1], sign * away[2]), Kind.FORCE)
+                label = pull if sp.count_ops(pull) <= LONGEST_FORCE_LABEL else as_words(link.name)
+                yield Acting(name, label, (sign * away[0], sign * away[1], sign * away[2]), StrokeKind.FORCE)
             elif not isinstance(own, str) and _moves(system, own):
-                raise NoValueError("a spring that is fastened beside a particle")
+                raise NoValueError("a spring fastened next to a particle")
 
 
-def _pull(link: Stretched | Damped, pose: Pose) -> sp.Expr:
-    """The force with which it pulls its ends together; the distance on a line may be written with the other sign."""
-    if isinstance(link, Damped) and pose.number(link.distance) < 0:
+def _pull(link: Stretched | DamperForce, pose: Pose) -> sp.Expr:
+    """The force with which it pulls its ends together; on a line the distance may have the other sign."""
+    if isinstance(link, DamperForce) and pose.number(link.distance) < 0:
         return link.coefficient * sp.expand(-link.rate)
     return link.pull
 
 
-def _moves(system: System, end: Vector) -> bool:
+def _moves(system: SystemPicture, end: Vector) -> bool:
     moving = set(system.configuration.slots.coordinates)
     return any(c.free_symbols & moving for c in end.fixed().components)
 
 
-def _torques(system: System, name: str) -> Iterator[Acting]:
+def _torques(system: SystemPicture, name: str) -> Iterator[Acting]:
     for torque in system.configuration.torques:
         if torque.on == name:
             vector = _posed(system, torque.vector).at(torque.vector)
             parts = [c for c in torque.vector.components if c != 0]
             size = parts[0] if len(parts) == 1 else None
-            short = size is not None and sp.count_ops(size) <= MOST_OPERATIONS
-            label: sp.Expr | str = size if short and size is not None else _spoken(torque.name)
+            short = size is not None and sp.count_ops(size) <= LONGEST_FORCE_LABEL
+            label: sp.Expr | str = size if short and size is not None else as_words(torque.name)
             if short and size is not None and size.could_extract_minus_sign():
                 label = -size
-            yield Acting(name, label, vector, Kind.FORCE, is_moment=True)
+            yield Acting(name, label, vector, StrokeKind.FORCE, is_moment=True)
 
 
-def _rest(system: System, body: FreeBody) -> list[Acting]:
-    """What the applied force is beside the forces that have names: friction, or one field of force."""
+def _rest(system: SystemPicture, body: FreeBody) -> list[Acting]:
+    """The part of the applied force without a name of its own: friction, or one force field."""
     names = {f.name for f in system.configuration.loads if f.on == body.name}
     others = [n for n in body.loads if n and n not in names]
     springs = (s.energy for s in system.configuration.springs)
@@ -144,7 +205,7 @@ def _rest(system: System, body: FreeBody) -> list[Acting]:
     if not others and not field:
         return []
     if len(others) + field != 1:
-        raise NoValueError("several forces that cannot be told from one another")
+        raise NoValueError("several forces that cannot be distinguished")
     vector = body.applied
     for load in system.configuration.loads:
         if load.on == body.name:
@@ -152,40 +213,41 @@ def _rest(system: System, body: FreeBody) -> list[Acting]:
     if any(c.has(Unspecified) for c in vector.fixed().components):
         raise NoValueError("a force without a direction")
     if any(body.name in link.ends for link in system.configuration.links):
-        raise NoValueError("a field beside a spring")
+        raise NoValueError("a field as well as a spring")
     direction = _posed(system, vector).at(vector)
     if math.hypot(*direction) < 1e-9:
         return []
-    return [Acting(body.name, _spoken(others[0]) if others else "field", direction, Kind.FORCE)]
+    return [Acting(body.name, as_words(others[0]) if others else "field", direction, StrokeKind.FORCE)]
 
 
-def _reaction(system: System, body: FreeBody, name: str) -> Iterator[Acting]:
+def _reaction(system: SystemPicture, body: FreeBody, name: str) -> Iterator[Acting]:
     reaction = next(r for r in body.bound if r.name == name)
     force, moment = reaction.per_unit(body.name), reaction.moment_per_unit(body.name)
     pose = _posed(system, *(v for v in (force, moment) if v is not None))
     if reaction.rod is not None and reaction.tension is not None:
         span = unit(pose.at(reaction.rod.span))
         sign = -1.0 if body.name == reaction.rod.ends[0] else 1.0
-        yield Acting(body.name, reaction.tension, (sign * span[0], sign * span[1], sign * span[2]), Kind.REACTION)
+        yield Acting(body.name, reaction.tension, (sign * span[0], sign * span[1], sign * span[2]), StrokeKind.REACTION)
         return
     push, turn = force_and_moment(pose, reaction, body.name)
-    rotation = is_planar(system.configuration, body.name)
+    rotation = plane_rotation(system.configuration, body.name)
     if rotation is not None and math.hypot(*push) > 1e-9:
         where = reaction_point(pose, rotation, reaction, system.shapes[body.name])
-        yield Acting(body.name, _times_size(reaction.force, force), push, Kind.REACTION, where or NOWHERE)
+        yield Acting(body.name, _times_size(reaction.force, force), push, StrokeKind.REACTION, where or NOWHERE)
         return
     if math.hypot(*push) > 1e-9:
-        yield Acting(body.name, _times_size(reaction.force, force), push, Kind.REACTION)
+        yield Acting(body.name, _times_size(reaction.force, force), push, StrokeKind.REACTION)
     if math.hypot(*turn) > 1e-9:
-        yield Acting(body.name, _times_size(reaction.force, moment), turn, Kind.REACTION, is_moment=True)
+        yield Acting(body.name, _times_size(reaction.force, moment), turn, StrokeKind.REACTION, is_moment=True)
 
 
 def _times_size(unknown: sp.Symbol, direction: Vector | None) -> sp.Expr:
-    """λ|∇f| where that is short; λ otherwise."""
+    """λ|∇f| if that is short; λ otherwise."""
     assert direction is not None
     size = sp.sqrt(textbook_form(direction.dot(direction)))
     return unknown * size if size.is_Symbol or size.is_Integer else unknown
 
 
-def _spoken(name: str) -> str:
+def as_words(name: str) -> str:
+    """A name from a problem file as it is written in a picture."""
     return name.replace("_", " ").replace(".", " ")

@@ -1,8 +1,17 @@
-"""A general position of a system, good to look at: numbers for parameters and coordinates.
+"""A general position of a system that makes a good picture, and the geometric meaning of coordinates in it.
 
-Lengths are what their letters suggest (R above r, l about 2), angles neither small nor right, and the coordinates are
-brought onto the constraints by Newton's iteration. Several such positions are tried; that one is taken in which points
-are farthest apart and lines slant most. Where in none of them points that differ are apart, there is no picture.
+Lengths have the values that their letters suggest (R greater than r, l about 2), angles are neither small nor right,
+and the coordinates are brought onto the constraints by Newton's iteration. Of several such positions, the best has
+its points far apart and its lines slanted. If different points are too close together in all of them, there is no
+picture.
+
+A coordinate is an angle or a distance if, when it changes by δ and the others do not, a point moves on a circle by the
+angle δ, or on a straight line by the length δ:
+
+    r(q + δ) = c + A cos δ + B sin δ ,  |A| = |B|, A·B = 0 :  an angle at c, counted from the point with q = 0
+    r(q + δ) = r(q) + δ e ,  |e| = 1 :                         a distance along e, counted from the point with q = 0
+
+Other coordinates are not marked.
 """
 
 from __future__ import annotations
@@ -21,12 +30,11 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.pictures.floats import NoValueError, Space, Values, minus, place, projected, value
+from lagrange.pictures.floats import FloatVector, NoValueError, Values, inner, minus, place, plus, projected, value
+from lagrange.pictures.limits import LEAST_GAP, TRIALS
 from lagrange.problem.model import Problem
 
-TRIALS = 48
-APART = 0.13
-"""Least distance of two points, as a part of the size of the whole."""
+# What the letters suggest to a reader: a rod l is longer than a radius r, and R is greater than r.
 _SIZES = {"L": 4.0, "l": 2.0, "R": 2.0, "r": 0.8, "a": 1.1, "b": 0.9, "c": 0.7, "h": 1.2, "d": 0.6, "f": 0.8, "k": 0.4}
 _PLACES = {"x": 1.5, "y": 1.1, "z": 1.2, "r": 1.8, "s": 1.4, "u": 1.6}
 _ANGLES = (33, 58, 20, 72)
@@ -34,7 +42,7 @@ _ANGLES = (33, 58, 20, 72)
 
 @record
 class Pose:
-    """Values of all symbols, and the relations that these satisfy."""
+    """A position: values of all symbols, which satisfy the constraints of a configuration."""
 
     configuration: Configuration
     values: Values
@@ -44,36 +52,36 @@ class Pose:
         """The coordinates."""
         return self.configuration.slots.coordinates
 
-    def at(self, vector: Vector) -> Space:
-        """Components along i, j, k. Raises NoValueError."""
+    def at(self, vector: Vector) -> FloatVector:
+        """The components of a vector along i, j, k. Raises NoValueError."""
         return place(vector, self.values)
 
     def number(self, expression: sp.Expr) -> float:
-        """A value. Raises NoValueError."""
+        """The value of an expression. Raises NoValueError."""
         return value(expression, self.values)
 
     def moved(self, coordinate: sp.Symbol, by: float) -> Pose:
-        """With one coordinate changed, and the others as they are."""
+        """The pose with one coordinate changed; the constraints may be violated."""
         return replace(self, values={**self.values, coordinate: self.values[coordinate] + by})
 
     def with_zero(self, coordinates: Iterable[sp.Symbol]) -> Pose:
-        """With some coordinates 0."""
+        """The pose with some coordinates 0."""
         return replace(self, values={**self.values, **dict.fromkeys(coordinates, 0.0)})
 
     @cached_property
     def others(self) -> tuple[Pose, ...]:
-        """A few other positions of the same system: what holds in all of them is no accident."""
+        """Up to four other positions of the same system: what holds in all of them is no coincidence."""
         random = Random(1)
         slopes = _slopes(self.configuration)
-        found = []
+        poses = []
         for _ in range(12):
             start = dict(self.values) | {q: self.values[q] + random.uniform(-0.5, 0.5) for q in self.coordinates}
             try:
                 values = projected(self.configuration.finite_constraints, slopes, self.coordinates, start)
             except NoValueError:
                 continue
-            found.append(replace(self, values=values))
-        return tuple(found[:4])
+            poses.append(replace(self, values=values))
+        return tuple(poses[:4])
 
 
 def notable(configuration: Configuration) -> list[Vector]:
@@ -84,7 +92,7 @@ def notable(configuration: Configuration) -> list[Vector]:
 
 
 def general_pose(problem: Problem, configuration: Configuration, centres: Sequence[Vector] = ()) -> Pose | None:
-    """A general position; None where none was found. `centres`: fixed ends of rods, points that count too."""
+    """The best of several positions; None if none is good. `centres`: fixed ends of rods, which count as points."""
     points = [p.fixed() for p in dict.fromkeys((*notable(configuration), *centres))]
     slopes = _slopes(configuration)
     best: tuple[float, Pose] | None = None
@@ -149,7 +157,7 @@ def _size(symbol: sp.Symbol) -> float:
 
 
 def _angles(expressions: Iterable[sp.Expr]) -> Iterator[sp.Symbol]:
-    """The symbols that stand by themselves in the argument of a sine or cosine."""
+    """The symbols that are a term of the argument of a sine or cosine, up to a factor."""
     for e in expressions:
         for f in e.atoms(TrigonometricFunction):
             for term in sp.Add.make_args(f.args[0]):
@@ -173,7 +181,7 @@ def _expressions(configuration: Configuration, points: Sequence[Vector]) -> Iter
 
 
 def _in_order(pose: Pose) -> bool:
-    """Whether springs on one line, of which the file does not say how they lie, lead away from what holds them."""
+    """Whether springs on one line lead away from their supports, if the file leaves open in which sense they lie."""
     configuration = pose.configuration
     on_line = [s for s in configuration.springs if s.distance.has(sp.Abs)]
     held = [e for s in on_line for e in s.ends if isinstance(e, Vector)]
@@ -193,34 +201,146 @@ def _in_order(pose: Pose) -> bool:
 
 
 def _negative(pose: Pose) -> int:
-    """How many coordinates are negative: a drawing has them positive if it can."""
+    """The number of negative coordinates: in a drawing they are positive if possible."""
     values = [pose.values[q] for q in pose.coordinates]
     return sum(v < 0 for v in (*values, *(pose.number(e) for e in pose.configuration.expressed.values())))
 
 
 def _score(pose: Pose, points: Sequence[Vector]) -> float | None:
-    """How good it looks; None where points coincide that differ."""
+    """A measure of legibility; None if different points coincide.
+
+    Added up: the least distance of two points and the least slant, as parts of the size of the system (crowded points
+    leave no room for labels, and a line that happens to be horizontal looks as if it had to be); a bonus for
+    pictures that are not flat; and a penalty of 1 for each negative coordinate, which outweighs all the rest.
+    """
     if any(pose.number(s.distance) < 0.2 for s in pose.configuration.springs):
         return None
     if not _in_order(pose):
         return None
     places = [pose.at(p) for p in points]
-    seen = [*places, (0.0, 0.0, 0.0)]
-    spans = [max(p[n] for p in seen) - min(p[n] for p in seen) for n in range(3)]
-    whole = math.hypot(*spans)
-    if whole < 1e-6:
+    shown = [*places, (0.0, 0.0, 0.0)]
+    spans = [max(p[n] for p in shown) - min(p[n] for p in shown) for n in range(3)]
+    size = math.hypot(*spans)
+    if size < 1e-6:
         return 0.0
     nearest, slant = 0.35, 0.3
-    for a, b in combinations(seen, 2):
+    for a, b in combinations(shown, 2):
         way = minus(a, b)
         distance = math.hypot(*way)
         if distance < 1e-9 and (0.0, 0.0, 0.0) in (a, b):
-            continue  # at the origin, as any point may be
-        nearest = min(nearest, distance / whole)
+            continue  # a point may be at the origin
+        nearest = min(nearest, distance / size)
         parts = [abs(c) / distance for c in way if c != 0]
         slant = min(slant, *parts) if len(parts) > 1 else slant
-    if nearest < APART:
+    if nearest < LEAST_GAP:
         return None
     used = sorted(s for s in spans if s > 1e-9)
     shape = used[0] / used[-1] if len(used) > 1 else 1.0
     return nearest + slant + 0.3 * min(shape, 0.7) - _negative(pose)
+
+
+_SAME = 1e-7  # the constraints hold to 1e-11; a motion of another kind differs by far more
+_STEPS = (0.7, -1.1, 2.3)  # changes at which a motion is compared with a circle or a line: no simple ratios
+
+
+@record
+class AngleMark:
+    """An angle at `centre` from the direction `reference`, in which q = 0, to the point.
+
+    arc  vectors from the centre, turning from the reference to the point
+    """
+
+    coordinate: sp.Symbol
+    centre: FloatVector
+    point: FloatVector
+    arc: tuple[FloatVector, ...]
+
+    @property
+    def reference(self) -> FloatVector:
+        """The direction from which the angle is counted."""
+        return self.arc[0]
+
+
+@record
+class DistanceMark:
+    """A distance from `start` to `end`."""
+
+    coordinate: sp.Symbol
+    start: FloatVector
+    end: FloatVector
+
+
+def angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector) -> AngleMark | None:
+    """The angle that a coordinate is for a point; None if it is not an angle. Raises NoValueError."""
+    point, opposite = pose.at(position), pose.moved(coordinate, math.pi).at(position)
+    centre = plus(point, minus(opposite, point), 0.5)
+    a = minus(point, centre)
+    b = minus(pose.moved(coordinate, math.pi / 2).at(position), centre)
+    if math.hypot(*a) < 1e-3 or abs(inner(a, a) - inner(b, b)) > _SAME or abs(inner(a, b)) > _SAME:
+        return None
+
+    def expected(step: float) -> FloatVector:
+        return plus(plus(centre, a, math.cos(step)), b, math.sin(step))
+
+    for step in _STEPS:
+        if math.hypot(*minus(pose.moved(coordinate, step).at(position), expected(step))) > _SAME:
+            return None
+    q = pose.values[coordinate]
+    if not 0.05 < abs(q) < math.pi:
+        return None
+    arc = tuple(minus(expected(-q + q * k / 20), centre) for k in range(21))
+    return AngleMark(coordinate, centre, point, arc)
+
+
+def relative_angle_mark(pose: Pose, coordinate: sp.Symbol, position: Vector, origin: Vector) -> AngleMark | None:
+    """The angle that a coordinate is for the line from one moving point to another. Raises NoValueError."""
+    mark = angle_mark(pose, coordinate, position.fixed() - origin.fixed())
+    if mark is None or math.hypot(*mark.centre) > _SAME:
+        return None
+    centre = pose.at(origin)
+    return AngleMark(coordinate, centre, plus(centre, mark.point), mark.arc)
+
+
+def is_distance(pose: Pose, coordinate: sp.Symbol, position: Vector) -> bool:
+    """Whether a point moves on a straight line, by the change of a coordinate. Raises NoValueError."""
+    start = pose.at(position)
+    way = minus(pose.moved(coordinate, 1.0).at(position), start)
+    if abs(math.hypot(*way) - 1) > _SAME:
+        return False
+    errors = (minus(pose.moved(coordinate, s).at(position), plus(start, way, s)) for s in _STEPS)
+    return all(math.hypot(*e) < _SAME for e in errors)
+
+
+def crosswise(marks: Sequence[DistanceMark]) -> list[DistanceMark]:
+    """The first two steps of a way, each drawn from the axis of the other: so those of two points do not coincide."""
+    if len(marks) < 2:
+        return list(marks)
+    first, second, *others = marks
+    way = minus(second.end, second.start)
+    moved = DistanceMark(first.coordinate, plus(first.start, way), plus(first.end, way))
+    return [moved, second, *others]
+
+
+def distance_marks(
+    pose: Pose, coordinates: Sequence[sp.Symbol], position: Vector, known: Iterable[FloatVector]
+) -> list[DistanceMark]:
+    """The way to a point in steps, one for each of its distances; none if it does not begin at a known place."""
+    distances = []
+    for q in coordinates:
+        try:
+            if is_distance(pose, q, position) and abs(pose.values[q]) > 1e-3:
+                distances.append(q)
+        except NoValueError:
+            continue
+    if not distances:
+        return []
+    start = pose.with_zero(distances).at(position)
+    on_axis = sum(abs(c) > _SAME for c in start) <= 1
+    if not on_axis and all(math.hypot(*minus(start, k)) > 1e-6 for k in known):
+        return []
+    marks = []
+    for n, q in enumerate(distances):
+        end = pose.with_zero(distances[n + 1 :]).at(position)
+        marks.append(DistanceMark(q, start, end))
+        start = end
+    return marks

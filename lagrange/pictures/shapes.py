@@ -1,9 +1,9 @@
-"""What reactions tell of the shape of a plane body.
+"""The shape of a plane body, as far as its reactions reveal it.
 
-A force R with the moment Γ about the mass centre acts along the line through r = R × Γ/R² from there. Followed through
-several positions of the system, that line may always pass through one point of the body: there the body is held, as the
-ladder at its foot. Or it may keep its distance from the mass centre while the body turns under it: then the body is a
-wheel of that radius. Where neither is seen, nothing is said of the shape, and the body is drawn as some ellipse.
+A force R with the moment Γ about the mass centre acts along the line through r = R × Γ/R² from there. In several
+positions of the system, that line may always pass through the same point of the body: then the body is held there, as
+a ladder at its foot. Or it may have a constant distance from the mass centre while the body turns: then the body is a
+wheel of that radius. Otherwise the shape is unknown, and the body is drawn as an ellipse.
 """
 
 from __future__ import annotations
@@ -16,19 +16,19 @@ from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.pictures.floats import NoValueError, Space, inner, minus, outer, plus, solved
+from lagrange.pictures.floats import FloatVector, NoValueError, inner, minus, outer, plus, solved
 from lagrange.pictures.poses import Pose
 
-_SAME = 1e-6
+_SAME = 1e-6  # looser than for positions: errors grow in the quotient by R²
 
 
 @record
 class Shape:
-    """What is known of a plane body.
+    """The known features of a plane body.
 
-    held    points where it is held, along its axes e1, e2 from the mass centre
-    radius  of a wheel; 0 where it is not seen to be one
-    at      by reaction: where it acts, if that is a point of the body
+    held    points at which it is held, along its axes e1, e2 from the mass centre
+    radius  of a wheel; 0 for any other body
+    at      by reaction: the point of the body on which it acts, if there is one
     """
 
     held: tuple[tuple[float, float], ...]
@@ -38,14 +38,14 @@ class Shape:
 
 @record
 class LineOfAction:
-    """Where a force acts on a body: the direction, and the nearest point from the mass centre."""
+    """The line of action of a force on a body: its direction and its point nearest to the mass centre."""
 
-    direction: Space
-    nearest: Space
+    direction: FloatVector
+    nearest: FloatVector
 
 
-def line_of_action(force: Space, moment: Space) -> LineOfAction | None:
-    """The line along which a force alone has the same moment; None where there is no force."""
+def line_of_action(force: FloatVector, moment: FloatVector) -> LineOfAction | None:
+    """The line along which a force alone is equivalent to force and moment; None if there is no force."""
     size = inner(force, force)
     if size < 1e-12:
         return None
@@ -53,29 +53,29 @@ def line_of_action(force: Space, moment: Space) -> LineOfAction | None:
     return LineOfAction(force, (r[0] / size, r[1] / size, r[2] / size))
 
 
-def force_and_moment(pose: Pose, reaction: Reaction, body: str) -> tuple[Space, Space]:
-    """The force and moment on a body, for 1 of what the reaction is written with. Raises NoValueError."""
+def force_and_moment(pose: Pose, reaction: Reaction, body: str) -> tuple[FloatVector, FloatVector]:
+    """The force and moment on a body for one unit of the multiplier. Raises NoValueError."""
     force, moment = reaction.per_unit(body), reaction.moment_per_unit(body)
     zero = Vector.zero()
     return pose.at(force or zero), pose.at(moment or zero)
 
 
 def shape(pose: Pose, rotation: Rotation, reactions: Sequence[Reaction]) -> Shape:
-    """What the reactions on a body tell of its shape."""
+    """The shape of a body as revealed by the reactions on it."""
     held, at, radius = [], {}, 0.0
     for reaction in reactions:
         try:
-            seen = [*_lines(pose, rotation, reaction)]
+            lines = [*_lines(pose, rotation, reaction)]
         except NoValueError:
             continue
-        if len(seen) < 3:
+        if len(lines) < 3:
             continue
-        point = _common_point(seen)
+        point = _common_point(lines)
         if point is not None:
             at[reaction.name] = point
             held.append(point)
-        elif _turns(seen):
-            distances = [math.hypot(*p) for _, p in seen]
+        elif _turns(lines):
+            distances = [math.hypot(*p) for _, p in lines]
             if min(distances) > 0.05 and max(distances) - min(distances) < _SAME:
                 radius = max(radius, distances[0])
     return Shape(tuple(held), radius, at)
@@ -91,34 +91,34 @@ def _lines(
             return
         e1, e2 = p.at(rotation.axes[0]), p.at(rotation.axes[1])
         direction = inner(line.direction, e1), inner(line.direction, e2)
-        if math.hypot(*direction) < _SAME:  # across the plane in which the body turns, as what holds it up
+        if math.hypot(*direction) < _SAME:  # perpendicular to the plane of the body, as the support of a sliding disc
             return
         yield direction, (inner(line.nearest, e1), inner(line.nearest, e2))
 
 
 def _common_point(
-    seen: Sequence[tuple[tuple[float, float], tuple[float, float]]],
+    lines: Sequence[tuple[tuple[float, float], tuple[float, float]]],
 ) -> tuple[float, float] | None:
     """The point through which all lines pass."""
     rows = []
-    for (dx, dy), (px, py) in seen:
+    for (dx, dy), (px, py) in lines:
         size = math.hypot(dx, dy)
         rows.append((-dy / size, dx / size, (-dy * px + dx * py) / size))
     first = rows[0]
     second = max(rows[1:], key=lambda r: abs(first[0] * r[1] - first[1] * r[0]))
     if abs(first[0] * second[1] - first[1] * second[0]) < 0.02:
-        same = all(math.dist(seen[0][1], p) < _SAME for _, p in seen)
-        return seen[0][1] if same and not _turns(seen) else None
+        same = all(math.dist(lines[0][1], p) < _SAME for _, p in lines)
+        return lines[0][1] if same and not _turns(lines) else None
     x, y = solved([first[:2], second[:2]], [first[2], second[2]])
     if all(abs(a * x + b * y - c) < _SAME for a, b, c in rows):
         return x, y
     return None
 
 
-def _turns(seen: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> bool:
-    """Whether a line of action has several directions in the body."""
-    (x, y), _ = seen[0]
-    return any(abs(x * b - y * a) > 0.02 * math.hypot(x, y) * math.hypot(a, b) for (a, b), _ in seen)
+def _turns(lines: Sequence[tuple[tuple[float, float], tuple[float, float]]]) -> bool:
+    """Whether the direction of a line of action changes in the body."""
+    (x, y), _ = lines[0]
+    return any(abs(x * b - y * a) > 0.02 * math.hypot(x, y) * math.hypot(a, b) for (a, b), _ in lines)
 
 
 def has_one_direction(pose: Pose, reaction: Reaction, body: str) -> bool:
@@ -130,8 +130,8 @@ def has_one_direction(pose: Pose, reaction: Reaction, body: str) -> bool:
     return len(forces) > 2 and all(math.hypot(*outer(forces[0], f)) < _SAME for f in forces)
 
 
-def reaction_point(pose: Pose, rotation: Rotation, reaction: Reaction, known: Shape) -> Space | None:
-    """Where the force of a reaction is drawn, from the mass centre; None where it is only a moment."""
+def reaction_point(pose: Pose, rotation: Rotation, reaction: Reaction, known: Shape) -> FloatVector | None:
+    """The point from the mass centre at which a reaction is drawn; None if it is only a moment."""
     line = line_of_action(*force_and_moment(pose, reaction, rotation.name))
     if line is None:
         return None
@@ -140,20 +140,20 @@ def reaction_point(pose: Pose, rotation: Rotation, reaction: Reaction, known: Sh
     return line.nearest
 
 
-def in_space(pose: Pose, rotation: Rotation, point: tuple[float, float]) -> Space:
+def in_space(pose: Pose, rotation: Rotation, point: tuple[float, float]) -> FloatVector:
     """A point of the body from its mass centre, in i, j, k."""
     x, y = point
     return plus(plus((0.0, 0.0, 0.0), pose.at(rotation.axes[0]), x), pose.at(rotation.axes[1]), y)
 
 
-def own_coordinates(pose: Pose, rotation: Rotation, centre: Vector, point: Space) -> tuple[float, float]:
+def own_coordinates(pose: Pose, rotation: Rotation, centre: Vector, point: FloatVector) -> tuple[float, float]:
     """A point of space along the axes of the body, from its mass centre."""
     way = minus(point, pose.at(centre))
     return inner(way, pose.at(rotation.axes[0])), inner(way, pose.at(rotation.axes[1]))
 
 
-def is_planar(configuration: Configuration, name: str) -> Rotation | None:
-    """The rotation of a body that turns about one fixed axis, which its third is."""
+def plane_rotation(configuration: Configuration, name: str) -> Rotation | None:
+    """The rotation of a body that turns about its third axis, if that axis is fixed; otherwise None."""
     rotation = next((r for r in configuration.rotations if r.name == name), None)
     if rotation is None or rotation.given:
         return None

@@ -1,69 +1,164 @@
-"""A picture being drawn: lines, dots and labels that are still to be placed; springs, arcs and arrows as lines."""
+"""A picture being drawn: lines, dots, and labels to be placed; springs, walls, arcs and arrows are made of lines.
+
+A label goes near its anchor and on top of nothing. Labels are placed last, one after another, when all lines and dots
+are known: for each distance from near to far, directions are tried in turn, the preferred one first, until the label
+overlaps no line, dot or label. If there is no such place, an optional label is omitted; without a required one there
+is no picture, because a wrong picture is worse than none.
+"""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
 
-from lagrange.document.math_writer import Notation
-from lagrange.document.scene import Dot, Kind, Line, Point, Scene
-from lagrange.pictures.labels import Wanted, placed
+from lagrange.core.records import record
+from lagrange.document.math_writer import UNICODE, Notation, Writer
+from lagrange.document.scene import Box, Dot, Label, PagePoint, Polyline, Scene, StrokeKind
 
 PARTICLE = 0.085
 HINGE = 0.06
+"""Radii of dots, in centimetres."""
+# Centimetres of type at 11 pt, rather too large: a label must not touch its neighbours in any font.
+HEIGHT = 0.34
+LETTER = 0.2
+SMALL_LETTER = 0.15
+SPACE = 0.1
+CLEAR = 0.03
+"""Height of a label, widths of its characters, and the space around it."""
+_REACHES = (0.1, 0.15, 0.22, 0.32, 0.45, 0.6, 0.8, 1.0)
+# The preferred direction, then alternately to both sides of it in steps of 18°, at last the opposite one.
+_TURNS = tuple(sign * k * math.pi / 10 for k in range(11) for sign in ((1, -1) if 0 < k < 10 else (1,)))
+_INDEX = re.compile(r"_[^\W_]+(?:[._][^\W_]+)*")
+_COMBINING = re.compile("[\u0300-\u036f]")
+_RAISED = "₀₁₂₃₄₅₆₇₈₉⁰¹²³⁴⁵⁶⁷⁸⁹ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ"
 
 
-def toward(a: Point, b: Point) -> Point:
-    """The unit vector from a to b; to the right where they are the same."""
+@record
+class Wanted:
+    """A label to be placed.
+
+    anchors   points next to which it may be placed, each with the preferred direction
+    clear     least distance from the anchor
+    optional  whether the picture makes sense without it
+    """
+
+    content: sp.Expr | str
+    anchors: tuple[tuple[PagePoint, PagePoint], ...]
+    clear: float = 0.0
+    optional: bool = False
+
+
+def size(content: sp.Expr | str, notation: Notation) -> tuple[float, float]:
+    """Estimated width and height in centimetres."""
+    text = content if isinstance(content, str) else Writer(UNICODE, notation).plain(content)
+    text = _COMBINING.sub("", text)
+    small = sum(len(index[0]) - 1 for index in _INDEX.finditer(text))
+    body = _INDEX.sub("", text)
+    width = small * SMALL_LETTER
+    for c in body:
+        width += SMALL_LETTER if c in _RAISED else SPACE if c in " .,'′()" else LETTER * (1.3 if c in "mwMW" else 1)
+    low = small or any(c in _RAISED for c in body)
+    return width + 0.06, HEIGHT + (0.08 if low else 0.0) + (0.22 if "/" in body else 0.0)
+
+
+def placed(
+    wanted: Iterable[Wanted], lines: Sequence[Polyline], dots: Sequence[Dot], notation: Notation
+) -> tuple[Label, ...] | None:
+    """The labels in their places; None if there is no place for a required one."""
+    pieces = [piece for line in lines for piece in line.pieces]
+    taken = [_around(d) for d in dots]
+    labels: list[Label] = []
+    for w in wanted:
+        label = _first_free(w, size(w.content, notation), pieces, taken)
+        if label is not None:
+            labels.append(label)
+            taken.append(label.box)
+        elif not w.optional:
+            return None
+    return tuple(labels)
+
+
+def _around(dot: Dot) -> Box:
+    (x, y), r = dot.at, dot.radius
+    return Box(x - r, y - r, x + r, y + r)
+
+
+def _first_free(
+    wanted: Wanted, extent: tuple[float, float], pieces: Sequence[tuple[PagePoint, PagePoint]], taken: Sequence[Box]
+) -> Label | None:
+    width, height = extent
+    for reach in _REACHES:
+        for turn in _TURNS:
+            for (x, y), (dx, dy) in wanted.anchors:
+                angle = math.atan2(dy, dx) + turn
+                c, s = math.cos(angle), math.sin(angle)
+                away = wanted.clear + reach + _support(c, s, width, height)
+                label = Label(wanted.content, (x + away * c, y + away * s), width, height)
+                box = label.box.grown(CLEAR)
+                if not any(box.overlaps(b) for b in taken) and not any(box.is_crossed(a, b) for a, b in pieces):
+                    return label
+    return None
+
+
+def _support(c: float, s: float, width: float, height: float) -> float:
+    """The distance from the middle of a box to its edge in the direction (c, s)."""
+    across = width / 2 / abs(c) if c else math.inf
+    upward = height / 2 / abs(s) if s else math.inf
+    return min(across, upward)
+
+
+def toward(a: PagePoint, b: PagePoint) -> PagePoint:
+    """The unit vector from a to b; to the right if they coincide."""
     x, y = b[0] - a[0], b[1] - a[1]
     size = math.hypot(x, y)
     return (x / size, y / size) if size > 1e-9 else (1.0, 0.0)
 
 
-def beyond(a: Point, direction: Point, by: float) -> Point:
+def beyond(a: PagePoint, direction: PagePoint, by: float) -> PagePoint:
     """a + by · direction."""
     return a[0] + by * direction[0], a[1] + by * direction[1]
 
 
-def left_of(direction: Point) -> Point:
+def left_of(direction: PagePoint) -> PagePoint:
     """A direction turned by a right angle, counterclockwise."""
     return -direction[1], direction[0]
 
 
-def along(a: Point, b: Point, part: float) -> Point:
+def along(a: PagePoint, b: PagePoint, part: float) -> PagePoint:
     """A point between a and b."""
     return a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])
 
 
-def apart(a: Point, b: Point) -> float:
-    """Their distance."""
+def apart(a: PagePoint, b: PagePoint) -> float:
+    """The distance between two points."""
     return math.hypot(a[0] - b[0], a[1] - b[1])
 
 
-def scaled(way: Point, by: float) -> Point:
-    """A vector made longer."""
+def scaled(way: PagePoint, by: float) -> PagePoint:
+    """A multiple of a vector."""
     return way[0] * by, way[1] * by
 
 
-def same_ends(a: tuple[Point, ...], b: tuple[Point, ...]) -> bool:
-    """Whether two pieces are the same."""
+def same_ends(a: tuple[PagePoint, ...], b: tuple[PagePoint, ...]) -> bool:
+    """Whether two pieces have the same ends, in either order."""
     straight = apart(a[0], b[0]) + apart(a[1], b[1])
     turned = apart(a[0], b[1]) + apart(a[1], b[0])
     return min(straight, turned) < 1e-3
 
 
-def overlapping(a: tuple[Point, Point], b: tuple[Point, Point]) -> bool:
-    """Whether one piece is on the line of the other, and they overlap."""
+def overlapping(a: tuple[PagePoint, PagePoint], b: tuple[PagePoint, PagePoint]) -> bool:
+    """Whether two pieces are on one line and overlap."""
     way = toward(*a)
     side = left_of(way)
 
-    def off(p: Point) -> float:
+    def off(p: PagePoint) -> float:
         return (p[0] - a[0][0]) * side[0] + (p[1] - a[0][1]) * side[1]
 
-    def on(p: Point) -> float:
+    def on(p: PagePoint) -> float:
         return (p[0] - a[0][0]) * way[0] + (p[1] - a[0][1]) * way[1]
 
     if max(abs(off(p)) for p in b) > 1e-3:
@@ -72,13 +167,13 @@ def overlapping(a: tuple[Point, Point], b: tuple[Point, Point]) -> bool:
     return low < apart(*a) - 1e-3 and high > 1e-3
 
 
-def touches(at: Point, a: Point, b: Point) -> bool:
+def touches(at: PagePoint, a: PagePoint, b: PagePoint) -> bool:
     """Whether a point is an end of a piece."""
     return min(apart(at, a), apart(at, b)) < 0.02
 
 
-def in_line(centre: Point, others: list[Point]) -> bool:
-    """Whether points are on a line with the first."""
+def in_line(centre: PagePoint, others: list[PagePoint]) -> bool:
+    """Whether all points are on one line with the first."""
     far = max(others, key=lambda p: apart(centre, p))
     if apart(centre, far) < 1e-6:
         return False
@@ -86,7 +181,7 @@ def in_line(centre: Point, others: list[Point]) -> bool:
     return all(abs((p[0] - centre[0]) * side[0] + (p[1] - centre[1]) * side[1]) < 0.06 for p in others)
 
 
-def farthest(points: list[Point]) -> tuple[Point, Point]:
+def farthest(points: list[PagePoint]) -> tuple[PagePoint, PagePoint]:
     """The two points that are farthest apart."""
     pairs = [(a, b) for a in points for b in points]
     return max(pairs, key=lambda p: apart(*p))
@@ -94,38 +189,38 @@ def farthest(points: list[Point]) -> tuple[Point, Point]:
 
 @dataclass
 class Sketch:
-    """What is drawn so far."""
+    """The lines and dots drawn so far, and the labels to be placed."""
 
-    lines: list[Line] = field(default_factory=list)
+    lines: list[Polyline] = field(default_factory=list)
     dots: list[Dot] = field(default_factory=list)
     wanted: list[Wanted] = field(default_factory=list)
 
-    def line(self, points: Sequence[Point], kind: Kind, closed: bool = False) -> None:
+    def line(self, points: Sequence[PagePoint], kind: StrokeKind, closed: bool = False) -> None:
         """A chain of straight pieces."""
-        self.lines.append(Line(tuple(points), kind, closed))
+        self.lines.append(Polyline(tuple(points), kind, closed))
 
-    def arrow(self, start: Point, end: Point, kind: Kind, double: bool = False) -> None:
+    def arrow(self, start: PagePoint, end: PagePoint, kind: StrokeKind, double: bool = False) -> None:
         """An arrow."""
-        self.lines.append(Line((start, end), kind, tip=True, double=double))
+        self.lines.append(Polyline((start, end), kind, tip=True, double=double))
 
-    def arc(self, points: Sequence[Point], kind: Kind, tip: bool = True) -> None:
+    def arc(self, points: Sequence[PagePoint], kind: StrokeKind, tip: bool = True) -> None:
         """An arc through these points, with a tip."""
-        self.lines.append(Line(tuple(points), kind, tip=tip))
+        self.lines.append(Polyline(tuple(points), kind, tip=tip))
 
-    def dot(self, at: Point, radius: float = PARTICLE, open_: bool = False) -> None:
+    def dot(self, at: PagePoint, radius: float = PARTICLE, open_: bool = False) -> None:
         """A particle."""
         self.dots.append(Dot(at, radius, open_))
 
     def label(
-        self, content: sp.Expr | str, at: Point, prefer: Point, clear: float = 0.0, optional: bool = False
+        self, content: sp.Expr | str, at: PagePoint, prefer: PagePoint, clear: float = 0.0, optional: bool = False
     ) -> None:
         """A label near a point."""
         self.wanted.append(Wanted(content, ((at, prefer),), clear, optional))
 
     def label_beside(
-        self, content: sp.Expr | str, a: Point, b: Point, optional: bool = False, clear: float = 0.0
+        self, content: sp.Expr | str, a: PagePoint, b: PagePoint, optional: bool = False, clear: float = 0.0
     ) -> None:
-        """A label beside the line from a to b."""
+        """A label next to the line from a to b, on either side, if possible at its middle."""
         side = left_of(toward(a, b))
         other = (-side[0], -side[1])
         parts = (0.5, 0.4, 0.6, 0.3, 0.7)
@@ -133,13 +228,13 @@ class Sketch:
         self.wanted.append(Wanted(content, anchors, clear, optional))
 
     def scene(self, notation: Notation) -> Scene | None:
-        """The picture; None where a label that is needed has no place."""
+        """The picture; None if there is no place for a required label."""
         labels = placed(self.wanted, self.lines, self.dots, notation)
         return None if labels is None else Scene(tuple(self.lines), tuple(self.dots), labels)
 
-    # Things that are made of lines
+    # Shapes made of lines
 
-    def spring(self, a: Point, b: Point) -> None:
+    def spring(self, a: PagePoint, b: PagePoint) -> None:
         """A zigzag."""
         way, length = toward(a, b), apart(a, b)
         side = left_of(way)
@@ -150,31 +245,31 @@ class Sketch:
         for n in range(turns):
             middle = beyond(a, way, lead + (n + 0.5) * step)
             points.append(beyond(middle, side, 0.12 if n % 2 else -0.12))
-        self.line([*points, beyond(a, way, length - lead), b], Kind.SPRING)
+        self.line([*points, beyond(a, way, length - lead), b], StrokeKind.SPRING)
 
-    def damper(self, a: Point, b: Point) -> None:
+    def damper(self, a: PagePoint, b: PagePoint) -> None:
         """A piston in a cylinder."""
         way, length = toward(a, b), apart(a, b)
         side = left_of(way)
         cup, piston, end = (beyond(a, way, length * part) for part in (0.42, 0.52, 0.62))
-        self.line([a, cup], Kind.DAMPER)
+        self.line([a, cup], StrokeKind.DAMPER)
         self.line(
             [beyond(end, side, 0.14), beyond(cup, side, 0.14), beyond(cup, side, -0.14), beyond(end, side, -0.14)],
-            Kind.DAMPER,
+            StrokeKind.DAMPER,
         )
-        self.line([beyond(piston, side, 0.09), beyond(piston, side, -0.09)], Kind.DAMPER)
-        self.line([piston, b], Kind.DAMPER)
+        self.line([beyond(piston, side, 0.09), beyond(piston, side, -0.09)], StrokeKind.DAMPER)
+        self.line([piston, b], StrokeKind.DAMPER)
 
-    def wall(self, at: Point, inward: Point, half: float = 0.4) -> None:
-        """A short wall through a point, hatched on its far side; `inward` points away from it."""
+    def wall(self, at: PagePoint, inward: PagePoint, half: float = 0.4) -> None:
+        """A short wall through a point, hatched on the side opposite to `inward`."""
         side = left_of(inward)
-        self.line([beyond(at, side, -half), beyond(at, side, half)], Kind.GROUND)
+        self.line([beyond(at, side, -half), beyond(at, side, half)], StrokeKind.GROUND)
         count = max(2, round(half / 0.1))
         for n in range(count):
             start = beyond(at, side, -half + (n + 1) * 2 * half / count)
-            self.line([start, beyond(beyond(start, inward, -0.13), side, -0.13)], Kind.GROUND)
+            self.line([start, beyond(beyond(start, inward, -0.13), side, -0.13)], StrokeKind.GROUND)
 
-    def capsule(self, a: Point, b: Point, half: float) -> None:
+    def capsule(self, a: PagePoint, b: PagePoint, half: float) -> None:
         """A bar with round ends from a to b."""
         way = toward(a, b)
         turn = math.atan2(way[1], way[0])
@@ -184,10 +279,12 @@ class Sketch:
             for (x, y), start in ends
             for k in range(9)
         ]
-        self.line(points, Kind.BODY, closed=True)
+        self.line(points, StrokeKind.BODY, closed=True)
 
-    def ellipse(self, centre: Point, first: Point, second: Point, kind: Kind = Kind.BODY) -> None:
-        """An ellipse with two conjugate half axes, given as vectors."""
+    def ellipse(
+        self, centre: PagePoint, first: PagePoint, second: PagePoint, kind: StrokeKind = StrokeKind.BODY
+    ) -> None:
+        """An ellipse with two conjugate semi-axes, given as vectors."""
         angles = [2 * math.pi * k / 48 for k in range(48)]
         points = [
             (
@@ -198,8 +295,10 @@ class Sketch:
         ]
         self.line(points, kind, closed=True)
 
-    def turning(self, centre: Point, radius: float, counterclockwise: bool, kind: Kind, start: float = -0.6) -> Point:
-        """The curved arrow of a moment; returns its middle."""
+    def turning(
+        self, centre: PagePoint, radius: float, counterclockwise: bool, kind: StrokeKind, start: float = -0.6
+    ) -> PagePoint:
+        """The curved arrow of a moment; return its middle."""
         sign = 1 if counterclockwise else -1
         begin = start if counterclockwise else math.pi - start
         angles = [begin + sign * k * 1.5 * math.pi / 24 for k in range(25)]

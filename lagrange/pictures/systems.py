@@ -1,4 +1,8 @@
-"""A system in a general position on a page: which points are joined, and what keeps its distance from what."""
+"""A system in a general position on a page: rods, joints, shapes of bodies, and distances that are constant.
+
+All of this is read off the solution, in floating point: a property is believed if it holds in the position drawn and in
+several others. A `Page` maps space to centimetres; its scale is chosen so that all points fit.
+"""
 
 from __future__ import annotations
 
@@ -13,30 +17,26 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified
 from lagrange.core.vectors import Vector
-from lagrange.document.scene import Point
+from lagrange.document.scene import PagePoint
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.constraints.springs_dampers import Damped, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
+from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
-from lagrange.mechanics.dynamics.rods import Rod
 from lagrange.mechanics.solution import Solution
-from lagrange.pictures.floats import NoValueError, Space, minus
-from lagrange.pictures.marks import angle_mark
-from lagrange.pictures.poses import Pose, general_pose, notable
-from lagrange.pictures.shapes import Shape, is_planar, own_coordinates, shape
+from lagrange.pictures.floats import FloatVector, NoValueError, minus
+from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
+from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
+from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
 from lagrange.pictures.views import View, view
 from lagrange.problem.model import Problem
 
-WIDTH, HEIGHT = 6.2, 4.6
-MOST_POINTS = 12
-LONGEST_LINE = 7.0
-
 
 @record
-class System:
-    """A system in a position, on a page.
+class SystemPicture:
+    """A system in one position on a page.
 
-    newton  its free bodies and reactions
+    newton  the free bodies and reactions
     """
 
     problem: Problem
@@ -47,51 +47,51 @@ class System:
 
     @property
     def rods(self) -> tuple[tuple[Reaction, Rod], ...]:
-        """The distances that are kept."""
+        """The reactions that keep a distance, with their rods."""
         return tuple((r, r.rod) for r in self.newton.reactions if r.rod is not None)
 
     def reactions_on(self, body: str) -> tuple[Reaction, ...]:
-        """The reactions on a body, where they are known."""
+        """The reactions on a body whose directions are known."""
         known = (r for r in self.newton.reactions if r.directions is not None)
         return tuple(r for r in known if body in r.acts_on)
 
     @cached_property
     def shapes(self) -> dict[str, Shape]:
-        """What is known of the shapes of plane bodies."""
-        turning = [is_planar(self.configuration, p.name) for p in self.configuration.points]
+        """The shapes of plane bodies, by name."""
+        turning = [plane_rotation(self.configuration, p.name) for p in self.configuration.points]
         return {r.name: shape(self.pose, r, self.reactions_on(r.name)) for r in turning if r is not None}
 
     @cached_property
-    def joints(self) -> dict[str, list[Space]]:
-        """Where plane bodies are joined to what does not move, or to one another.
+    def joints(self) -> dict[str, list[FloatVector]]:
+        """The points at which plane bodies are joined to the ground or to one another, by body.
 
-        It is the centre of the circle on which a mass centre moves with the angle of its body alone, if that point
-        stays where it is in space, or in another body.
+        A joint is the centre of the circle on which a mass centre moves when only the angle of its body changes, if
+        that point is fixed in space or in another body.
         """
-        found: dict[str, list[Space]] = {}
+        joints: dict[str, list[FloatVector]] = {}
         for p in self.configuration.points:
-            rotation = is_planar(self.configuration, p.name)
+            rotation = plane_rotation(self.configuration, p.name)
             for centre in _circle_centres(self.pose, p, rotation) if rotation is not None else ():
-                here = centre(self.pose)
-                if here is None:
+                joint = centre(self.pose)
+                if joint is None:
                     continue
-                still = _same_everywhere(self.pose, centre)
+                fixed = _same_everywhere(self.pose, centre)
                 others = [o for o in self.configuration.points if o.name != p.name and _holds(self, o, centre)]
-                if still or others:
-                    found.setdefault(p.name, []).append(here)
+                if fixed or others:
+                    joints.setdefault(p.name, []).append(joint)
                 for o in others:
-                    found.setdefault(o.name, []).append(here)
-        return found
+                    joints.setdefault(o.name, []).append(joint)
+        return joints
 
     @cached_property
     def kept_distances(self) -> tuple[tuple[str, str, bool], ...]:
-        """Pairs of points that keep their distance where no single constraint does it, and whether constraints do."""
+        """Pairs of points with a constant distance that no single constraint keeps, and whether constraints keep it."""
         ends = {frozenset(rod.ends) for _, rod in self.rods}
-        planar = {r.name for p in self.configuration.points if (r := is_planar(self.configuration, p.name))}
+        planar = {r.name for p in self.configuration.points if (r := plane_rotation(self.configuration, p.name))}
         points = [p for p in self.configuration.points if p.name not in planar]
         if len(self.pose.others) < 3:
             return ()
-        found = []
+        pairs = []
         for a, b in combinations(points, 2):
             if {a.name, b.name} in ends:
                 continue
@@ -99,19 +99,20 @@ class System:
             ways = [minus(p.at(b.position), p.at(a.position)) for p in (self.pose, *self.pose.others)]
             turns = any(math.dist(ways[0], w) > 1e-3 for w in ways)
             if turns and max(apart) - min(apart) < 1e-7 and apart[0] > 1e-3:
+                # Moved off the constraints, the distance changes if the constraints keep it, not the coordinates.
                 moved = (self.pose.moved(q, 0.37) for q in self.pose.coordinates)
                 free = [math.dist(p.at(a.position), p.at(b.position)) for p in moved]
-                found.append((a.name, b.name, any(abs(f - apart[0]) > 1e-7 for f in free)))
-        return tuple(found)
+                pairs.append((a.name, b.name, any(abs(f - apart[0]) > 1e-7 for f in free)))
+        return tuple(pairs)
 
     @cached_property
     def rod_ends(self) -> tuple[Vector, ...]:
-        """Where rods are hinged to what is no particle."""
+        """The fixed ends of rods."""
         return tuple(dict.fromkeys(rod.centre for _, rod in self.rods if rod.centre is not None))
 
     @cached_property
     def page(self) -> Page:
-        """The page, with room for what is drawn."""
+        """The page, with a scale at which all points and bodies fit."""
         places = [self.pose.at(v) for v in (*notable(self.configuration), *self.rod_ends)]
         flat = [self.view.flat(p) for p in (*places, (0.0, 0.0, 0.0))]
         for p in self.configuration.points:
@@ -125,34 +126,35 @@ class System:
         left, right = min(p[0] for p in flat), max(p[0] for p in flat)
         low, high = min(p[1] for p in flat), max(p[1] for p in flat)
         only = right - left < 1e-9 or high - low < 1e-9
-        scale = min((LONGEST_LINE if only else WIDTH) / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), 4.0)
+        width = LONGEST_LINE if only else WIDTH
+        scale = min(width / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), LARGEST_SCALE)
         return Page(self.view, scale)
 
 
-def _circle_centres(pose: Pose, p: MassPoint, rotation: Rotation) -> list[Callable[[Pose], Space | None]]:
-    """For each coordinate that turns a body, where the centre of the circle of its mass centre is."""
+def _circle_centres(pose: Pose, p: MassPoint, rotation: Rotation) -> list[Callable[[Pose], FloatVector | None]]:
+    """For each coordinate that turns a body, the centre of the circle on which its mass centre then moves."""
     turning = set().union(*(c.free_symbols for c in rotation.axes[0].fixed().components)) & set(pose.coordinates)
 
-    def centre(pose: Pose, q: sp.Symbol) -> Space | None:
+    def centre(pose: Pose, q: sp.Symbol) -> FloatVector | None:
         mark = angle_mark(pose, q, p.position)
         return None if mark is None else mark.centre
 
     return [lambda pose, q=q: centre(pose, q) for q in sorted(turning, key=str)]  # type: ignore[misc]
 
 
-def _same_everywhere(pose: Pose, place: Callable[[Pose], Space | None]) -> bool:
+def _same_everywhere(pose: Pose, place: Callable[[Pose], FloatVector | None]) -> bool:
     places = [place(p) for p in (pose, *pose.others)]
     known = [p for p in places if p is not None]
     return len(known) > 2 and all(math.dist(known[0], p) < 1e-7 for p in known)
 
 
-def _holds(system: System, body: MassPoint, point: Callable[[Pose], Space | None]) -> bool:
-    """Whether a point stays where it is in a body."""
-    rotation = is_planar(system.configuration, body.name)
+def _holds(system: SystemPicture, body: MassPoint, point: Callable[[Pose], FloatVector | None]) -> bool:
+    """Whether a point is fixed in a body."""
+    rotation = plane_rotation(system.configuration, body.name)
     if rotation is None:
         return False
 
-    def inside(pose: Pose) -> Space | None:
+    def inside(pose: Pose) -> FloatVector | None:
         place = point(pose)
         if place is None:
             return None
@@ -163,27 +165,27 @@ def _holds(system: System, body: MassPoint, point: Callable[[Pose], Space | None
 
 @record
 class Page:
-    """From space to centimetres; the origin is at (0, 0)."""
+    """The map from space to centimetres; the origin is at (0, 0)."""
 
     view: View
     scale: float
 
-    def __call__(self, place: Space) -> Point:
-        """Where a point of space is on the page."""
+    def __call__(self, place: FloatVector) -> PagePoint:
+        """The image of a point of space."""
         x, y = self.view.flat(place)
         return x * self.scale, y * self.scale
 
-    def way(self, vector: Space) -> Point:
-        """A vector on the page, in the units of the problem."""
+    def way(self, vector: FloatVector) -> PagePoint:
+        """The image of a vector, in the units of the problem."""
         return self.view.flat(vector)
 
 
-def system_in_file(solution: Solution) -> System | None:
+def system_in_file(solution: Solution) -> SystemPicture | None:
     """The system in the coordinates of the file."""
-    return _system(solution, solution.configuration, *_pose_in_file(solution))
+    return _system(solution, solution.own.configuration, *_pose_in_file(solution))
 
 
-def system_in_choice(solution: Solution, configuration: Configuration) -> System | None:
+def system_in_choice(solution: Solution, configuration: Configuration) -> SystemPicture | None:
     """The system in a choice of generalized coordinates."""
     pose = general_pose(solution.problem, configuration)
     return None if pose is None else _system(solution, configuration, pose, _newton(solution))
@@ -191,20 +193,20 @@ def system_in_choice(solution: Solution, configuration: Configuration) -> System
 
 def _system(
     solution: Solution, configuration: Configuration, pose: Pose | None, newton: Newton | None
-) -> System | None:
+) -> SystemPicture | None:
     if pose is None or newton is None or not configuration.points or len(configuration.points) > MOST_POINTS:
         return None
     used = set()
-    for v in notable(solution.configuration):
+    for v in notable(solution.own.configuration):
         used |= {n for n, c in enumerate(v.fixed().components) if c != 0}
-    for r in solution.configuration.rotations:
+    for r in solution.own.configuration.rotations:
         for axis in r.axes[:2]:
             used |= {n for n, c in enumerate(axis.fixed().components) if c != 0}
-    return System(solution.problem, configuration, newton, pose, view(solution.problem.axes, frozenset(used)))
+    return SystemPicture(solution.problem, configuration, newton, pose, view(solution.problem.axes, frozenset(used)))
 
 
 def is_undefined(configuration: Configuration) -> bool:
-    """Whether an undefined function stands where a place is needed."""
+    """Whether an undefined function occurs in a position or constraint, so that nothing can be drawn."""
     places = (c for v in notable(configuration) for c in v.fixed().components)
     return any(sp.sympify(e, strict=True).has(Unspecified) for e in (*places, *configuration.finite_constraints))
 
@@ -213,12 +215,12 @@ def _newton(solution: Solution) -> Newton:
     if solution.law is not None:
         return solution.law.newton
     problem = solution.problem
-    return newton_equations(solution.configuration, problem.constraints, 0, frozenset(problem.scope.names()))
+    return newton_equations(solution.own.configuration, problem.constraints, 0, frozenset(problem.scope.names()))
 
 
 def _pose_in_file(solution: Solution) -> tuple[Pose | None, Newton | None]:
-    """A position that looks good in one of the choices of coordinates, otherwise in those of the file."""
-    original = solution.configuration
+    """A good position, from one of the choices of coordinates or else from those of the file; Newton's equations."""
+    original = solution.own.configuration
     if is_undefined(original):
         return None, None
     newton = _newton(solution)
@@ -239,27 +241,27 @@ def _moving(centres: Sequence[Vector], configuration: Configuration) -> bool:
 
 
 def _in_file(pose: Pose, original: Configuration) -> Pose | None:
-    """The same position in the coordinates of the file, if it satisfies the constraints there."""
+    """The same position in the coordinates of the file; None if it violates the constraints there."""
     try:
         old = {q: pose.number(e) for q, e in pose.configuration.expressed.items()}
-        found = Pose(original, {**pose.values, **old})
-        if any(q not in found.values for q in original.slots.coordinates):
+        in_file = Pose(original, {**pose.values, **old})
+        if any(q not in in_file.values for q in original.slots.coordinates):
             return None
-        if any(abs(found.number(sp.sympify(f, strict=True))) > 1e-9 for f in original.finite_constraints):
+        if any(abs(in_file.number(sp.sympify(f, strict=True))) > 1e-9 for f in original.finite_constraints):
             return None
     except NoValueError:
         return None
-    return found
+    return in_file
 
 
-def ends_of(link: Stretched | Damped, configuration: Configuration, pose: Pose) -> tuple[Space, Space]:
+def ends_of(link: Stretched | DamperForce, configuration: Configuration, pose: Pose) -> tuple[FloatVector, FloatVector]:
     """The two ends of a spring or damper. Raises NoValueError."""
     places = {p.name: p.position for p in configuration.points}
     first, second = (pose.at(places[e]) if isinstance(e, str) else pose.at(e) for e in link.ends)
     return first, second
 
 
-def rod_ends(rod: Rod, configuration: Configuration, pose: Pose) -> tuple[Space, Space]:
+def rod_ends(rod: Rod, configuration: Configuration, pose: Pose) -> tuple[FloatVector, FloatVector]:
     """The two ends of a rod. Raises NoValueError."""
     places = {p.name: p.position for p in configuration.points}
     first = pose.at(places[rod.ends[0]])
@@ -270,7 +272,7 @@ def rod_ends(rod: Rod, configuration: Configuration, pose: Pose) -> tuple[Space,
 
 
 def with_other_values(pose: Pose, expressions: Sequence[sp.Expr]) -> Pose:
-    """The pose with a value for every symbol: velocities are 1, and so are unknown forces."""
+    """The pose with a value near 1 for every further symbol: velocities and unknown forces."""
     symbols = set().union(*(e.free_symbols for e in expressions)) if expressions else set()
     others = {s: 1.0 + 0.1 * n for n, s in enumerate(sorted(symbols - set(pose.values), key=str))}
     return replace(pose, values={**pose.values, **others})

@@ -1,8 +1,8 @@
-"""From space to the page: where i, j and k point.
+"""The projection from space to the page: the images of i, j and k.
 
-A plane problem is seen from in front of its plane, and its axes point as the file says ("right", "down", "east"); where
-the words say nothing, the first points to the right and the second up. Space is drawn in an oblique projection, i
-towards the reader, j to the right, k up, or turned so that the words of the file are right:
+A plane problem is seen perpendicular to its plane, and its axes point as the file says ("right", "down", "east");
+without such words, the first points to the right and the second up. Space is drawn in an oblique projection, i towards
+the reader, j to the right, k up, or turned so that the words of the file hold:
 
     i  (−0.45, −0.36) ,     j  (1, 0) ,     k  (0, 1) .
 """
@@ -12,8 +12,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from lagrange.core.records import record
-from lagrange.document.scene import Point
-from lagrange.pictures.floats import Space
+from lagrange.document.scene import PagePoint
+from lagrange.pictures.floats import FloatVector
 
 _RIGHT, _UP = (1.0, 0.0), (0.0, 1.0)
 _LEFT, _DOWN = (-1.0, 0.0), (0.0, -1.0)
@@ -41,13 +41,13 @@ _COMPASS = ({"i": "east", "j": "north"}, (_RIGHT, _FAR, _UP)), ({"i": "north", "
 
 @record
 class View:
-    """Where the unit vectors point on the page, and which of them are drawn."""
+    """The images of the unit vectors on the page, and which of them are drawn."""
 
-    units: tuple[Point, Point, Point]
+    units: tuple[PagePoint, PagePoint, PagePoint]
     shown: tuple[int, ...]
     planar: bool
 
-    def flat(self, v: Space) -> Point:
+    def flat(self, v: FloatVector) -> PagePoint:
         """A vector on the page, in the units of the problem."""
         x = sum(c * u[0] for c, u in zip(v, self.units, strict=True))
         y = sum(c * u[1] for c, u in zip(v, self.units, strict=True))
@@ -55,7 +55,7 @@ class View:
 
 
 def view(axes: Mapping[str, str], used: frozenset[int]) -> View:
-    """How a problem is seen. `used`: the numbers of the unit vectors along which things lie."""
+    """The view of a problem. `used`: the numbers of the unit vectors along which its points have components."""
     if len(used) == 3:
         return View(_in_space(axes), (0, 1, 2), planar=False)
     first, second = sorted(used) if len(used) == 2 else (0, 2 if 2 in used else 1)
@@ -80,10 +80,10 @@ def _word(axes: Mapping[str, str], number: int) -> str:
     return axes.get("ijk"[number], "").lower().removeprefix("to the ").strip()
 
 
-def _in_space(axes: Mapping[str, str]) -> tuple[Point, Point, Point]:
+def _in_space(axes: Mapping[str, str]) -> tuple[PagePoint, PagePoint, PagePoint]:
     words = {name: word.lower().strip() for name, word in axes.items()}
-    for said, units in _COMPASS:
-        if said.items() <= words.items():
+    for compass, units in _COMPASS:
+        if compass.items() <= words.items():
             return units
     if words.get("k") == "down":
         return _RIGHT, _NEAR, _DOWN

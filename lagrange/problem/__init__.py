@@ -1,1 +1,1 @@
-""""""
+"""YAML to a Problem, with every mistake reported at its place."""

@@ -1,165 +1,164 @@
 """Reading the constraints: equations between coordinates, velocities and time.
 
 A constraint may be written in differentials, `sin(theta)*d(x) - cos(theta)*d(y) = 0`; divided by dt it is one in
-velocities. A vector equation counts as its components, `no_slip.1`, `no_slip.2`, ... What restricts nothing is refused,
-and so is a reaction whose name means something else.
+velocities. A vector equation counts as its components, `no_slip.1`, `no_slip.2`, ... An equation that
+restricts nothing is refused, and so is a reaction whose name means something else.
 
-A constraint that is not linear in the velocities is taken apart (`reduction`): (x' − y')² = 0 is x' − y' = 0, and
-x'² + y'² = 0 is x' = 0 with y' = 0, two constraints. Where it comes to alternatives it is refused: a system is one of
-them.
+A constraint that is not linear in the velocities is reduced (`algebra.forms.nonlinear_constraints`): (x' − y')² = 0 is
+x' − y' = 0, and x'² + y'² = 0 is x' = 0 and y' = 0, two constraints. One that has several alternatives is refused: a
+system is one of them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Set
+from functools import partial
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.forms.nonlinear_constraints import Alternative, Alternatives, alternatives, is_affine
 from lagrange.algebra.fourier.vector_cleanup import tidied
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Span
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t
 from lagrange.core.vectors import Vector
-from lagrange.problem.alternatives import Alternative, Alternatives, is_affine
+from lagrange.problem import keys
+from lagrange.problem.limits import MOST_ALTERNATIVES_SHOWN
+from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import Constraint, Given
-from lagrange.problem.nodes import Mapping, Node, Scalar
-from lagrange.problem.reading import Reading
-from lagrange.problem.reduction import alternatives
-from lagrange.problem.sections import Section, entries_of, scalar_of
-from lagrange.problem.symbols import CONSTRAINT
+from lagrange.problem.sections import CONSTRAINT, Section, entries_of, scalar_of
+from lagrange.problem.yaml_nodes import MappingNode, Node, Scalar
 
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
 
 
-def read_constraints(node: Node | None, reading: Reading) -> tuple[Constraint, ...]:
+def read_constraints(node: Node | None, context: LoadContext) -> tuple[Constraint, ...]:
     """name -> equation, or name -> {equation, note, reaction}; a vector equation gives one constraint a component."""
     if node is None:
         return ()
-    found: list[Constraint] = []
-    for key, value in reading.findings.attempt(lambda: entries_of(node, "`constraints`", _EXAMPLE)) or ():
-        name = reading.constraints.declare(key, "a constraint")
+    constraints: list[Constraint] = []
+    for key, value in context.diagnostics.attempt(lambda: entries_of(node, "`constraints`", _EXAMPLE)) or ():
+        name = context.constraints.declare(key, "a constraint")
         if name is not None:
-            found += reading.findings.attempt(lambda n=name, k=key, v=value: _constraint(n, k, v, reading)) or ()  # type: ignore[misc]
-    return tuple(found)
+            read = partial(_constraint, name, key, value, context)
+            constraints += context.diagnostics.attempt(read) or ()
+    return tuple(constraints)
 
 
-def _constraint(name: str, key: Scalar, node: Node, reading: Reading) -> tuple[Constraint, ...]:
+def _constraint(name: str, key: Scalar, node: Node, context: LoadContext) -> tuple[Constraint, ...]:
     what = f"the constraint `{name}`"
-    if not isinstance(node, Mapping):
-        return _equations(name, key.span, node, "", None, reading)
-    section = Section(node, what, ("equation", "note", "reaction"), reading.findings)
+    if not isinstance(node, MappingNode):
+        return _equations(name, key.span, node, "", None, context)
+    section = Section(node, what, keys.CONSTRAINT, context.diagnostics)
     reaction = section.get("reaction")
-    named = reading.findings.attempt(lambda: scalar_of(reaction, "`reaction`")) if reaction else None
-    called = reading.names.symbol(named, "a reaction") if named else None
-    equation = section.required("equation", key.span, '"x^2 + y^2 = l^2"')
+    named = context.diagnostics.attempt(lambda: scalar_of(reaction, "`reaction`")) if reaction else None
+    called = context.names.symbol(named, "a reaction") if named else None
+    equation = section.required("equation", key.span)
     place = key.span if reaction is None else reaction.span
-    return _equations(name, place, equation, section.text("note"), called, reading)
+    return _equations(name, place, equation, section.text("note"), called, context)
 
 
 def _equations(
-    name: str, place: Span, node: Node, note: str, reaction: str | None, reading: Reading
+    name: str, place: Span, node: Node, note: str, reaction: str | None, context: LoadContext
 ) -> tuple[Constraint, ...]:
-    """The scalar constraints of an equation. `place` is what to blame for the names of their reactions."""
+    """The scalar constraints of an equation. `place` is blamed for the names of their reactions."""
     what = f"the constraint `{name}`"
     scalar = scalar_of(node, what)
-    equation = reading.equation(scalar.fragment)
-    reading.check(equation, scalar.fragment, what, CONSTRAINT)
+    equation = context.equation(scalar.fragment)
+    context.check(equation, scalar.fragment, what, CONSTRAINT)
     lhs, rhs = equation.lhs, equation.rhs
     sides: list[tuple[str, sp.Expr, sp.Expr]]
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         triad = (lhs - rhs).triad
         pairs = zip(lhs.along(triad).components, rhs.along(triad).components, strict=True)
-        sides = [(f".{n}", a, b) for n, (a, b) in enumerate(pairs, start=1) if not _is_identity(a, b, reading)]
+        sides = [(f".{n}", a, b) for n, (a, b) in enumerate(pairs, start=1) if not _is_identity(a, b, context)]
     else:
         sides = [("", lhs, rhs)]
     if not sides:
         raise ProblemError(_restricts_nothing(name, scalar.span))
-    found = []
-    for ending, a, b in sides:
-        left, right, kinematic = _restricting(name + ending, *_divided_by_dt(a, b, scalar, reading), scalar, reading)
-        parts, given = _taken_apart(name + ending, left, right, kinematic, scalar, reading)
+    constraints = []
+    for suffix, a, b in sides:
+        left, right, kinematic = _restricting(name + suffix, *_divided_by_dt(a, b, scalar, context), scalar, context)
+        parts, given = _reduced(name + suffix, left, right, kinematic, scalar, context)
         for number, (f, g, moves) in enumerate(parts, start=1):
-            part = ending if len(parts) == 1 else f"{ending}.{number}"
-            symbol = _reaction(name, part, reaction, place, reading)
-            found.append(Constraint(name + part, tidied(f), tidied(g), moves, symbol, scalar.span, note, given))
-    return tuple(found)
+            part = suffix if len(parts) == 1 else f"{suffix}.{number}"
+            symbol = _reaction(name, part, reaction, place, context)
+            constraints.append(Constraint(name + part, tidied(f), tidied(g), moves, symbol, scalar.span, note, given))
+    return tuple(constraints)
 
 
-def _is_identity(lhs: sp.Expr, rhs: sp.Expr, reading: Reading) -> bool:
-    """Whether a component holds of itself, as 0 = 0 across the plane."""
+def _is_identity(lhs: sp.Expr, rhs: sp.Expr, context: LoadContext) -> bool:
+    """Whether a component holds identically, as 0 = 0 across the plane."""
     try:
-        return lhs - rhs == 0 or reading.is_zero(lhs - rhs) is True
+        return lhs - rhs == 0 or context.is_zero(lhs - rhs) is True
     except DivisionByZeroError:
-        return False  # which is said of it where it is read
+        return False  # `_restricting` reports it
 
 
-def _reaction(name: str, ending: str, reaction: str | None, place: Span, reading: Reading) -> sp.Symbol:
-    """What the multiplier of a constraint is called; reported where the name means something else."""
-    ending = ending.replace(".", "_")
-    symbol = sp.Symbol(reaction + ending, real=True) if reaction else multiplier(name + ending)
-    reading.names.add(symbol.name, f"the reaction of the constraint `{name}`", place)
+def _reaction(name: str, suffix: str, reaction: str | None, place: Span, context: LoadContext) -> sp.Symbol:
+    """The name of the multiplier of a constraint; reported where it means something else."""
+    suffix = suffix.replace(".", "_")
+    symbol = sp.Symbol(reaction + suffix, real=True) if reaction else multiplier(name + suffix)
+    context.names.add(symbol.name, f"the reaction of the constraint `{name}`", place)
     return symbol
 
 
 def _restricting(
-    name: str, lhs: sp.Expr, rhs: sp.Expr, scalar: Scalar, reading: Reading
+    name: str, lhs: sp.Expr, rhs: sp.Expr, scalar: Scalar, context: LoadContext
 ) -> tuple[sp.Expr, sp.Expr, bool]:
     """Both sides, and whether a velocity occurs. Raises ProblemError where the equation restricts nothing."""
-    slots = reading.scope.slots
+    slots = context.scope.slots
     function = lhs - rhs
     used = function.free_symbols
     velocities = used.intersection(slots.velocities)
     try:
-        if used.isdisjoint((*slots.coordinates, *slots.velocities)) or reading.is_zero(function):
+        if used.isdisjoint((*slots.coordinates, *slots.velocities)) or context.is_zero(function):
             raise ProblemError(_restricts_nothing(name, scalar.span))
-        if velocities and all(reading.is_zero(function.diff(v)) for v in velocities):  # (x' + 1)*x - x'*x
+        if velocities and all(context.is_zero(function.diff(v)) for v in velocities):  # (x' + 1)*x - x'*x
             return function.xreplace(dict.fromkeys(velocities, sp.S.Zero)), sp.S.Zero, False
     except DivisionByZeroError:
-        message = f"the constraint `{name}` divides by what is exactly zero"
+        message = f"the constraint `{name}` divides by an expression that is exactly zero"
         raise ProblemError(Diagnostic("division-by-zero", message, scalar.span, help="correct the divisor")) from None
     return lhs, rhs, bool(velocities)
 
 
-def _taken_apart(
-    name: str, lhs: sp.Expr, rhs: sp.Expr, kinematic: bool, scalar: Scalar, reading: Reading
+def _reduced(
+    name: str, lhs: sp.Expr, rhs: sp.Expr, kinematic: bool, scalar: Scalar, context: LoadContext
 ) -> tuple[list[tuple[sp.Expr, sp.Expr, bool]], Given | None]:
-    """Both sides of each constraint that this one comes to, with whether a velocity occurs, and what the file has.
+    """Both sides of each constraint to which this one reduces, with whether a velocity occurs, and what the file has.
 
-    The latter is None where it is the constraint itself. Raises ProblemError where it comes to alternatives, or to
-    nothing that can be.
+    The latter is None where nothing had to be reduced. Raises ProblemError where there are several alternatives, or
+    none.
     """
-    slots, function = reading.scope.slots, lhs - rhs
-    if not kinematic or is_affine(function, slots) or not reading.may_reduce(function):
+    slots, function = context.scope.slots, lhs - rhs
+    if not kinematic or is_affine(function, slots) or not context.may_reduce(function):
         return [(lhs, rhs, kinematic)], None
     try:
-        found = alternatives(function, slots)
+        meanings = alternatives(function, slots)
     except DivisionByZeroError:
-        message = f"the constraint `{name}` divides by what is exactly zero"
+        message = f"the constraint `{name}` divides by an expression that is exactly zero"
         raise ProblemError(Diagnostic("division-by-zero", message, scalar.span, help="correct the divisor")) from None
-    if len(found.members) != 1 or found.endless:
-        raise ProblemError(_not_one(name, found, scalar.span, slots))
-    [only] = found.members
+    if len(meanings.members) != 1 or meanings.endless:
+        raise ProblemError(_not_one(name, meanings, scalar.span, slots))
+    [only] = meanings.members
     if only.forms == (function,):
         return [(lhs, rhs, kinematic)], None
     parts = [(f, sp.S.Zero, not f.free_symbols.isdisjoint(slots.velocities)) for f in only.forms]
     return parts, Given(lhs, rhs, only.steps)
 
 
-_MOST_SHOWN = 4
-
-
-def _not_one(name: str, found: Alternatives, span: Span, slots: Slots) -> Diagnostic:
+def _not_one(name: str, meanings: Alternatives, span: Span, slots: Slots) -> Diagnostic:
     """A constraint that nothing satisfies, or one of several branches."""
-    if not found.members:
+    if not meanings.members:
         message = f"`{name}` cannot be satisfied"
         help_ = "no real velocity satisfies it; correct or remove it"
         return Diagnostic("contradictory-constraints", message, span, help=help_)
-    count = "infinitely many" if found.endless else str(len(found.members))
+    count = "infinitely many" if meanings.endless else str(len(meanings.members))
     message = f"the constraint `{name}` leaves {count} alternatives"
-    shown = [_written(a, slots) for a in found.members[:_MOST_SHOWN]]
-    more = "" if len(found.members) <= _MOST_SHOWN and not found.endless else ", ..."
+    shown = [_written(a, slots) for a in meanings.members[:MOST_ALTERNATIVES_SHOWN]]
+    more = "" if len(meanings.members) <= MOST_ALTERNATIVES_SHOWN and not meanings.endless else ", ..."
     help_ = f"a system is one of them; write {' or '.join(shown)}{more}"
-    signs = {e for a in found.members for step in a.steps for e, relation in step.conditions if relation == "≥"}
+    signs = {e for a in meanings.members for step in a.steps for e, relation in step.conditions if relation == "≥"}
     if signs:
         help_ += f", which is real where {' and '.join(sorted(f'`{_text(e, slots)}`' for e in signs))} is not negative"
     return Diagnostic("several-branches", message, span, help=help_)
@@ -186,28 +185,28 @@ def _restricts_nothing(name: str, span: Span) -> Diagnostic:
     return Diagnostic("restricts-nothing", f"the constraint `{name}` restricts no coordinate", span, help=help_)
 
 
-def _divided_by_dt(lhs: sp.Expr, rhs: sp.Expr, scalar: Scalar, reading: Reading) -> tuple[sp.Expr, sp.Expr]:
-    """A constraint in differentials as one in velocities: d(x) -> x', d(t) -> 1."""
-    slots = reading.scope.slots
+def _divided_by_dt(lhs: sp.Expr, rhs: sp.Expr, scalar: Scalar, context: LoadContext) -> tuple[sp.Expr, sp.Expr]:
+    """A constraint in differentials, rewritten in velocities: d(x) -> x', d(t) -> 1."""
+    slots = context.scope.slots
     moving = (*slots.coordinates, *slots.prescribed)
     rule = {differential(q): prime(q) for q in moving} | {differential(t): sp.S.One}
     if rule.keys().isdisjoint(lhs.free_symbols | rhs.free_symbols):
         return lhs, rhs
-    if not all(_is_form(side, rule.keys(), reading) for side in (lhs, rhs)):
+    if not all(_is_form(side, rule.keys(), context) for side in (lhs, rhs)):
         message = "a constraint in differentials must be linear and homogeneous in them"
         help_ = "give every term one differential, as in `sin(theta)*d(x) - cos(theta)*d(y) = 0`, or write `x'`"
         raise ProblemError(Diagnostic("not-a-form", message, scalar.span, help=help_))
     return lhs.xreplace(rule), rhs.xreplace(rule)
 
 
-def _is_form(side: sp.Expr, differentials: Set[sp.Symbol], reading: Reading) -> bool:
-    """Whether an expression is linear and homogeneous in differentials, which it may be only when multiplied out."""
+def _is_form(side: sp.Expr, differentials: Set[sp.Symbol], context: LoadContext) -> bool:
+    """Whether an expression is linear and homogeneous in differentials, perhaps only when multiplied out."""
     used = sorted(side.free_symbols & differentials, key=lambda s: str(s.name))
     rest = side.xreplace(dict.fromkeys(used, sp.S.Zero))
     second = [side.diff(a).diff(b) for n, a in enumerate(used) for b in used[n:]]
     if rest.has(sp.zoo, sp.nan):
         return False
     try:
-        return all(e == 0 or reading.is_zero(e) for e in (rest, *second))
+        return all(e == 0 or context.is_zero(e) for e in (rest, *second))
     except DivisionByZeroError:
         return False

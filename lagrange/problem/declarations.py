@@ -1,73 +1,83 @@
 """The symbols that a problem file declares: parameters, coordinates, functions, unknown forces.
 
 A parameter is positive unless the file says otherwise. A function of t alone is a prescribed motion and gets the slots
-u, u', u''; any other is an undefined function of its arguments. A section that is wrong is reported, and the names in
-it are known to have failed, so that nothing is said where they are used.
+u, u', u''; any other is an undefined function of its arguments. A wrong section is reported, and the names in it count
+as failed, so that their uses are not reported as well.
+
+If a file takes an undefined function f at one point only, f(x - u, y, z), the name f alone means its value there: an
+answer writes ∂f/∂X as `diff(f, X)`. Argument names that are symbols of the file state the point themselves; if the
+function is taken at several points, its arguments must be written.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import fields, is_dataclass, replace
+from functools import partial
 from typing import TypeVar
 
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, ProblemError, nearest
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Slots
+from lagrange.core.symbols import Sign, Slots, Unspecified
 from lagrange.expressions.reader import FunctionDeclaration, Scope, read_scalar
-from lagrange.problem.model import Assumption, Coordinate, Parameter
-from lagrange.problem.names import Names, canonical, names_in
-from lagrange.problem.nodes import Mapping, Node, Scalar
-from lagrange.problem.nodes import Sequence as ListNode
+from lagrange.problem.declared_names import DeclaredNames, canonical, names_in
+from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
+from lagrange.problem.model import Coordinate, Parameter, Problem
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
+from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
 
 T = TypeVar("T")
 
 
-def read_parameters(node: Node | None, names: Names) -> tuple[Parameter, ...]:
+def read_parameters(node: Node | None, names: DeclaredNames) -> tuple[Parameter, ...]:
     """A list of names, all positive; or name -> assumption, or name -> {assume, unit, meaning, value}."""
     return _declared(node, "parameters", names, _parameter)
 
 
-def read_coordinates(node: Node | None, names: Names) -> tuple[Coordinate, ...]:
+def read_coordinates(node: Node | None, names: DeclaredNames) -> tuple[Coordinate, ...]:
     """A list of names, or name -> meaning, or name -> {meaning, unit}."""
     return _declared(node, "coordinates", names, _coordinate)
 
 
-def read_unknowns(node: Node | None, names: Names) -> tuple[sp.Symbol, ...]:
+def read_unknowns(node: Node | None, names: DeclaredNames) -> tuple[sp.Symbol, ...]:
     """A list of names of unknown forces."""
     return _declared(node, "unknowns", names, _unknown)
 
 
 def _declared(
-    node: Node | None, key: str, names: Names, read: Callable[[Scalar, Node | None, Names], T | None]
+    node: Node | None, key: str, names: DeclaredNames, read: Callable[[Scalar, Node | None, DeclaredNames], T | None]
 ) -> tuple[T, ...]:
-    """What a list of names, or a mapping of names, declares."""
+    """What a list or a mapping of names declares."""
     if node is None:
         return ()
     entries: list[tuple[Node, Node | None]]
-    if isinstance(node, Mapping) and key != "unknowns":
+    if isinstance(node, MappingNode) and key != "unknowns":
         entries = list(node.entries)
     elif isinstance(node, ListNode):
         entries = [(item, None) for item in node.items]
         if not entries and key == "coordinates":
             help_ = "list what moves, as `coordinates: [x, y]`"
-            names.findings.report(Diagnostic("empty-value", "`coordinates` is an empty list", node.span, help=help_))
+            names.diagnostics.report(Diagnostic("empty-value", "`coordinates` is an empty list", node.span, help=help_))
     else:
         names.fail_all(node)
-        names.findings.report(wrong_kind(node, f"`{key}` is a list of names", f"write `{key}: {_as_list(node)}`"))
+        names.diagnostics.report(wrong_kind(node, f"`{key}` is a list of names", f"write `{key}: {_as_list(node)}`"))
         return ()
-    found = []
+    declared = []
     for name, value in entries:
-        item = names.findings.attempt(lambda n=name, v=value: _one(n, v, key, names, read))  # type: ignore[misc]
+        item = names.diagnostics.attempt(partial(_entry, name, value, key, names, read))
         if item is not None:
-            found.append(item)
-    return tuple(found)
+            declared.append(item)
+    return tuple(declared)
 
 
-def _one(
-    name: Node, value: Node | None, key: str, names: Names, read: Callable[[Scalar, Node | None, Names], T | None]
+def _entry(
+    name: Node,
+    value: Node | None,
+    key: str,
+    names: DeclaredNames,
+    read: Callable[[Scalar, Node | None, DeclaredNames], T | None],
 ) -> T | None:
     if not isinstance(name, Scalar):
         names.fail_all(name)
@@ -87,21 +97,21 @@ def _as_list(node: Node) -> str:
     return f"[{', '.join(listed or ('a', 'b'))}]"
 
 
-def _parameter(key: Scalar, value: Node | None, names: Names) -> Parameter | None:
+def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Parameter | None:
     name = names.declare(key, "a parameter")
     if name is None:
         return None
     if value is None:
         return Parameter(parameter_symbol(name, Assumption.POSITIVE))
-    attempt = names.findings.attempt
+    attempt = names.diagnostics.attempt
     if isinstance(value, Scalar):
         assume = attempt(lambda: _assumption(value)) or Assumption.POSITIVE
         return Parameter(parameter_symbol(name, assume), assume)
     if isinstance(value, ListNode):
-        message = f"what is said of `{name}` is an assumption or a mapping"
-        names.findings.report(wrong_kind(value, message, f"write `{name}: positive`"))
+        message = f"the declaration of `{name}` is an assumption or a mapping"
+        names.diagnostics.report(wrong_kind(value, message, f"write `{name}: positive`"))
         return Parameter(parameter_symbol(name, Assumption.POSITIVE))
-    section = Section(value, f"the parameter `{name}`", ("assume", "unit", "meaning", "value"), names.findings)
+    section = Section(value, f"the parameter `{name}`", PARAMETER, names.diagnostics)
     assumed, number = section.get("assume"), section.get("value")
     known = attempt(lambda: _assumption(scalar_of(assumed, "`assume`"))) if assumed else Assumption.POSITIVE
     exact = attempt(lambda: _number(scalar_of(number, "`value`"), known)) if number else None
@@ -153,23 +163,23 @@ def _number(scalar: Scalar, assume: Assumption | None) -> sp.Rational:
         Assumption.SIGN: abs(number) != 1,
     }
     if assume is not None and wrong[assume]:
-        message = f"the value {scalar.text} contradicts that the parameter is {_SAID[assume]}"
+        message = f"the value {scalar.text} contradicts that the parameter is {_IN_WORDS[assume]}"
         help_ = "change the value, or say `assume: real`"
         raise ProblemError(Diagnostic("value-against-assumption", message, scalar.span, help=help_))
     return number
 
 
 _NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "missing-operator", "vector-for-scalar")
-"""What is wrong with a text that was not meant as an expression: `12:30`, `~`, `3 m`."""
+"""Errors of a text that was not meant as an expression: `12:30`, `~`, `3 m`."""
 
-_SAID = {
+_IN_WORDS = {
     Assumption.POSITIVE: "positive",
     Assumption.NONNEGATIVE: "not negative",
     Assumption.SIGN: "a sign, +1 or -1",
 }
 
 
-def _coordinate(key: Scalar, value: Node | None, names: Names) -> Coordinate | None:
+def _coordinate(key: Scalar, value: Node | None, names: DeclaredNames) -> Coordinate | None:
     name = names.declare(key, "a coordinate")
     if name is None:
         return None
@@ -179,14 +189,14 @@ def _coordinate(key: Scalar, value: Node | None, names: Names) -> Coordinate | N
     if isinstance(value, Scalar):
         return Coordinate(symbol, " ".join(value.text.split()))
     if isinstance(value, ListNode):
-        message = f"what is said of `{name}` is its meaning or a mapping"
-        names.findings.report(wrong_kind(value, message, f"write `{name}: its meaning`"))
+        message = f"the declaration of `{name}` is its meaning or a mapping"
+        names.diagnostics.report(wrong_kind(value, message, f"write `{name}: its meaning`"))
         return Coordinate(symbol)
-    section = Section(value, f"the coordinate `{name}`", ("meaning", "unit"), names.findings)
+    section = Section(value, f"the coordinate `{name}`", COORDINATE, names.diagnostics)
     return Coordinate(symbol, section.text("meaning"), section.text("unit"))
 
 
-def _unknown(key: Scalar, _value: Node | None, names: Names) -> sp.Symbol | None:
+def _unknown(key: Scalar, _value: Node | None, names: DeclaredNames) -> sp.Symbol | None:
     name = names.declare(key, "an unknown force")
     return None if name is None else sp.Symbol(name, real=True)
 
@@ -199,17 +209,17 @@ class Functions:
     undefined: tuple[FunctionDeclaration, ...] = ()
 
 
-def read_functions(node: Node | None, names: Names) -> Functions:
+def read_functions(node: Node | None, names: DeclaredNames) -> Functions:
     """name -> list of argument names."""
     if node is None:
         return Functions()
     prescribed: list[sp.Symbol] = []
     undefined: list[FunctionDeclaration] = []
-    for key, value in names.findings.attempt(lambda: _function_entries(node, names)) or ():
+    for key, value in names.diagnostics.attempt(lambda: _function_entries(node, names)) or ():
         name = names.declare(key, "a function")
         if name is None:
             continue
-        arguments = names.findings.attempt(lambda n=name, v=value: _arguments(n, v))  # type: ignore[misc]
+        arguments = names.diagnostics.attempt(partial(_arguments, name, value))
         if arguments is None:
             names.fail(name)
         elif arguments == ("t",):
@@ -219,26 +229,26 @@ def read_functions(node: Node | None, names: Names) -> Functions:
     return Functions(tuple(prescribed), tuple(undefined))
 
 
-def _function_entries(node: Node, names: Names) -> tuple[tuple[Scalar, Node], ...]:
-    if not isinstance(node, Mapping):
+def _function_entries(node: Node, names: DeclaredNames) -> tuple[tuple[Scalar, Node], ...]:
+    if not isinstance(node, MappingNode):
         names.fail_all(node)
     return entries_of(node, "`functions`", "functions: {f: [X, Y], u: [t]}")
 
 
 def _arguments(function: str, node: Node) -> tuple[str, ...]:
-    items = items_of(node, f"what is said of the function `{function}`", f"{function}: [t]")
+    items = items_of(node, f"the declaration of the function `{function}`", f"{function}: [t]")
     if not items:
         message = f"the function `{function}` has no arguments"
         raise ProblemError(Diagnostic("no-arguments", message, node.span, help=f"write `{function}: [X, Y]` or `[t]`"))
-    found: list[str] = []
+    arguments: list[str] = []
     for item in items:
         scalar = scalar_of(item, "an argument")
         name = _argument(scalar)
-        if name in found:
+        if name in arguments:
             message = f"the function `{function}` has two arguments `{name}`"
             raise ProblemError(Diagnostic("declared-twice", message, scalar.span, help="give them different names"))
-        found.append(name)
-    return tuple(found)
+        arguments.append(name)
+    return tuple(arguments)
 
 
 def _argument(scalar: Scalar) -> str:
@@ -266,3 +276,38 @@ def first_scope(
         slots=Slots(tuple(c.symbol for c in coordinates), functions.prescribed),
         functions={f.name: f for f in functions.undefined},
     )
+
+
+def with_standard_arguments(problem: Problem) -> Problem:
+    """The problem with the point of each function that its name alone stands for, where there is only one."""
+    if not problem.functions:
+        return problem
+    taken: dict[str, set[tuple[sp.Expr, ...]]] = {}
+    for expression in expressions_of(problem):
+        for function in expression.atoms(Unspecified):
+            taken.setdefault(function.name, set()).add(function.arguments)
+    functions = tuple(_standard(f, taken.get(f.name, set()), problem.scope) for f in problem.functions)
+    scope = replace(problem.scope, functions={f.name: f for f in functions})
+    return replace(problem, functions=functions, scope=scope)
+
+
+def _standard(function: FunctionDeclaration, taken: set[tuple[sp.Expr, ...]], scope: Scope) -> FunctionDeclaration:
+    readable = all(scope.scalar(name.rstrip("'")) is not None for name in function.arguments)
+    if readable or len(taken) != 1:
+        return function
+    [arguments] = taken
+    return replace(function, standard=arguments)
+
+
+def expressions_of(part: object) -> Iterator[sp.Expr]:
+    """All expressions in a problem, or in a part of one."""
+    if isinstance(part, sp.Expr):
+        yield part
+    elif is_dataclass(part):
+        for f in fields(part):
+            yield from expressions_of(getattr(part, f.name))
+    elif isinstance(part, dict):
+        yield from expressions_of(part.values())
+    elif isinstance(part, Iterable) and not isinstance(part, str | sp.Basic):
+        for item in part:
+            yield from expressions_of(item)

@@ -1,8 +1,8 @@
-"""A problem file -> a `Problem`, with every mistake of the file found in one reading.
+"""Reads a problem file into a `Problem`, and finds all its mistakes in one pass.
 
 The sections are read in the order in which they can refer to one another: symbols, frame, abbreviations with particles
-and bodies, constraints, forces, choices, answers; each has a module of its own. What is wrong is noted and left out,
-and reading goes on; the findings are shown together in the order of the file.
+and bodies, constraints, forces, choices, answers; each has a module of its own. What is wrong is reported and left out,
+and reading goes on; the diagnostics are shown together in file order.
 """
 
 from __future__ import annotations
@@ -18,27 +18,28 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source, suggestion
 from lagrange.core.symbols import CONSTANT
 from lagrange.expressions.reader import Scope
-from lagrange.problem.answer_key import AnswerReader
 from lagrange.problem.constraints import read_constraints
 from lagrange.problem.coordinate_choices import read_choices, read_speeds
-from lagrange.problem.declarations import first_scope, read_coordinates, read_functions, read_parameters, read_unknowns
-from lagrange.problem.findings import EnoughError, Findings
+from lagrange.problem.declarations import (
+    first_scope,
+    read_coordinates,
+    read_functions,
+    read_parameters,
+    read_unknowns,
+    with_standard_arguments,
+)
+from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.forces import read_forces, read_gravity
-from lagrange.problem.model import Choice, Constraint, Find, Problem, Speed
-from lagrange.problem.nodes import Node, Scalar
-from lagrange.problem.particles import read_things
-from lagrange.problem.reading import Reading
-from lagrange.problem.reference_frame import read_frame
+from lagrange.problem.frames import read_frame
+from lagrange.problem.keys import AXES, PROBLEM, Find
+from lagrange.problem.load_context import LoadContext
+from lagrange.problem.masses import read_things
+from lagrange.problem.model import Choice, Constraint, Problem, Speed
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of
-from lagrange.problem.undefined_functions import with_standard_arguments
-from lagrange.problem.yaml_nodes import MAX_BYTES, decode, parse
-
-SECTIONS = (
-    "title", "source", "description", "axes", "parameters", "coordinates", "functions", "let", "frame", "particles",
-    "bodies", "constraints", "gravity", "forces", "unknowns", "speeds", "generalized_coordinates", "equations", "find",
-    "answers",
-)  # fmt: skip
-"""The keys of a problem file."""
+from lagrange.problem.sources import read_source
+from lagrange.problem.stated_answers import AnswerReader
+from lagrange.problem.yaml_composer import parse
+from lagrange.problem.yaml_nodes import Node, Scalar
 
 
 def load(path: str | Path) -> Problem:
@@ -49,62 +50,45 @@ def load(path: str | Path) -> Problem:
     return read_problem(read_source(Path(path)))
 
 
-def read_source(path: Path) -> Source:
-    """The text of a file. Raises ProblemError where it cannot be read."""
-    try:
-        with path.open("rb") as file:
-            return decode(file.read(MAX_BYTES + 1), str(path))
-    except FileNotFoundError:
-        help_ = "check the name; `-` reads standard input"
-        found = Diagnostic("no-such-file", f"there is no file {path}", help=help_)
-    except IsADirectoryError:
-        found = Diagnostic("is-a-folder", f"{path} is a folder", help="name a problem file in it")
-    except (OSError, ValueError) as error:  # ValueError: a NUL in the name
-        reason = getattr(error, "strerror", None) or str(error)
-        help_ = "check the name, and that you may read it"
-        found = Diagnostic("unreadable-file", f"{path} cannot be read: {reason}", help=help_)
-    raise ProblemError(found)
-
-
 def read_problem(source: Source) -> Problem:
     """The problem that a text states. Raises ProblemError with all its mistakes."""
-    findings = Findings()
+    diagnostics = Diagnostics()
     problem = None
     with suppress(EnoughError):
-        problem = findings.attempt(lambda: _problem(source, findings))
-    findings.stop_if_any()
-    assert problem is not None  # otherwise something was found
-    return with_standard_arguments(replace(problem, notes=findings.notes()))
+        problem = diagnostics.attempt(lambda: _problem(source, diagnostics))
+    diagnostics.stop_if_any()
+    assert problem is not None  # otherwise a diagnostic was raised
+    return with_standard_arguments(replace(problem, notes=diagnostics.notes()))
 
 
-def _problem(source: Source, findings: Findings) -> Problem:
+def _problem(source: Source, diagnostics: Diagnostics) -> Problem:
     """All sections, in the order in which they can refer to one another."""
-    node = parse(source, findings)
-    root = Section(node, "the problem", SECTIONS, findings)
-    reading = Reading(findings)
+    node = parse(source, diagnostics)
+    root = Section(node, "the problem", PROBLEM, diagnostics)
+    context = LoadContext(diagnostics)
     for value in root.strange:
-        reading.names.fail_all(value)  # it may have been meant to declare something
-    parameters = read_parameters(root.section("parameters"), reading.names)
-    listed = findings.attempt(lambda: _required(root, "coordinates", "[x, y]"))
-    coordinates = read_coordinates(listed, reading.names)
-    functions = read_functions(root.section("functions"), reading.names)
-    reading.unknowns = read_unknowns(root.section("unknowns"), reading.names)
-    reading.values = {p.symbol: p.value for p in parameters if p.value is not None}
-    reading.scope = first_scope(parameters, coordinates, functions, reading.unknowns)
-    frame = read_frame(root.section("frame"), reading)
-    things = read_things(root, reading)
-    constraints = read_constraints(root.section("constraints"), reading)
-    gravity = read_gravity(root.get("gravity"), reading)
-    forces = read_forces(root.section("forces"), reading)
-    speeds = read_speeds(root.section("speeds"), reading)
-    choices = read_choices(root.section("generalized_coordinates"), reading)
-    scope = _scope_of_answers(reading.scope, constraints, choices, speeds)
-    answers = AnswerReader(reading, constraints, choices, scope)
+        context.names.fail_all(value)  # it may have been meant to declare something
+    parameters = read_parameters(root.section("parameters"), context.names)
+    listed = diagnostics.attempt(lambda: root.required("coordinates", node.span))
+    coordinates = read_coordinates(listed, context.names)
+    functions = read_functions(root.section("functions"), context.names)
+    context.unknowns = read_unknowns(root.section("unknowns"), context.names)
+    context.values = {p.symbol: p.value for p in parameters if p.value is not None}
+    context.scope = first_scope(parameters, coordinates, functions, context.unknowns)
+    frame = read_frame(root.section("frame"), context)
+    things = read_things(root, context)
+    constraints = read_constraints(root.section("constraints"), context)
+    gravity = read_gravity(root.get("gravity"), context)
+    forces = read_forces(root.section("forces"), context)
+    speeds = read_speeds(root.section("speeds"), context)
+    choices = read_choices(root.section("generalized_coordinates"), context)
+    scope = _scope_of_answers(context.scope, constraints, choices, speeds)
+    answers = AnswerReader(context, constraints, choices, scope)
     problem = Problem(
-        title=findings.attempt(lambda: _title(root)) or "",
+        title=diagnostics.attempt(lambda: _title(root)) or "",
         source=root.text("source"),
         description=root.text("description"),
-        axes=_axes(root.section("axes"), findings),
+        axes=_axes(root.section("axes"), diagnostics),
         coordinates=coordinates,
         slots=scope.slots,
         scope=scope,
@@ -117,50 +101,47 @@ def _problem(source: Source, findings: Findings) -> Problem:
         constraints=constraints,
         gravity=gravity,
         forces=forces,
-        unknowns=reading.unknowns,
+        unknowns=context.unknowns,
         speeds=speeds,
         choices=choices,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
     )
-    _check_whole(problem, root, findings)
-    return replace(problem, find=_find(root.get("find"), problem, findings))
-
-
-def _required(root: Section, key: str, example: str) -> Node:
-    return root.required(key, root.node.span, example)
+    _check_whole(problem, root, diagnostics)
+    return replace(problem, find=_find(root.get("find"), problem, diagnostics))
 
 
 def _title(root: Section) -> str:
-    scalar = scalar_of(_required(root, "title", "..."), "`title`")
+    scalar = scalar_of(root.required("title", root.node.span), "`title`")
     title = " ".join(scalar.text.split())
     if not title:
         raise ProblemError(Diagnostic("empty-value", "`title` is empty", scalar.span, help="write its value"))
     return title
 
 
-def _axes(node: Node | None, findings: Findings) -> Mapping[str, str]:
+def _axes(node: Node | None, diagnostics: Diagnostics) -> Mapping[str, str]:
     """Words for the directions of i, j, k."""
     words: dict[str, str] = {}
     if node is None:
         return words
-    for name, value in findings.attempt(lambda: entries_of(node, "`axes`", "axes: {i: right, j: up}")) or ():
-        if name.text not in ("i", "j", "k"):
+    for name, value in diagnostics.attempt(lambda: entries_of(node, "`axes`", "axes: {i: right, j: up}")) or ():
+        if name.text not in AXES.names:
             help_ = "the axes are `i`, `j`, `k`, and each has a word: `i: right`"
-            found = Diagnostic("unknown-key", f"`{name.text}` is not an axis", name.span, help=help_)
-            findings.report(found)
+            diagnostics.report(Diagnostic("unknown-key", f"`{name.text}` is not an axis", name.span, help=help_))
             continue
-        word = findings.attempt(lambda n=name, v=value: scalar_of(v, f"the word for `{n.text}`").text)  # type: ignore[misc]
+        word = diagnostics.attempt(lambda n=name, v=value: scalar_of(v, f"the word for `{n.text}`").text)  # type: ignore[misc]
         words[name.text] = " ".join((word or "").split())
     return words
 
 
-def _find(node: Node | None, problem: Problem, findings: Findings) -> tuple[Find, ...]:
-    """What is asked; by default what the contents of the file suggest."""
+def _find(node: Node | None, problem: Problem, diagnostics: Diagnostics) -> tuple[Find, ...]:
+    """The questions asked; by default the one that the contents of the file suggest."""
     if node is None:
         return (_suggested(problem),)
-    items = (node,) if isinstance(node, Scalar) else findings.attempt(lambda: items_of(node, "`find`", "find: motion"))
-    asked = (findings.attempt(lambda i=i: _question(i)) for i in items or ())  # type: ignore[misc]
+    items = (
+        (node,) if isinstance(node, Scalar) else diagnostics.attempt(lambda: items_of(node, "`find`", "find: motion"))
+    )
+    asked = (diagnostics.attempt(lambda i=i: _question(i)) for i in items or ())  # type: ignore[misc]
     return tuple(dict.fromkeys(q for q in asked if q is not None)) or (_suggested(problem),)
 
 
@@ -187,9 +168,7 @@ def _suggested(problem: Problem) -> Find:
 def _scope_of_answers(
     scope: Scope, constraints: tuple[Constraint, ...], choices: tuple[Choice, ...], speeds: tuple[Speed, ...]
 ) -> Scope:
-    """The scope of the finished problem: reactions, the coordinates of the choices, quasi-velocities and `const` are
-    known there.
-    """
+    """The scope of the finished problem, with reactions, coordinates of the choices, quasi-velocities and `const`."""
     old = scope.slots.coordinates
     new: dict[str, sp.Expr] = {q.name: q for c in choices for q in c.coordinates if q not in old}
     reactions = {c.reaction.name: c.reaction for c in constraints}
@@ -197,16 +176,16 @@ def _scope_of_answers(
     return replace(scope, scalars={CONSTANT.name: CONSTANT, **scope.scalars, **reactions, **new, **quasi})
 
 
-def _check_whole(problem: Problem, root: Section, findings: Findings) -> None:
-    """What no section can know alone."""
+def _check_whole(problem: Problem, root: Section, diagnostics: Diagnostics) -> None:
+    """Reports contradictions between sections."""
     if problem.equations and (problem.particles or problem.bodies):
         message = "the equations are given outright, and there are masses to derive them from"
         help_ = "keep `equations` (to check answers against) or the particles and bodies (to derive them)"
-        findings.report(Diagnostic("two-systems", message, root.span_of("equations"), help=help_))
+        diagnostics.report(Diagnostic("two-systems", message, root.span_of("equations"), help=help_))
     open_choices = [c for c in problem.choices if c.substitute is None]
     for p in problem.parameters:
         if open_choices and re.fullmatch(r"sigma_[0-9]+", p.symbol.name):
             choice = open_choices[0]
-            message = f"`{p.symbol}` is a parameter, and what a sign in the choice `{choice.name}` may be called"
+            message = f"`{p.symbol}` is a parameter, but the choice `{choice.name}` may need this name for a sign"
             help_ = "rename the parameter: a choice without `substitute` solves for roots, with signs sigma_1, ..."
-            findings.report(Diagnostic("declared-twice", message, choice.span, help=help_))
+            diagnostics.report(Diagnostic("declared-twice", message, choice.span, help=help_))

@@ -1,43 +1,28 @@
-"""What a problem is: the statement of a textbook exercise, as data.
+"""A problem: the statement of a textbook exercise, as data.
 
-Everything here is as the file says it, read and checked for form, with nothing derived yet. Quantities are SymPy
-expressions in the slots of `notation` (q, q', q'', t); positions and forces are `Vector`s. A constraint is kept as the
-difference of its sides, f(q, q', t) = 0. `unit`, `meaning` and `note` are for the reader; `span` is the place in the
-file, for messages.
+Everything is as the file states it, read and checked for form; nothing is derived but the orientation of a body, whose
+vectors a file may use. Quantities are SymPy expressions in the symbols of `core.symbols` (q, q', q'', t); positions and
+forces are `Vector`s. A constraint is f(q, q', t) = 0, where f is the difference of its sides. `unit`, `meaning` and
+`note` are for the reader; `span` is the place in the file, for messages.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
-from enum import StrEnum
 
 import sympy as sp
 
+from lagrange.algebra.forms.nonlinear_constraints import Reduction
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, Fragment, Span
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
+from lagrange.core.triads import Orientation, turned_by_angle, turned_by_rotations, turned_with_axes
 from lagrange.core.vectors import Triad, Vector
 from lagrange.expressions.reader import FunctionDeclaration, Scope
-from lagrange.problem.alternatives import Reduction
-
-
-class Assumption(StrEnum):
-    """What is assumed of a parameter."""
-
-    POSITIVE = "positive"
-    NONNEGATIVE = "nonnegative"
-    REAL = "real"
-    SIGN = "sign"
-
-
-class Find(StrEnum):
-    """What is asked."""
-
-    CONSTRAINTS = "constraints"
-    EQUILIBRIUM = "equilibrium"
-    MOTION = "motion"
-    LINEARIZATION = "linearization"
+from lagrange.problem.keys import Assumption as Assumption
+from lagrange.problem.keys import Find as Find
 
 
 @record
@@ -74,7 +59,7 @@ class Particle:
 class Body:
     """A rigid body; `position` is its mass centre. Planar: a moment of inertia and an angle. In space: three principal
     moments and either an Euler sequence with its angles, or a triad with the angular velocity. `axes_called` are the
-    names that the file has for the vectors of that triad.
+    names of the vectors of that triad in the file.
     """
 
     name: str
@@ -89,10 +74,23 @@ class Body:
     axes_called: tuple[str, ...] = ()
     angular_velocity: Vector | None = None
 
+    def orientation(self, slots: Slots) -> Orientation:
+        """The orientation that the file gives the body."""
+        if self.angle is not None:
+            return turned_by_angle(self.name, self.angle, self.inertia[0], slots)
+        a, b, c = self.inertia
+        if self.angular_velocity is None:
+            rotations = tuple(zip(map(int, self.sequence), self.angles, strict=True))
+            return turned_by_rotations(self.name, rotations, (a, b, c), slots)
+        first, second, third = self.axes
+        called = (self.axes_called[0], self.axes_called[1], self.axes_called[2]) if self.axes_called else None
+        axes = (first, second, third)
+        return turned_with_axes(self.name, axes, called, self.angular_velocity, (a, b, c), slots, textbook_form)
+
 
 @record
 class Given:
-    """A constraint as the file has it, and how it comes to what is used instead: (x' − y')² = 0, x' − y' = 0."""
+    """A constraint as the file has it, and how it reduces to what is used instead: (x' − y')² = 0, x' − y' = 0."""
 
     lhs: sp.Expr
     rhs: sp.Expr
@@ -103,8 +101,8 @@ class Given:
 class Constraint:
     """f(q, q', t) = 0, where f is the left side minus the right side.
 
-    `kinematic` is true where a velocity occurs. `reaction` is what its multiplier is called. `given` is what the file
-    has, where that is not linear in the velocities and f = 0 says the same; one may come to several constraints.
+    `kinematic` is true where a velocity occurs. `reaction` is the name of its multiplier. `given` is the constraint of
+    the file, where that is not linear in the velocities and f = 0 is equivalent; it may reduce to several constraints.
     """
 
     name: str
@@ -196,7 +194,7 @@ Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction
 
 @record
 class Speed:
-    """A quasi-velocity u = Σ S_k(q, t) q_k' + s(q, t): its name and what it is."""
+    """A quasi-velocity u = Σ S_k(q, t) q_k' + s(q, t): its name and definition."""
 
     symbol: sp.Symbol
     definition: sp.Expr
@@ -214,12 +212,12 @@ class Choice:
     name: str
     coordinates: tuple[sp.Symbol, ...]
     substitute: Mapping[sp.Symbol, sp.Expr] | None
-    span: Span
+    span: Span | None = None
 
 
 @record
 class Answers:
-    """What the textbook says. Expressions stay text: they are read like any reader's answer."""
+    """The textbook's answers. Expressions stay text: they are read like anybody's answer."""
 
     degrees_of_freedom: int | None = None
     classification: tuple[str, ...] = ()
@@ -234,8 +232,8 @@ class Answers:
 class Problem:
     """A problem file, read.
 
-    Positions, masses and forces are SymPy expressions in the slots of `notation`: coordinates,
-    velocities and accelerations are symbols that are called `x`, `x'` and `x''`.
+    Positions, masses and forces are SymPy expressions; coordinates, velocities and accelerations are symbols called
+    `x`, `x'` and `x''`.
     """
 
     title: str
@@ -263,7 +261,7 @@ class Problem:
     notes: tuple[Diagnostic, ...] = ()
 
     def __repr__(self) -> str:
-        """Title and names: the whole of it would be pages of places in the file."""
+        """Title and names; all fields would fill pages with places in the file."""
         named = {
             "coordinates": [q.symbol.name for q in self.coordinates],
             "constraints": [c.name for c in self.constraints],

@@ -1,82 +1,176 @@
 """Reading the parts of a problem file: keys that are known, values of the right kind.
 
-A `Section` is a mapping of the file with the keys that it may have. A key that is none is reported with the nearest
-one that is, and its value is taken for that one's, so that the same mistake is not reported a second time as a missing
-key or as names that are not declared; nothing is said of the value itself, which may be meant otherwise.
+A `Section` is a mapping of the file whose keys are declared by a form. An unknown key is reported with the nearest
+declared one, and its value is taken for that one's, so that the same mistake is not reported again as a missing key or
+as undeclared names; mistakes inside the value are not reported, for it may be meant otherwise.
+
+Which quantities may occur where: no velocity in a position, nothing variable in a mass.
+
+    a mass, a moment of inertia     parameters
+    a position, an angle            parameters, time, coordinates
+    a potential energy              the same, and unknown forces
+    a quasi-velocity                parameters, time, coordinates, velocities
+    a constraint                    the same, and differentials d(x)
+    a force                         parameters, time, coordinates, velocities, unknown forces
+
+No acceleration may occur in any of them. Prescribed motions u, u', u'' belong to time.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from enum import StrEnum
+
+import sympy as sp
+
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, nearest, suggestion
-from lagrange.problem.findings import Findings
-from lagrange.problem.nodes import Mapping, Node, Scalar
-from lagrange.problem.nodes import Sequence as ListNode
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots, base, differential, t, variation
+from lagrange.problem.diagnostic_collector import Diagnostics
+from lagrange.problem.keys import Form
+from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
+
+
+class AllowedQuantity(StrEnum):
+    """The kind of a symbol, as far as it decides where the symbol may occur."""
+
+    TIME = "time"
+    COORDINATE = "the coordinate"
+    VELOCITY = "the velocity"
+    ACCELERATION = "the acceleration"
+    UNKNOWN = "the unknown force"
+    DIFFERENTIAL = "the differential"
+    VARIATION = "the virtual displacement"
+
+
+@record
+class Allowed:
+    """The quantities that may occur in an expression beside parameters, and the help where another one does."""
+
+    quantities: frozenset[AllowedQuantity]
+    help: str
+    code: str = "not-allowed-here"
+
+
+_T, _Q, _V, _P, _D = (
+    AllowedQuantity.TIME,
+    AllowedQuantity.COORDINATE,
+    AllowedQuantity.VELOCITY,
+    AllowedQuantity.UNKNOWN,
+    AllowedQuantity.DIFFERENTIAL,
+)
+CONSTANT = Allowed(frozenset(), "it is made of numbers and of names under `parameters:`", "not-constant")
+POSITION = Allowed(frozenset({_T, _Q}), "positions depend on coordinates and time")
+ENERGY = Allowed(frozenset({_T, _Q, _P}), "it depends on coordinates and time")
+RATE = Allowed(frozenset({_T, _Q, _V}), "it depends on coordinates, velocities and time")
+CONSTRAINT = Allowed(frozenset({_T, _Q, _V, _D}), "a constraint relates coordinates, velocities and time")
+FORCE = Allowed(frozenset({_T, _Q, _V, _P}), "forces depend on coordinates, velocities and time")
+SUBSTITUTION = Allowed(frozenset({_T, _Q}), "it depends on coordinates and time; velocities follow by differentiation")
+ANYTHING = Allowed(frozenset(AllowedQuantity), "")
+
+
+def quantity(symbol: sp.Symbol, slots: Slots, unknowns: Iterable[sp.Symbol]) -> AllowedQuantity | None:
+    """The kind of a symbol; None for a parameter."""
+    if symbol in unknowns:
+        return AllowedQuantity.UNKNOWN
+    plain = base(symbol)
+    if symbol == t or plain in slots.prescribed:
+        return AllowedQuantity.TIME
+    if plain in slots.coordinates:
+        order = len(symbol.name) - len(plain.name)
+        return (AllowedQuantity.COORDINATE, AllowedQuantity.VELOCITY, AllowedQuantity.ACCELERATION)[min(order, 2)]
+    moving = (*slots.coordinates, *slots.prescribed, t)
+    if symbol in {differential(q) for q in moving}:
+        return AllowedQuantity.DIFFERENTIAL
+    return AllowedQuantity.VARIATION if symbol in {variation(q) for q in moving} else None
+
+
+def first_refused(
+    expression: sp.Expr, allowed: Allowed, slots: Slots, unknowns: Iterable[sp.Symbol]
+) -> tuple[sp.Symbol, AllowedQuantity] | None:
+    """The first symbol that is not allowed in an expression, and its kind; None where all are."""
+    for symbol in sorted(expression.free_symbols, key=lambda s: str(s.name)):
+        kind = quantity(symbol, slots, unknowns)
+        if kind is not None and kind not in allowed.quantities:
+            return symbol, kind
+    return None
 
 
 class Section:
     """A mapping whose keys are known.
 
     what     what the mapping is, for messages: "the particle `P`"
-    keys     the keys that it may have
+    form     declares the keys that it may have; only these can be asked for
     strange  the values of other keys that were not taken for one of them
     """
 
-    def __init__(self, node: Mapping, what: str, keys: tuple[str, ...], findings: Findings) -> None:
+    def __init__(self, node: MappingNode, what: str, form: Form, diagnostics: Diagnostics) -> None:
         self.node = node
         self.what = what
-        self.findings = findings
+        self.form = form
+        self.diagnostics = diagnostics
         self.strange: list[Node] = []
-        self._values = {key.text: (key, value) for key, value in node.entries if key.text in keys}
+        self._values = {key.text: (key, value) for key, value in node.entries if key.text in form.names}
         for key, value in node.entries:
-            if key.text not in keys:
-                self._unknown(key, value, keys)
+            if key.text not in form.names:
+                self._unknown(key, value)
 
-    def _unknown(self, key: Scalar, value: Node, keys: tuple[str, ...]) -> None:
+    def _unknown(self, key: Scalar, value: Node) -> None:
         message = f"`{key.text}` is not a key of {self.what}"
-        help_ = suggestion(key.text, keys, "keys")
-        self.findings.report(Diagnostic("unknown-key", message, key.span, help=help_))
-        self.findings.mute(value.span)
-        meant = nearest(key.text, keys)
+        help_ = suggestion(key.text, self.form.names, "keys")
+        self.diagnostics.report(Diagnostic("unknown-key", message, key.span, help=help_))
+        self.diagnostics.mute(value.span)
+        meant = nearest(key.text, self.form.names)
         if meant is None or meant in self._values:
             self.strange.append(value)
         else:
             self._values[meant] = (key, value)
 
+    def _entry(self, key: str) -> tuple[Scalar, Node] | None:
+        """A key of the form with its value; None where it is absent."""
+        assert key in self.form.names, f"`{key}` is not declared as a key of {self.form.title}"
+        return self._values.get(key)
+
     def get(self, key: str) -> Node | None:
         """The value of a key; None where it is absent. A key without a value is reported, and counts as absent."""
-        found = self._values.get(key)
-        if found is None:
+        entry = self._entry(key)
+        if entry is None:
             return None
-        name, value = found
+        name, value = entry
         if isinstance(value, Scalar) and value.is_empty:
             help_ = f"write `{key}: ...`, or remove the key"
-            self.findings.report(Diagnostic("empty-value", f"`{key}` has no value", name.span, help=help_))
+            self.diagnostics.report(Diagnostic("empty-value", f"`{key}` has no value", name.span, help=help_))
             return None
         return value
 
     def section(self, key: str) -> Node | None:
         """The value of a key that may be left empty, as a section whose entries are all commented out is."""
-        found = self._values.get(key)
-        if found is None or (isinstance(found[1], Scalar) and found[1].is_empty):
+        entry = self._entry(key)
+        if entry is None or (isinstance(entry[1], Scalar) and entry[1].is_empty):
             return None
-        return found[1]
+        return entry[1]
 
-    def required(self, key: str, span: Span, example: str) -> Node:
-        """The value of a key that must be there; `span` is what to blame where it is not."""
+    def required(self, key: str, span: Span, example: str = "") -> Node:
+        """The value of a required key; `span` is blamed where it is missing. Raises ProblemError.
+
+        example  the value to suggest, where the declared one does not fit
+        """
         value = self.get(key)
         if value is not None:
             return value
-        if key in self._values:
-            raise ProblemError(())  # it has no value, and that has been said
+        if self.has(key):
+            raise ProblemError(())  # its value is missing, which has been reported
         message = f"{self.what} has no `{key}`"
-        raise ProblemError(Diagnostic("missing-key", message, span, help=f"add `{key}: {example}`"))
+        raise ProblemError(
+            Diagnostic("missing-key", message, span, help=f"add `{key}: {example or self.form.example(key)}`")
+        )
 
     def has(self, key: str) -> bool:
-        """Whether the key is there."""
-        return key in self._values
+        """Whether a key is present."""
+        return self._entry(key) is not None
 
     def span_of(self, key: str) -> Span:
-        """Where a key stands."""
+        """The place of a key that is present."""
         return self._values[key][0].span
 
     def text(self, key: str) -> str:
@@ -84,12 +178,12 @@ class Section:
         value = self.section(key)
         if value is None:
             return ""
-        scalar = self.findings.attempt(lambda: scalar_of(value, f"`{key}`"))
+        scalar = self.diagnostics.attempt(lambda: scalar_of(value, f"`{key}`"))
         return " ".join(scalar.text.split()) if scalar else ""
 
 
 def scalar_of(node: Node, what: str) -> Scalar:
-    """The node as one value. Raises ProblemError where it is none."""
+    """The node as a scalar. Raises ProblemError where it is a list or a mapping."""
     if isinstance(node, Scalar):
         if node.is_empty:
             raise ProblemError(Diagnostic("empty-value", f"{what} is empty", node.span, help="write its value"))
@@ -98,20 +192,20 @@ def scalar_of(node: Node, what: str) -> Scalar:
 
 
 def items_of(node: Node, what: str, example: str) -> tuple[Node, ...]:
-    """The node as a list. Raises ProblemError where it is none."""
+    """The items of a list. Raises ProblemError where the node is not a list."""
     if isinstance(node, ListNode):
         return node.items
     raise ProblemError(wrong_kind(node, f"{what} is a list", f"write `{example}`"))
 
 
 def entries_of(node: Node, what: str, example: str) -> tuple[tuple[Scalar, Node], ...]:
-    """The node as a mapping of names. Raises ProblemError where it is none."""
+    """The entries of a mapping. Raises ProblemError where the node is not a mapping."""
     return mapping_of(node, what, example).entries
 
 
-def mapping_of(node: Node, what: str, example: str) -> Mapping:
-    """The node as a mapping. Raises ProblemError where it is none."""
-    if isinstance(node, Mapping):
+def mapping_of(node: Node, what: str, example: str) -> MappingNode:
+    """The node as a mapping. Raises ProblemError where it is not one."""
+    if isinstance(node, MappingNode):
         return node
     raise ProblemError(wrong_kind(node, f"{what} is a mapping", f"write `{example}`"))
 

@@ -1,63 +1,145 @@
-"""Bytes -> text -> the mapping that a problem file is, as nodes that know where they stand."""
+"""The nodes of a problem file: scalars, lists and mappings, each with its place.
+
+Every scalar is text: `n`, `y`, `no` and `on` stay names, `1e-3` stays as written, and its meaning is decided by the
+section that reads it.
+
+A scalar in quotes, in a block (`|`, `>`) or on several lines is not read as it is written: quotes and backslashes are
+resolved, line breaks become spaces. Both texts have the same visible characters in the same order, which locates each
+character in the file; a blank is located at the end of the character before it.
+"""
 
 from __future__ import annotations
 
-import yaml
+import re
+from collections.abc import Iterator
 
-from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
-from lagrange.problem.findings import Findings
-from lagrange.problem.nodes import Mapping, Scalar
-from lagrange.problem.yaml_composer import Composer
-from lagrange.problem.yaml_mistakes import unreadable_character, yaml_mistake
-
-MAX_BYTES = 1 << 20
-
-_TEMPLATE = "a problem needs at least `title: ...` and `coordinates: [...]`"
+from lagrange.core.diagnostics import Fragment, Span
+from lagrange.core.records import record
 
 
-def decode(data: bytes, name: str) -> Source:
-    """The text of a file.
+@record
+class Scalar:
+    """A value, as text. `fragment` locates its characters; `quoted` distinguishes `""` from an absent value."""
 
-    Raises ProblemError where it is too large, or no UTF-8 text.
-    """
-    if len(data) > MAX_BYTES:
-        raise ProblemError(_too_large(name))
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        utf16 = data[:2] in (b"\xff\xfe", b"\xfe\xff")
-        what = "it is UTF-16" if utf16 else f"byte {error.start + 1:,} belongs to no character"
-        help_ = "save the file as UTF-8; a problem is a plain text file"
-        raise ProblemError(Diagnostic("not-text", f"{name} is not UTF-8 text: {what}", help=help_)) from None
-    return Source(name, text.replace("\r\n", "\n").replace("\r", "\n"))
+    text: str
+    span: Span
+    fragment: Fragment
+    quoted: bool
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing was written."""
+        return not self.quoted and not self.text
 
 
-def parse(source: Source, findings: Findings, what: str = "a problem file", needs: str = _TEMPLATE) -> Mapping:
-    """The mapping that a file is; `needs` says what it has at least. Mistakes that leave the rest readable are noted.
+@record
+class ListNode:
+    """A list."""
 
-    Raises ProblemError with the place where the text is not the YAML that is accepted here.
-    """
-    if len(source.text) > MAX_BYTES:
-        raise ProblemError(_too_large(source.name))
-    if not source.text.strip():
-        raise ProblemError(Diagnostic("empty-file", f"{source.name} is empty", help=needs))
-    unreadable = unreadable_character(source)
-    if unreadable:
-        raise ProblemError(unreadable)
-    try:
-        root = Composer(source, findings).document()
-    except yaml.YAMLError as error:
-        raise ProblemError(yaml_mistake(source, error)) from None
-    if root is None or (isinstance(root, Scalar) and root.is_empty):
-        message = f"{source.name} holds nothing but comments"
-        raise ProblemError(Diagnostic("empty-file", message, help=needs))
-    if not isinstance(root, Mapping):
-        message = f"{what} is a mapping: lines `key: value`"
-        help_ = "a colon needs a space after it" if isinstance(root, Scalar) and ":" in root.text else needs
-        raise ProblemError(Diagnostic("not-a-mapping", message, root.span, help=help_))
-    return root
+    items: tuple[Node, ...]
+    span: Span
 
 
-def _too_large(name: str) -> Diagnostic:
-    message = f"{name} is larger than {MAX_BYTES:,} bytes (1 MiB)"
-    return Diagnostic("file-too-large", message, help="is this the file you meant? A problem is a page of text")
+@record
+class MappingNode:
+    """Keys with values, in the order of the file."""
+
+    entries: tuple[tuple[Scalar, Node], ...]
+    span: Span
+
+
+Node = Scalar | ListNode | MappingNode
+
+
+def scalars(node: Node) -> Iterator[Scalar]:
+    """All scalars in a node, keys included, in the order of the file."""
+    match node:
+        case Scalar():
+            yield node
+        case ListNode(items=items):
+            for item in items:
+                yield from scalars(item)
+        case MappingNode(entries=entries):
+            for key, value in entries:
+                yield key
+                yield from scalars(value)
+
+
+Place = tuple[str, int, int]
+"""A character, and where its written form begins and ends."""
+
+_ESCAPE = re.compile(r"\\(?:x([0-9a-fA-F]{2})|u([0-9a-fA-F]{4})|U([0-9a-fA-F]{8})|(.))", re.DOTALL)
+_NAMED = {
+    "0": "\0", "a": "\a", "b": "\b", "t": "\t", "\t": "\t", "n": "\n", "v": "\v", "f": "\f", "r": "\r", "e": "\x1b",
+    "N": "\x85", "_": "\xa0", "L": "\u2028", "P": "\u2029", "\n": " ",
+}  # fmt: skip
+
+
+@record
+class ScalarText(Fragment):
+    """The text of a scalar that is not read as it is written. `style` is YAML's: `'`, `"`, `|`, `>` or empty."""
+
+    style: str = ""
+
+    def span(self, start: int, end: int) -> Span:
+        """The place of characters `start` to `end` of the text in the source; the whole scalar if it is not found."""
+        places = _places(self.text, self._written())
+        if places is None or not places:
+            return self.whole
+        first = places[min(start, len(places) - 1)]
+        last = places[min(max(end, start + 1), len(places)) - 1]
+        at = first[1] if start < len(places) else first[2]  # after the last character
+        return Span(self.whole.source, at, max(last[2], at + 1))
+
+    def _written(self) -> Iterator[Place]:
+        """The visible characters, as written."""
+        raw = self.whole.source.text[self.whole.start : self.whole.end]
+        match self.style:
+            case "'":
+                written = _single_quoted(raw)
+            case '"':
+                written = _double_quoted(raw)
+            case "|" | ">":
+                head = raw.find("\n")
+                written = ((c, n, n + 1) for n, c in enumerate(raw) if n > head >= 0)
+            case _:
+                written = ((c, n, n + 1) for n, c in enumerate(raw))
+        start = self.whole.start
+        return ((c, start + a, start + b) for c, a, b in written if not c.isspace())
+
+
+def _places(text: str, written: Iterator[Place]) -> list[Place] | None:
+    """The place of each character of a text; None where the written characters are others."""
+    places: list[Place] = []
+    for char in text:
+        if char.isspace():
+            end = places[-1][2] if places else 0
+            places.append((char, end, end))
+            continue
+        place = next(written, None)
+        if place is None or place[0] != char:
+            return None
+        places.append(place)
+    return places
+
+
+def _single_quoted(raw: str) -> Iterator[Place]:
+    at = 1
+    while at < len(raw) - 1:
+        width = 2 if raw.startswith("''", at) else 1
+        yield raw[at], at, at + width
+        at += width
+
+
+def _double_quoted(raw: str) -> Iterator[Place]:
+    at = 1
+    while at < len(raw) - 1:
+        escape = _ESCAPE.match(raw, at)
+        if escape is None:
+            yield raw[at], at, at + 1
+            at += 1
+        else:
+            code = escape[1] or escape[2] or escape[3]
+            char = chr(int(code, 16)) if code else _NAMED.get(escape[4], escape[4])
+            yield char, at, escape.end()
+            at = escape.end()

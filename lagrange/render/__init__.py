@@ -1,1 +1,1 @@
-"""Renderers: one file a format, all of them reading the same derivation."""
+"""A derivation printed in every format: renderers select, number and break lines; they never compute."""

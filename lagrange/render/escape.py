@@ -1,4 +1,9 @@
-"""Text for LaTeX: what TeX would take for a command, and what pdflatex has no letter for."""
+"""Plain text in other languages: what LaTeX would read as a command, and letters that pdflatex does not have.
+
+A name or title from a problem file may hold any character of Unicode. What LaTeX has a command for becomes that
+command; other letters lose their accents; what is left after that appears as its code point, [U+4E2D], so that the
+document compiles and nothing vanishes without a trace. Control and format characters are dropped in every format.
+"""
 
 from __future__ import annotations
 
@@ -57,19 +62,27 @@ _LETTERS = {letter: f"${command}$" for letter, command in GREEK.values()}
 _SCRIPTS = {c: f"$^{n}$" for n, c in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")} | {c: f"$_{n}$" for n, c in enumerate("₀₁₂₃₄₅₆₇₈₉")}
 _DOTS = {"\u0307": r"\dot", "\u0308": r"\ddot"}
 _KNOWN = _SPECIAL | _LETTERS | _SCRIPTS
-_LATIN = 0x17F  # up to here inputenc knows the letters
+_LATIN = 0x17F  # the end of Latin Extended-A: inputenc has the letters up to here
 _DOTTED = re.compile("(.)([\u0307\u0308])")
 
 
 def escape(text: str) -> str:
-    """Text that stands for itself in LaTeX."""
+    """Text as LaTeX that prints it."""
+    # Straight quotes come in pairs; TeX needs to know which of the two opens.
     text = re.sub(r'"([^"]*)"', "“\\1”", unicodedata.normalize("NFC", text))
+    # After NFC a dot is combining only where Unicode has no such letter: θ̇ stays a pair, and becomes \dot{\theta}.
     pieces = re.split("(.[\u0307\u0308])", text)
     return "".join(_dotted(p) if _DOTTED.fullmatch(p) else "".join(map(_character, p)) for p in pieces)
 
 
+def printable(text: str) -> str:
+    """Text on one line without control and format characters, which steer a terminal or hide in a page."""
+    spaced = (" " if c.isspace() else c for c in text)
+    return "".join(c for c in spaced if unicodedata.category(c) not in ("Cc", "Cf"))
+
+
 def slug(title: str) -> str:
-    """The title in the form of a label: `ideal-pendulum`."""
+    """The title as a label: `ideal-pendulum`."""
     plain = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode().lower()
     return re.sub(r"[^a-z0-9]+", "-", plain).strip("-") or "derivation"
 

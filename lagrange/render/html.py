@@ -1,24 +1,23 @@
 """A derivation as a web page: one file without scripts that needs nothing from the network.
 
-Mathematics is MathML; a long equation is several formulas in a row, so that the browser breaks it at its signs. A
-table that is wider than a phone is shown there as a list. What is seen is also said: headings in order, table headers,
-equations in words of the problem language.
+Mathematics is MathML. Browsers do not break a formula, so a long equation is several formulas in a row, between which
+they break the line (see `mathml`). One style sheet serves light and dark screens, phones, desks and paper; a table that
+is wider than a phone appears there as a list. Screen readers get headings in order, header cells, and each displayed
+equation in the language of problem files as its label.
 """
 
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
-from html import escape
-from itertools import groupby
+from html import escape as html_escape
 
 from lagrange.document.derivation import (
-    Block,
     CheckMark,
     Derivation,
     Detail,
     Display,
+    Emphasis,
     Equation,
     Math,
     Matrices,
@@ -27,25 +26,119 @@ from lagrange.document.derivation import (
     Prose,
     Ref,
     Table,
-    Term,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
-from lagrange.render.escape import slug
+from lagrange.render.escape import printable, slug
+from lagrange.render.limits import LONG_DISPLAY, PHONE_COLUMNS
 from lagrange.render.mathml import Formulas
-from lagrange.render.shown import shown, written_out
-from lagrange.render.stylesheet import CSS
+from lagrange.render.selection import shown, written_out
 from lagrange.render.svg import figure
+from lagrange.render.walk import Emitter, block_lines
+
+CSS = """
+:root { color-scheme: light dark; --ink: #1c1b1a; --paper: #fffefb; --quiet: #6b6862; --line: #d9d5cb;
+  --accent: #7a2e1d; --good: #2c6e3f; --bad: #b3261e; --box: #f7f3e8; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e8e4da; --paper: #1a1917; --quiet: #a19c91; --line: #45423c;
+  --accent: #e0a48f; --good: #86c79a; --bad: #f2a59d; --box: #24221e; } }
+* { box-sizing: border-box; }
+html { -webkit-text-size-adjust: 100%; }
+body { margin: 0; background: var(--paper); color: var(--ink); line-height: 1.55;
+  font: 1.0625rem/1.55 "Palatino Linotype", Palatino, "Book Antiqua", "TeX Gyre Pagella", Georgia, serif; }
+main { max-width: 46rem; margin: 0 auto; padding: 2rem 1.25rem 4rem; }
+article + article { margin-top: 4rem; border-top: 1px solid var(--line); padding-top: 2rem; }
+h1 { font-size: 1.7rem; line-height: 1.2; margin: 0; font-weight: 600; }
+h2 { font-size: 1.12rem; margin: 2.2rem 0 .6rem; font-weight: 600; border-top: 1px solid var(--line);
+  padding-top: .8rem; break-after: avoid; }
+h2 .count { color: var(--accent); display: inline-block; min-width: 1.9rem; }
+p { margin: .6rem 0; overflow-wrap: break-word; }
+.source { color: var(--quiet); font-style: italic; margin: .25rem 0 0; }
+nav ol { padding-left: 1.5rem; }
+a { color: var(--accent); text-decoration: none; }
+a:hover, a:focus-visible { text-decoration: underline; }
+math { font-family: "STIX Two Math", "Latin Modern Math", "Cambria Math", "TeX Gyre Pagella Math", math;
+  font-size: 1.1em; }
+mover > mo { font-size: 1.15em; }
+.v { font-weight: bold; font-style: normal; }
+.together, p math, li math, td math, th math { white-space: nowrap; }
+.display { margin: .7rem 0; display: grid; grid-template-columns: 1fr auto; column-gap: 1rem; row-gap: .35rem;
+  align-items: baseline; break-inside: avoid; }
+.display.long { break-inside: auto; }
+.display.aligned { grid-template-columns: auto 1fr auto; }
+.display > .equation { padding-left: 3.2rem; text-indent: -1.6rem; min-width: 0; overflow-x: auto;
+  overflow-y: hidden; padding-block: .12rem; }
+.display.aligned > .left { padding-left: 1.6rem; text-align: right; }
+.display.aligned > .equation { padding-left: 1.6rem; }
+.display math { text-indent: 0; }
+.term { display: inline-block; max-width: 100%; text-indent: -1em; padding-left: 1em;
+  baseline-source: first; }
+.condition { text-indent: 0; padding-left: 1em; display: inline-block; }
+.number { color: var(--quiet); font-variant-numeric: tabular-nums; }
+.result { border: 1px solid var(--accent); border-radius: 4px; background: var(--box); padding: .6rem .8rem .6rem 0; }
+.scroll { margin: .8rem 0; overflow-x: auto; overflow-y: hidden; }
+table { border-collapse: collapse; margin-left: 1.6rem; font-size: .98em; }
+th, td { text-align: left; padding: .25rem .9rem .25rem 0; vertical-align: baseline; font-weight: normal; }
+thead th { border-bottom: 1px solid var(--ink); color: var(--quiet); }
+td .label, .phone { display: none; }
+ul.checks { list-style: none; padding: 0; margin: .6rem 0; }
+ul.checks li { padding-left: 1.6rem; text-indent: -1.6rem; margin: .2rem 0; }
+.mark { display: inline-block; width: 1.6rem; text-indent: 0; font-weight: bold; }
+.held { color: var(--good); } .failed { color: var(--bad); } .open { color: var(--quiet); }
+.how { color: var(--quiet); }
+figure { margin: 1.2rem 0; text-align: center; break-inside: avoid; }
+figure svg { max-width: 100%; height: auto; }
+figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
+.picture path { fill: none; stroke: currentColor; stroke-width: 1.3; stroke-linejoin: round; stroke-linecap: round; }
+.picture .rod { stroke-width: 2.2; }
+.picture .guide { stroke: var(--quiet); stroke-width: .9; stroke-dasharray: 4 4; }
+.picture .axis, .picture .curve { stroke: var(--quiet); }
+.picture .ground, .picture .angle { stroke-width: 1; }
+.picture .force { stroke-width: 2; }
+.picture .reaction { stroke: var(--accent); stroke-width: 2; }
+.picture path.tip { fill: currentColor; stroke: none; }
+.picture path.axis.tip { fill: var(--quiet); }
+.picture path.reaction.tip { fill: var(--accent); }
+.picture circle { fill: currentColor; }
+.picture .hinge { fill: var(--paper); stroke: currentColor; stroke-width: 1.3; }
+.picture text { font: 15px "STIX Two Text", "Latin Modern Roman", "TeX Gyre Pagella", Georgia, serif;
+  fill: currentColor; text-anchor: middle; }
+.picture .i { font-style: italic; }
+.picture .b { font-weight: bold; }
+.unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
+@media (max-width: 40rem) {
+  body { font-size: 1rem; }
+  main { padding: 1.25rem 1rem 3rem; }
+  .phone { display: inline; }
+  .desk { display: none; }
+  .display { column-gap: .5rem; }
+  .display math { font-size: .93em; }
+  .display > .equation { padding-left: 2rem; text-indent: -1.2rem; }
+  .display.aligned > .left { padding-left: .6rem; }
+  .display.aligned > .equation { padding-left: 1.2rem; }
+  table { margin-left: 0; }
+  table.wide, table.wide tbody, table.wide tr, table.wide th, table.wide td { display: block; }
+  table.wide thead { display: none; }
+  table.wide tr { margin-bottom: .6rem; }
+  table.wide th[scope=row] { font-style: italic; }
+  table.wide td { padding-left: 1.2rem; padding-block: .1rem; }
+  table.wide td .label { display: inline; color: var(--quiet); }
+}
+@media print {
+  :root { --ink: #000; --paper: #fff; --quiet: #444; --line: #bbb; --accent: #000; --good: #000; --bad: #000;
+    --box: #fff; }
+  main { max-width: none; padding: 0; }
+  article + article { break-before: page; border: 0; }
+}
+""".strip()
+
 
 MARKS = {True: ("✓", "held", "held"), False: ("✗", "failed", "did not hold"), None: ("?", "open", "undecided")}
 CLOSING = re.compile(r"[).,:;]+")
-LONG = 12
-"""Equations of a display that may be broken between pages."""
 
 
 def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = Detail.STEPS) -> str:
     """A page with these derivations."""
     articles = [_Article(d, n, detail, _prefix(d, k, derivations)) for k, (d, n) in enumerate(derivations)]
-    titles = [clean(a.derivation.title) for a in articles]
+    titles = [escape(a.derivation.title) for a in articles]
     lines = [
         "<!DOCTYPE html>",
         '<html lang="en">',
@@ -66,20 +159,19 @@ def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = 
     return "\n".join([*lines, "</main>", "</body>", "</html>"]) + "\n"
 
 
-def clean(text: str) -> str:
-    """Text that stands for itself in HTML."""
-    kept = (" " if c.isspace() else c for c in text if c.isspace() or unicodedata.category(c) not in ("Cc", "Cf"))
-    return escape("".join(kept))
+def escape(text: str) -> str:
+    """Text as HTML that shows it."""
+    return html_escape(printable(text))
 
 
 def _prefix(derivation: Derivation, place: int, derivations: Sequence[tuple[Derivation, Notation]]) -> str:
-    """What ids of a derivation begin with; with its place where titles are alike."""
+    """The prefix of the ids of a derivation: its title, and its place where several titles are alike."""
     name = slug(derivation.title)
     alike = sum(slug(d.title) == name for d, _ in derivations) > 1
     return f"{name}-{place + 1}" if alike else name
 
 
-class _Article:
+class _Article(Emitter[str]):
     """One derivation."""
 
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
@@ -91,59 +183,41 @@ class _Article:
 
     def all(self) -> Iterator[str]:
         yield f'<article id="{self.prefix}">'
-        yield f"<h1>{clean(self.derivation.title)}</h1>"
+        yield f"<h1>{escape(self.derivation.title)}</h1>"
         if self.derivation.source:
-            yield f'<p class="source">{clean(self.derivation.source)}</p>'
+            yield f'<p class="source">{escape(self.derivation.source)}</p>'
         for number, step in enumerate(self.content.steps, 1):
-            yield f'<h2><span class="count">{number}</span>{clean(step.title)}</h2>'
-            for kind, blocks in groupby(step.body, key=type):
-                if kind is CheckMark:
-                    yield '<ul class="checks">'
-                    yield from (self.check(b) for b in blocks if isinstance(b, CheckMark))
-                    yield "</ul>"
-                else:
-                    for block in blocks:
-                        yield from self.block(block)
+            yield f'<h2><span class="count">{number}</span>{escape(step.title)}</h2>'
+            yield from block_lines(step.body, self)
         yield "</article>"
 
-    def block(self, block: Block) -> Iterator[str]:
-        match block:
-            case Prose():
-                yield f"<p>{self.prose(block.parts)}</p>"
-            case Display():
-                yield from self.display(block)
-            case Table():
-                yield from self.table(block)
-            case Picture():
-                yield from self.picture(block)
-            case Matrices():
-                yield from self.matrices(block)
+    # Words
+
+    def paragraphs(self, run: Sequence[Prose]) -> Iterator[str]:
+        return (f"<p>{self.prose(block.parts)}</p>" for block in run)
 
     def prose(self, parts: Iterable[Part]) -> str:
-        """Words and formulas; what closes a phrase stays on the line of the formula before it."""
-        found = ""
+        """Words and formulas; punctuation stays on the line of the formula before it."""
+        code = ""
         for part in parts:
-            if isinstance(part, str) and found.endswith("</math>") and (closing := CLOSING.match(part)):
-                start = found.rindex("<math")
-                found = f'{found[:start]}<span class="together">{found[start:]}{clean(closing[0])}</span>'
+            # A browser may break a line between </math> and a comma, so the last formula and the comma share a box.
+            if isinstance(part, str) and code.endswith("</math>") and (closing := CLOSING.match(part)):
+                start = code.rindex("<math")
+                code = f'{code[:start]}<span class="together">{code[start:]}{escape(closing[0])}</span>'
                 part = part[closing.end() :]
-            found += self.part(part)
-        return found
+            code += self.part(part)
+        return code
 
     def part(self, part: Part) -> str:
-        match part:
-            case Math():
-                return self.formulas.equation(part.sides, part.relation)
-            case Ref() if part.label in self.content.numbers:
-                return f'<a href="#{self.id(part.label)}">({self.content.numbers[part.label]})</a>'
-            case Ref() if part.label in self.content.hidden:
-                hidden = self.content.hidden[part.label]
-                return self.formulas.equation(hidden.sides, hidden.relation)
-            case Ref():
-                return "(?)"
-            case Term():
-                return f"<em>{clean(part.word)}</em>"
-        return clean(part)
+        match self.content.resolved(part):
+            case Math(sides=sides, relation=relation):
+                return self.formulas.equation(sides, relation)
+            case Ref(label=label):
+                return f'<a href="#{self.id(label)}">({self.content.numbers[label]})</a>'
+            case Emphasis(word=word):
+                return f"<em>{escape(word)}</em>"
+            case str(text):
+                return escape(text)
 
     def id(self, label: str) -> str:
         return f"{self.prefix}-{re.sub(r'[^A-Za-z0-9-]+', '-', label)}"
@@ -153,15 +227,20 @@ class _Article:
     def display(self, block: Display) -> Iterator[str]:
         equations = block.equations
         aligned = len(equations) > 1 and all(len(e.sides) > 1 and self.formulas.is_short(e.sides[0]) for e in equations)
-        kinds = ["display", *["aligned"] * aligned, *["result"] * block.boxed, *["long"] * (len(equations) > LONG)]
+        kinds = [
+            "display",
+            *["aligned"] * aligned,
+            *["result"] * block.boxed,
+            *["long"] * (len(equations) > LONG_DISPLAY),
+        ]
         yield f'<div class="{" ".join(kinds)}">'
         for e in equations:
             if aligned:
                 yield f'<div class="left">{self.formulas.left(e.sides[0])}</div>'
             body = self.formulas.equation(e.sides, e.relation, displayed=True, first=int(aligned)) + self.condition(e)
-            said = self.formulas.text(e.sides, e.relation)
-            yield f'<div class="equation" role="math" aria-label="{said}">{body}</div>'
-            yield f'<div class="number"{self.anchor(e)}>{self.number(e)}</div>'
+            spoken = self.formulas.text(e.sides, e.relation)
+            yield f'<div class="equation" role="math" aria-label="{spoken}">{body}</div>'
+            yield f'<div class="number"{self.anchor(e)}>{self.content.number(e)}</div>'
         yield "</div>"
 
     def condition(self, equation: Equation) -> str:
@@ -170,33 +249,28 @@ class _Article:
     def anchor(self, equation: Equation) -> str:
         return f' id="{self.id(equation.label)}"' if equation.label else ""
 
-    def number(self, equation: Equation) -> str:
-        number = self.content.numbers.get(equation.label or "")
-        return f"({number})" if number else ""
-
     # Pictures, matrices, tables and checks
 
     def picture(self, block: Picture) -> Iterator[str]:
         scene = block.draw()
         if scene is not None:
             yield "<figure>"
-            yield from figure(scene, clean(block.alt), self.in_pictures.plain)
+            yield from figure(scene, escape(block.alt), self.in_pictures.plain)
             yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
             yield "</figure>"
 
     def matrices(self, block: Matrices) -> Iterator[str]:
-        """Those that fit on a line, the others entry by entry."""
-        drawn = [(self.formulas.matrix(name, rows), name, rows) for name, rows in block.named]
-        if any(found is not None for found, *_ in drawn):
-            yield '<div class="scroll">' + " ".join(found for found, *_ in drawn if found is not None) + "</div>"
-        for found, name, rows in drawn:
-            if found is None:
-                for part in written_out(name, rows):
-                    yield from self.block(part)
+        """Those that fit on a line side by side, the others entry by entry."""
+        codes = [self.formulas.matrix(name, rows) for name, rows in block.named]
+        if any(codes):
+            yield '<div class="scroll">' + " ".join(filter(None, codes)) + "</div>"
+        for code, (name, rows) in zip(codes, block.named, strict=True):
+            if code is None:
+                yield from block_lines(written_out(name, rows), self)
 
     def table(self, block: Table) -> Iterator[str]:
         header = [self.part(part) for part in block.header]
-        wide = len(block.header) > 3
+        wide = len(block.header) > PHONE_COLUMNS
         yield f'<div class="scroll"><table{" class=" + chr(34) + "wide" + chr(34) if wide else ""}>'
         yield "<thead><tr>" + "".join(f'<th scope="col">{h}</th>' for h in header) + "</tr></thead>"
         yield "<tbody>"
@@ -209,8 +283,11 @@ class _Article:
             yield f'<tr><th scope="row">{first}</th>{cells}</tr>'
         yield "</tbody></table></div>"
 
-    def check(self, check: CheckMark) -> str:
-        sign, kind, said = MARKS[check.passed]
-        how = f' <span class="how">{clean(check.how)}</span>' if check.how else ""
-        mark = f'<span class="mark {kind}" aria-hidden="true">{sign}</span><span class="unseen">{said}: </span>'
-        return f"<li>{mark}{self.prose(check.name)}{how}</li>"
+    def checks(self, run: Sequence[CheckMark]) -> Iterator[str]:
+        yield '<ul class="checks">'
+        for check in run:
+            sign, kind, outcome = MARKS[check.passed]
+            how = f' <span class="how">{escape(check.how)}</span>' if check.how else ""
+            mark = f'<span class="mark {kind}" aria-hidden="true">{sign}</span><span class="unseen">{outcome}: </span>'
+            yield f"<li>{mark}{self.prose(check.name)}{how}</li>"
+        yield "</ul>"

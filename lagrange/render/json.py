@@ -1,7 +1,8 @@
-"""JSON, version 1: what a solution has found, for other programs.
+"""A solved problem in JSON, version 1, for other programs: the results by name, and the derivation in steps.
 
-Expressions are text of the language of problem files, so that they can be read back. What does not apply is left out,
-what is undecided is null. Several problems make a list.
+Expressions are text in the language of problem files, so that they can be read back. A result that does not apply is
+left out, an undecided one is null. One problem makes an object, several make a list. The keys and their order are a
+contract: a change of their meaning needs a new version.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from lagrange.document.derivation import (
     Block,
     CheckMark,
     Display,
+    Emphasis,
     Equation,
     Math,
     Matrices,
@@ -26,41 +28,41 @@ from lagrange.document.derivation import (
     Prose,
     Ref,
     Table,
-    Term,
 )
 from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
-from lagrange.mechanics.dynamics.multipliers import LagrangeMotion
-from lagrange.render.json_linear import linearized, matrices, matrix
-from lagrange.render.json_motion import by_lagrange, integrals, motion, speeds
+from lagrange.mechanics.dynamics.equations import LagrangeMotion
 
 if TYPE_CHECKING:
     from lagrange.explain.report import Report
     from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
-    from lagrange.mechanics.dynamics.newton import Newton
+    from lagrange.mechanics.dynamics.conservation import Conserved
+    from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+    from lagrange.mechanics.dynamics.motion import Motion
+    from lagrange.mechanics.dynamics.newton import Newton, WorkOfReaction
+    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.dynamics.reactions import Reactions
-    from lagrange.mechanics.dynamics.spot_values import Spot
-    from lagrange.mechanics.dynamics.workless import WorkOfReaction
+    from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+    from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
-    from lagrange.mechanics.solution import ChoiceSolution, Solution
+    from lagrange.mechanics.solution import InCoordinates, Solution
 
 VERSION = 1
-
 Write = Callable[[Any], str]
 
 
 def render(reports: Sequence[Report | None]) -> str:
-    """The reports as JSON text: an object for one problem; a list for several, with null for one that is not solved."""
-    found = [r and as_object(r) for r in reports]
-    return json.dumps(found[0] if len(found) == 1 else found, ensure_ascii=False, indent=1) + "\n"
+    """The reports as JSON text: an object for one problem; a list for several, with null for one without a solution."""
+    objects = [r and as_object(r) for r in reports]
+    return json.dumps(objects[0] if len(objects) == 1 else objects, ensure_ascii=False, indent=1) + "\n"
 
 
 def as_object(report: Report) -> dict[str, Any]:
     """One report as the object of version 1."""
     solution, notation = report.solution, report.notation
-    problem, classification = solution.problem, solution.classification
+    problem, classification, own = solution.problem, solution.classification, solution.own
     write = Writer(TEXT, notation).plain
     found: dict[str, Any] = {
         "version": VERSION,
@@ -84,28 +86,21 @@ def as_object(report: Report) -> dict[str, Any]:
         "virtual_displacements": [f"{write(virtual_displacement(r, problem.slots))} = 0" for r in classification.rows],
         "choices": [_choice(c, write) for c in solution.choices],
     }
-    if solution.equilibrium is not None:
-        found |= _statics(solution.equilibrium, solution.stability, write)
+    if own.equilibrium is not None:
+        found |= _statics(own.equilibrium, own.stability, write)
     if solution.law is not None:
-        found |= _newton(solution.law.newton, write, counted=solution.motion is not None or not problem.unknowns)
-    if solution.dynamics is not None and isinstance(solution.dynamics.written, LagrangeMotion):
+        found |= _newton(solution.law.newton, write, counted=own.motion is not None or not problem.unknowns)
+    if own.dynamics is not None and isinstance(own.dynamics.written, LagrangeMotion):
         found["method"] = "lagrange"
-    if solution.dynamics is not None:
-        found |= motion(solution.dynamics, write)
-        found |= by_lagrange(solution.dynamics.written, write)
-        found |= matrices(solution.dynamics, write)
-    if solution.in_speeds is not None:
-        found["speeds"] = speeds(solution.in_speeds, write)
-    if solution.linearization is not None:
-        found["linearization"] = linearized(solution.linearization, write)
-    if solution.dynamics is not None and solution.dynamics.reactions is not None:
-        found |= _reactions(solution, solution.dynamics.reactions, write)
-    if solution.conserved is not None:
-        found["conserved"] = integrals(solution.conserved, write)
-    if solution.reactions_at_rest is not None:
-        found |= _reactions_at_rest(solution.reactions_at_rest, solution.works, found.get("reactions", {}), write)
+    found |= _motion(own, write)
+    if own.dynamics is not None and own.dynamics.reactions is not None:
+        found |= _reactions(solution, own.dynamics.reactions, write)
+    if own.conserved is not None:
+        found["conserved"] = integrals(own.conserved, write)
+    if own.reactions_at_rest is not None:
+        found |= _reactions_at_rest(own.reactions_at_rest, solution.works, found.get("reactions", {}), write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
-    spots = [solution.spot, *(c.spot for c in solution.choices)]
+    spots = [v.spot for v in solution.views]
     first = next((s for s in spots if s is not None), None)
     if first is not None:
         found["spot"] = _spot(first, write)
@@ -128,25 +123,25 @@ def _named(name: str, choice: str) -> str:
 def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str, Any]:
     constraint, row = c.constraint, c.row
     coordinates = report.solution.problem.slots.coordinates
-    found: dict[str, Any] = {
+    result: dict[str, Any] = {
         "name": constraint.name,
         "equation": f"{write(constraint.function)} = 0",
         "kind": "kinematic" if constraint.kinematic else "geometric",
     }
     if constraint.given is not None:
-        found["given"] = f"{write(constraint.given.lhs)} = {write(constraint.given.rhs)}"
+        result["given"] = f"{write(constraint.given.lhs)} = {write(constraint.given.rhs)}"
     if c.pfaffian:
         form = {q.name: write(a) for q, a in zip(coordinates, row.coefficients, strict=True)}
-        found |= {"pfaffian": form | {"t": write(row.drift)}, "exact": c.exactness.exact}
-    found["integrable"] = c.integrable
+        result |= {"pfaffian": form | {"t": write(row.drift)}, "exact": c.exactness.exact}
+    result["integrable"] = c.integrable
     if c.factor is not None:
-        found["integrating_factor"] = write(c.factor)
+        result["integrating_factor"] = write(c.factor)
     if c.integral is not None:
-        found["integral"] = write(c.integral)
-    return found | {"depends_on_time": c.depends_on_time, "catastatic": c.catastatic}
+        result["integral"] = write(c.integral)
+    return result | {"depends_on_time": c.depends_on_time, "catastatic": c.catastatic}
 
 
-def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
+def _choice(c: InCoordinates, write: Write) -> dict[str, Any]:
     coordinates = c.coordinates
     found: dict[str, Any] = {
         "name": c.name,
@@ -160,13 +155,7 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
         slots = coordinates.configuration.slots
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
-        found |= motion(c.dynamics, write)
-        found |= by_lagrange(c.dynamics.written, write)
-        found |= matrices(c.dynamics, write)
-    if c.in_speeds is not None:
-        found["speeds"] = speeds(c.in_speeds, write)
-    if c.linearization is not None:
-        found["linearization"] = linearized(c.linearization, write)
+    found |= _motion(c, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
         values = c.dynamics.reactions.multipliers
         tensions = c.dynamics.reactions.tensions
@@ -184,8 +173,22 @@ def _choice(c: ChoiceSolution, write: Write) -> dict[str, Any]:
     return found
 
 
+def _motion(view: InCoordinates, write: Write) -> dict[str, Any]:
+    """The equations of motion in one set of coordinates, in every form in which they were found."""
+    found: dict[str, Any] = {}
+    if view.dynamics is not None:
+        found |= motion(view.dynamics, write)
+        found |= by_lagrange(view.dynamics.written, write)
+        found |= matrices(view.dynamics, write)
+    if view.in_speeds is not None:
+        found["speeds"] = speeds(view.in_speeds, write)
+    if view.linearization is not None:
+        found["linearization"] = linearized(view.linearization, write)
+    return found
+
+
 def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
-    """Newton's law, and the count of unknowns; left out where the coordinates give no free bodies."""
+    """Newton's law, and the count of unknowns; empty where the coordinates give no free bodies."""
     if newton.equations is None or newton.before is None or newton.after is None:
         return {}
     directed = {"count": newton.after.unknowns, "equations": newton.after.equations}
@@ -227,38 +230,39 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
 
 
 def _reactions_at_rest(
-    found: StaticReactions, works: Sequence[WorkOfReaction], moving: dict[str, Any], write: Write
+    static: StaticReactions, works: Sequence[WorkOfReaction], moving: dict[str, Any], write: Write
 ) -> dict[str, Any]:
-    """The reactions: `at_equilibrium` goes with the alternatives of `equilibrium`; those of the only one stand outside.
+    """The reactions: `at_equilibrium` has an entry for each alternative of `equilibrium`.
 
-    Of reactions that are not determined one by one `reactions_determined` has the combinations that are.
+    Where there is only one alternative, its entry is repeated beside that list. Where reactions are not determined one
+    by one, `reactions_determined` has the combinations that are.
     """
     names = [w.reaction.name for w in works] or [
-        *dict.fromkeys(n for r in found.at if r for n in r.reactions.multipliers)
+        *dict.fromkeys(n for r in static.at if r for n in r.reactions.multipliers)
     ]
     reactions: dict[str, Any] = {}
     for name in names:
-        there = [r and _at_rest(name, r, write) for r in found.at]
-        reactions[name] = dict(moving.get(name, (len(there) == 1 and there[0]) or {}))
+        at_rest = [r and _at_rest(name, r, write) for r in static.at]
+        reactions[name] = dict(moving.get(name, (len(at_rest) == 1 and at_rest[0]) or {}))
         if name not in moving:
             reactions[name] |= next(
                 ({"virtual_work": "0" if w.vanishes else None, "possible_work": write(w.possible)}
                  for w in works if w.reaction.name == name), {}
             )  # fmt: skip
-        reactions[name]["at_equilibrium"] = there
+        reactions[name]["at_equilibrium"] = at_rest
     determined = [
         [
             f"{write(sp.Add(*(share * symbol for share, symbol in c.terms)))} = {write(c.value)}"
             for c in (r.reactions.combinations if r else ())
         ]
-        for r in found.at
+        for r in static.at
     ]
     return {"reactions": reactions} | ({"reactions_determined": determined} if any(determined) else {})
 
 
-def _at_rest(name: str, found: ReactionsAtRest, write: Write) -> dict[str, Any]:
+def _at_rest(name: str, at_rest: ReactionsAtRest, write: Write) -> dict[str, Any]:
     """One reaction at one equilibrium; what is not determined is left out."""
-    reactions = found.reactions
+    reactions = at_rest.reactions
     value = reactions.multipliers.get(name)
     result: dict[str, Any] = {} if value is None else {"multiplier": write(value)}
     if name in reactions.tensions:
@@ -268,23 +272,23 @@ def _at_rest(name: str, found: ReactionsAtRest, write: Write) -> dict[str, Any]:
     return result
 
 
-def _statics(found: Equilibrium, stability: SecondVariation | None, write: Write) -> dict[str, Any]:
-    """Generalized forces and equilibria: alternatives, each a system of equations, its conditions beside it."""
-    coordinates = found.configuration.slots.coordinates
+def _statics(equilibrium: Equilibrium, stability: SecondVariation | None, write: Write) -> dict[str, Any]:
+    """Generalized forces and equilibria: one system of equations for each alternative, with its conditions."""
+    coordinates = equilibrium.configuration.slots.coordinates
     result: dict[str, Any] = {
-        "generalized_forces": {q.name: write(f) for q, f in zip(coordinates, found.work.forces, strict=True)},
-        "equilibrium": [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in found.branches],
+        "generalized_forces": {q.name: write(f) for q, f in zip(coordinates, equilibrium.work.forces, strict=True)},
+        "equilibrium": [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.branches],
         "equilibrium_conditions": [
-            [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in found.branches
+            [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in equilibrium.branches
         ],
-        "equilibrium_exists": found.exists,
+        "equilibrium_exists": equilibrium.exists,
     }
     if stability is not None:
         result["stability"] = [s.verdict.value for s in stability.verdicts]
     return result
 
 
-def _spot(spot: Spot, write: Write) -> dict[str, Any]:
+def _spot(spot: SpotValue, write: Write) -> dict[str, Any]:
     return {
         "values": {s.name: _figures(v, write) for s, v in spot.values.items()},
         "accelerations": {s.name.rstrip("'"): _figures(v, write) for s, v in spot.accelerations.items()},
@@ -294,6 +298,157 @@ def _spot(spot: Spot, write: Write) -> dict[str, Any]:
 def _figures(value: Any, write: Write) -> str:
     """A number to six figures; exact ones as they are."""
     return f"{float(value):.6g}" if value.is_Float else write(value)
+
+
+def matrices(dynamics: Motion, write: Write) -> dict[str, Any]:
+    """M and f, with A and b where constraints remain; the accelerations, all of them or none."""
+    form = dynamics.matrices
+    result: dict[str, Any] = {
+        "mass_matrix": matrix(form.mass, write),
+        "force_vector": [write(e) for e in form.force],
+    }
+    if form.constraint_matrix:
+        result["constraint_matrix"] = matrix(form.constraint_matrix, write)
+        result["constraint_vector"] = [write(e) for e in form.constraint_vector]
+    solved = dynamics.accelerations
+    if len(solved) == len(form.mass):
+        result["accelerations"] = {s.name.rstrip("'"): write(v) for s, v in solved.items()}
+    return result
+
+
+def matrix(rows: Sequence[Sequence[Any]], write: Write) -> list[list[str]]:
+    """A matrix as a list of its rows."""
+    return [[write(e) for e in row] for row in rows]
+
+
+def linearized(linearization: Linearization, write: Write) -> list[dict[str, Any]]:
+    """One entry for each equilibrium; where there are no linear equations, the equilibrium alone."""
+    coordinates = linearization.configuration.slots.coordinates
+    entries = []
+    for b, s in zip(linearization.branches, linearization.at, strict=True):
+        entry: dict[str, Any] = {
+            "equilibrium": [f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations],
+            "conditions": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions],
+        }
+        oscillations = {"stable": None} if s is None else _oscillations(s, linearization, coordinates, write)
+        entries.append(entry | oscillations)
+    return entries
+
+
+def _oscillations(
+    s: SmallOscillations, linearization: Linearization, coordinates: Sequence[sp.Symbol], write: Write
+) -> dict[str, Any]:
+    """`displacements` gives every small displacement in terms of the independent ones, to which the matrices refer."""
+    moved = [linearization.displacements[k] for k in s.free]
+    shape = [sp.Add(*(c * x for c, x in zip(row, moved, strict=True))) for row in s.shape]
+    stability = s.judgement.stability
+    result: dict[str, Any] = {
+        "displacements": {q.name: write(e) for q, e in zip(coordinates, shape, strict=True)},
+        "mass_matrix": matrix(s.system.mass, write),
+        "damping_matrix": matrix(s.system.damping, write),
+        "stiffness_matrix": matrix(s.system.stiffness, write),
+        "equations": [f"{write(e)} = 0" for e in s.equations],
+        "characteristic": None if s.characteristic is None else f"{write(s.characteristic)} = 0",
+    }
+    if s.oscillates:
+        result["frequencies"] = [
+            {"squared": None if f.square is None else write(f.square), "equation": f"{write(s.remaining(f))} = 0"}
+            | {"multiplicity": f.multiplicity, "modes": [[write(a) for a in mode] for mode in f.modes]}
+            for f in s.frequencies
+        ]
+    decided = {"stable": True, "unstable": False}
+    result |= {"stable": decided.get(stability.verdict.value), "stability": stability.verdict.value}
+    if stability.conditions:
+        result["stable_where"] = [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in stability.conditions]
+    return result
+
+
+def motion(dynamics: Motion, write: Write) -> dict[str, Any]:
+    """The equations, what must not vanish, and the equations with multipliers where constraints remain."""
+    result: dict[str, Any] = {
+        "equations": _equations(dynamics.written, write),
+        "conditions": _nonzero(dynamics.written.conditions, write),
+    }
+    if dynamics.written.closed is not None:
+        velocities = dynamics.written.closed.velocities
+        result["through_velocities"] = {v.name: write(e) for v, e in velocities.items()}
+    if dynamics.with_multipliers is not None:
+        result["equations_with_multipliers"] = [
+            f"{write(a)} = {write(b)}" for a, b in dynamics.with_multipliers.equations
+        ]
+    return result
+
+
+def _nonzero(excluded: Sequence[sp.Expr], write: Write) -> list[str]:
+    return [f"{write(e)} ≠ 0" for e in excluded]
+
+
+def _equations(motion: EquationsOfMotion, write: Write) -> list[str]:
+    """The equations of motion and the constraints that complete them."""
+    slots = motion.configuration.slots
+    rows = (r.velocity_form(slots) if r.finite is None else r.finite for r in motion.completing)
+    return [f"{write(e)} = 0" for e in (*(e.expression for e in motion.final), *rows)]
+
+
+def speeds(form: QuasiVelocityForm, write: Write) -> dict[str, Any]:
+    """The quasi-velocities, the kinematic equations, what must not vanish, the equations of motion in them.
+
+    `kinematic` has q' and `rates` has u', by name. Where the quasi-velocities are too few, `completed_by` names the
+    coordinates whose velocities complete them.
+    """
+    quasi, equations = form.velocities, form.equations
+    result: dict[str, Any] = {
+        "definitions": {u.name: write(e) for u, e in quasi.definitions.items()},
+        "kinematic": {v.name.rstrip("'"): write(e) for v, e in quasi.kinematic.items()},
+        "conditions": _nonzero(equations.conditions if equations else quasi.pivots, write),
+    }
+    if quasi.completing:
+        result["completed_by"] = [q.name for q in quasi.completing]
+    if equations is not None:
+        result["equations"] = [f"{write(e)} = 0" for e in equations.expressions]
+        if equations.rates is not None:
+            result["rates"] = {u.name.rstrip("'"): write(value) for u, value in equations.rates.items()}
+    return result
+
+
+def by_lagrange(motion: EquationsOfMotion, write: Write) -> dict[str, Any]:
+    """T, V, p_k, and the Q_k of forces outside V; empty where Lagrange's equations are not the method."""
+    if not isinstance(motion, LagrangeMotion):
+        return {}
+    principle, coordinates = motion.principle, motion.configuration.slots.coordinates
+
+    def each(values: Sequence[sp.Expr]) -> dict[str, str]:
+        return {q.name: write(v) for q, v in zip(coordinates, values, strict=True)}
+
+    result: dict[str, Any] = {
+        "kinetic_energy": write(principle.kinetic),
+        "potential_energy": write(principle.potential),
+        "momenta": each(principle.momenta),
+        "generalized_forces": each(principle.applied),
+    }
+    if principle.has_quasi_coordinates:
+        result["quasi_coordinate_terms"] = each(principle.quasi)
+    return {"lagrange": result}
+
+
+def integrals(conserved: Conserved, write: Write) -> list[dict[str, Any]]:
+    """The integrals; last the energy with its rate if it is not conserved (null: undecided)."""
+    entries: list[dict[str, Any]] = []
+    for i in conserved.integrals:
+        entry: dict[str, Any] = {"kind": i.quantity.value}
+        if i.coordinate is not None:
+            entry["coordinate"] = i.coordinate.name
+        entry |= {"expression": write(i.expression), "because": i.because.value}
+        if i.displacement:
+            entry["displacement"] = {q.name: write(x) for q, x in i.displacement.items()}
+        if i.multipliers:
+            entry["multipliers"] = [write(m) for m in i.multipliers]
+        entries.append(entry)
+    if conserved.energy is not None:
+        rate = conserved.energy.rate
+        expression = write(conserved.energy.expression)
+        entries.append({"kind": "energy", "expression": expression, "rate": None if rate is None else write(rate)})
+    return entries
 
 
 def _block(block: Block, write: Write) -> dict[str, Any]:
@@ -310,19 +465,19 @@ def _block(block: Block, write: Write) -> dict[str, Any]:
         case CheckMark(name=name, passed=passed, how=how):
             return {"check": _sentence(name, write), "passed": passed, "how": how}
         case Picture():
-            return {}  # it says nothing that is not said in words
+            return {}  # the words of the step say the same
 
 
 def _equation(equation: Equation, write: Write) -> dict[str, Any]:
-    """An equation; `text` can be read back. An equation between exterior forms cannot, and is called `form`."""
+    """An equation; `text` can be read back; an equation between exterior forms cannot, and its key is `form`."""
     of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge, FormSymbol) for s in equation.sides)
-    written = f" {equation.relation} ".join(write(_shown(s)) for s in equation.sides)
-    found: dict[str, Any] = {"form" if of_forms else "text": written}
+    text = f" {equation.relation} ".join(write(_shown(s)) for s in equation.sides)
+    result: dict[str, Any] = {"form" if of_forms else "text": text}
     if equation.label:
-        found["label"] = equation.label
+        result["label"] = equation.label
     if equation.condition:
-        found["condition"] = _sentence(equation.condition, write)
-    return found
+        result["condition"] = _sentence(equation.condition, write)
+    return result
 
 
 def _shown(side: Any) -> Any:
@@ -342,5 +497,5 @@ def _words(parts: Sequence[Part], write: Write) -> Iterator[str]:
                 yield f" {relation} ".join(write(_shown(s)) for s in sides)
             case Ref(label=label):
                 yield f"[{label}]"
-            case Term(word=word):
+            case Emphasis(word=word):
                 yield word

@@ -1,44 +1,39 @@
 r"""A derivation in LaTeX, as typed by hand: `equation`, `align`, `\eqref`, tables and boxed results.
 
-`render` makes a document that compiles with pdflatex, or a fragment to be put into one; `body` is the part
-that one derivation contributes. Labels are stable: the slug of the title and the id of the equation.
-Whether a line is too long is judged by an estimate of its width in ems (`ems`); a broken equation is set in
-rows, its terms below each other.
+`render` makes a document that compiles with pdflatex, or a fragment for \input; `body` is what one derivation
+contributes. Labels are stable: the slug of the title and the id of the equation. Whether a line is too long is judged
+by an estimate of its width in ems (`tex_layout.ems`); a broken equation is set in rows, aligned at its terms.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import groupby
 
 from lagrange.core.records import record
 from lagrange.document.derivation import (
-    Block,
     CheckMark,
     Derivation,
     Detail,
     Display,
+    Emphasis,
     Equation,
     Math,
-    Mathematics,
     Matrices,
     Part,
     Picture,
     Prose,
     Ref,
     Table,
-    Term,
 )
 from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
-from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
-from lagrange.render.ems import ems
 from lagrange.render.escape import escape, slug
-from lagrange.render.letters_of_vectors import Vectors
-from lagrange.render.shown import Shown, shown
+from lagrange.render.limits import LATEX_LINE, TALL_BOX
+from lagrange.render.selection import shown
+from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, ems, with_ampersand
 from lagrange.render.tikz import picture
+from lagrange.render.walk import Emitter, block_lines
 
-LINE = 36.0  # ems of an equation beside its number: a4, margins of 25 mm, 11 pt
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
@@ -57,7 +52,6 @@ PICTURES = r""", \usepackage{tikz} and \usetikzlibrary{arrows.meta}
 FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}PICTURES, a text width of about 160 mm at 11 pt,
 % and for long formulas in the text \setlength{\emergencystretch}{3em}
 """
-TALL = 15  # rows of a box that takes half a page; it cannot be broken
 MARKS = {True: r"$\checkmark$", False: r"$\times$", None: "?"}
 
 
@@ -79,7 +73,7 @@ def render(
 
 
 def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS, prefix: str = "") -> str:
-    """What one derivation contributes; its labels begin with `prefix`, the slug of its title where that is empty."""
+    """What one derivation contributes; its labels begin with `prefix`, by default the slug of its title."""
     return "\n".join(_Article(derivation, notation, detail, prefix or slug(derivation.title)).all()) + "\n"
 
 
@@ -91,62 +85,42 @@ class _Row:
     anchor: str = ""
 
 
-class _Article:
+class _Article(Emitter[str]):
     """One derivation."""
 
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
         self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
-        self.content: Shown = shown(derivation, detail, pictures=True)
+        self.content = shown(derivation, detail, pictures=True)
         self.prefix = prefix
 
     def all(self) -> Iterator[str]:
         source = escape(self.derivation.source)
-        behind = rf" \hfill \textnormal{{\normalsize {source}}}" if source else ""
-        yield rf"\section*{{{escape(self.derivation.title)}{behind}}}"
+        at_right = rf" \hfill \textnormal{{\normalsize {source}}}" if source else ""
+        yield rf"\section*{{{escape(self.derivation.title)}{at_right}}}"
         for number, step in enumerate(self.content.steps, 1):
             yield ""
             yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
-            for kind, blocks in groupby(step.body, key=type):
-                if kind is CheckMark:
-                    yield from self.checks([b for b in blocks if isinstance(b, CheckMark)])
-                elif kind is Prose:
-                    yield "\n\n".join(self.prose(b.parts) for b in blocks if isinstance(b, Prose))
-                else:
-                    for block in blocks:
-                        yield from self.block(block)
+            yield from block_lines(step.body, self)
 
-    def block(self, block: Block) -> Iterator[str]:
-        match block:
-            case Display():
-                yield from self.display(block)
-            case Table():
-                yield from self.table(block)
-            case Picture():
-                yield from self.picture(block)
-            case Matrices():
-                yield from self.matrices(block)
+    # Words
+
+    def paragraphs(self, run: Sequence[Prose]) -> Iterator[str]:
+        yield "\n\n".join(self.prose(block.parts) for block in run)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)
 
     def part(self, part: Part) -> str:
-        match part:
-            case Math():
-                return self.inline(part.sides, part.relation)
-            case Ref() if part.label in self.content.numbers:
-                return rf"\eqref{{{self.label(part.label)}}}"
-            case Ref() if part.label in self.content.hidden:
-                hidden = self.content.hidden[part.label]
-                return self.inline(hidden.sides, hidden.relation)
-            case Ref():
-                return "(?)"
-            case Term():
-                return rf"\emph{{{escape(part.word)}}}"
-        return escape(part)
-
-    def inline(self, sides: Sequence[Mathematics], relation: str) -> str:
-        return f"${self.typesetter.inline(sides, relation, LINE)}$"
+        match self.content.resolved(part):
+            case Math(sides=sides, relation=relation):
+                return f"${self.typesetter.inline(sides, relation, LATEX_LINE)}$"
+            case Ref(label=label):
+                return rf"\eqref{{{self.label(label)}}}"
+            case Emphasis(word=word):
+                return rf"\emph{{{escape(word)}}}"
+            case str(text):
+                return escape(text)
 
     def label(self, label: str) -> str:
         return f"{self.prefix}:{slug(label) if not re.fullmatch(r'[A-Za-z0-9.:-]+', label) else label}"
@@ -154,17 +128,19 @@ class _Article:
     # Equations
 
     def display(self, block: Display) -> Iterator[str]:
-        systems = [self.rows(e, LINE - 2 if block.boxed else LINE) for e in block.equations]
+        systems = [self.rows(e, LATEX_LINE - 2 if block.boxed else LATEX_LINE) for e in block.equations]
         if len(systems) == 1 and len(systems[0]) == 1:
             code = systems[0][0].code.replace(ALIGN, "")
             yield from self.equation(rf"\boxed{{{code}}}" if block.boxed else code, block.equations[0])
-        elif block.boxed and sum(map(len, systems)) > TALL:
+        elif block.boxed and sum(map(len, systems)) > TALL_BOX:
+            # A minipage cannot be broken between pages: a tall result is boxed equation by equation.
             for system in systems:
-                yield from self.boxed([system]) if len(system) <= 2 * TALL else self.align([system])
+                yield from self.boxed([system]) if len(system) <= 2 * TALL_BOX else self.align([system])
         elif systems:
             yield from self.boxed(systems) if block.boxed else self.align(systems)
 
     def boxed(self, systems: Sequence[Sequence[_Row]]) -> Iterator[str]:
+        # \boxed takes one formula, not an `align`; the space above the first display would make the frame lopsided.
         yield r"\begin{center}\fbox{\begin{minipage}{0.97\linewidth}\vspace{-\abovedisplayskip}"
         yield from self.align(systems)
         yield r"\end{minipage}}\end{center}"
@@ -179,7 +155,7 @@ class _Article:
         return rf"\label{{{self.label(equation.label)}}}" if equation.label else ""
 
     def align(self, systems: Sequence[Sequence[_Row]]) -> Iterator[str]:
-        """The rows of several equations, at their relations where all of them have short left sides."""
+        """The rows of several equations, aligned at their relations where all of them have short left sides."""
         rows = [row for system in systems for row in system]
         star = "" if any(row.anchor for row in rows) else "*"
         at_relation = at_relations([[row.code for row in system] for system in systems])
@@ -196,7 +172,7 @@ class _Article:
         yield rf"\end{{align{star}}}"
 
     def rows(self, equation: Equation, width: float) -> list[_Row]:
-        """The rows of an equation: the last one has the number, a condition may stand below it."""
+        """The rows of an equation: the last one has the number, a condition may follow below it."""
         condition = rf"\text{{{self.prose(equation.condition)}}}" if equation.condition else ""
         codes, below = self.typesetter.rows(equation, width, condition)
         return [*(_Row(code) for code in codes[:-1]), _Row(codes[-1], self.anchor(equation)), *map(_Row, below)]
@@ -212,19 +188,18 @@ class _Article:
             yield r"\end{center}"
 
     def matrices(self, block: Matrices) -> Iterator[str]:
-        for line in self.typesetter.matrices(block.named, LINE):
+        for line in self.typesetter.matrices(block.named, LATEX_LINE):
             if isinstance(line, str):
                 yield from (r"\[", f"  {line}", r"\]")
-                continue
-            for part in line:
-                yield from [self.prose(part.parts)] if isinstance(part, Prose) else self.block(part)
+            else:
+                yield from block_lines(line, self)
 
     def table(self, block: Table) -> Iterator[str]:
         grid = [list(block.header), *(list(row) for row in block.rows)]
         turned = [list(column) for column in zip(*grid, strict=True)]
         for candidate in (grid, turned):
             cells = [[self.part(part) for part in row] for row in candidate]
-            if sum(max(ems(row[k]) for row in cells) + 1.2 for k in range(len(cells[0]))) < LINE + 4:
+            if sum(max(ems(row[k]) for row in cells) + 1.2 for k in range(len(cells[0]))) < LATEX_LINE + 4:
                 yield from _tabular(cells)
                 return
         yield r"\begin{itemize}"
@@ -233,9 +208,9 @@ class _Article:
             yield rf"\item {self.part(row[0])}: " + "; ".join(entries)
         yield r"\end{itemize}"
 
-    def checks(self, checks: Sequence[CheckMark]) -> Iterator[str]:
+    def checks(self, run: Sequence[CheckMark]) -> Iterator[str]:
         yield r"\begin{itemize}"
-        for check in checks:
+        for check in run:
             how = f" --- {escape(check.how)}" if check.how else ""
             yield rf"\item[{MARKS[check.passed]}] {self.prose(check.name)}{how}"
         yield r"\end{itemize}"

@@ -1,9 +1,14 @@
-"""Where a long equation is broken: before the signs of a sum, aligned, the outermost sum first.
+"""Where a long equation is broken: before the signs of its sums, the outermost sum first, continuations aligned.
 
-A line is filled with terms as long as they fit. A term that is too wide for a line of its own is broken at
-the signs inside its bracket, which stand below the first term in that bracket. Widths are measured by
-whoever prints: cells of a terminal, or an estimate of ems for TeX. What is returned are lines with their
-indentation.
+A line is filled with terms as long as they fit. A term too wide for a line of its own is broken at the signs inside its
+bracket; the continuations are aligned below the first term in that bracket, or indented where that is far to the right:
+
+    m l² θ̈
+      + (M + m sin²θ) (l θ̈ cos φ
+          + g sin φ) = 0
+
+The format supplies the measure: cells of a terminal, or an estimate of ems for TeX. The input is code with the marks
+START, BREAK and END of `document.names`; the result is lines with their indentation.
 """
 
 from __future__ import annotations
@@ -12,14 +17,14 @@ import re
 from collections.abc import Callable, Sequence
 
 from lagrange.core.records import record
-from lagrange.document.pieces import BREAK, END, START, plain
+from lagrange.document.names import BREAK, END, START, plain
 
-Measure = Callable[[str], float]
+WidthOf = Callable[[str], float]
 _TOKENS = re.compile(f"([{START}{BREAK}{END}])")
 
 
 @record
-class Line:
+class MathLine:
     """A line of mathematics."""
 
     indent: float
@@ -32,37 +37,38 @@ class Breaker:
 
     measure    the width of a piece of code
     width      of a line
-    hang       how far the second line of a sum is indented that begins at the margin
+    hang       indentation of the further lines of a sum that begins at the margin
     """
 
-    measure: Measure
+    measure: WidthOf
     width: float
     hang: float = 2
 
-    def equation(self, sides: Sequence[str], relation: str) -> list[Line]:
+    def equation(self, sides: Sequence[str], relation: str) -> list[MathLine]:
         """a = b = c, from marked sides."""
-        whole = f" {relation} ".join(plain(side) for side in sides)
-        if self.measure(whole) <= self.width:
-            return [Line(0, whole)]
+        on_one_line = f" {relation} ".join(plain(side) for side in sides)
+        if self.measure(on_one_line) <= self.width:
+            return [MathLine(0, on_one_line)]
         left = plain(sides[0]) + " "
         column = self.measure(left)
+        # Behind a longer left side the aligned lines would be too short to be filled well.
         if len(sides) > 1 and column <= 0.35 * self.width:
             return self._aligned(left, column, sides[1:], relation)
         return self._running(sides, relation)
 
-    def _aligned(self, left: str, column: float, sides: Sequence[str], relation: str) -> list[Line]:
-        """Each further side on its own line, the relations below each other."""
-        lines: list[Line] = []
+    def _aligned(self, left: str, column: float, sides: Sequence[str], relation: str) -> list[MathLine]:
+        """Each further side on its own line, with the relations aligned."""
+        lines: list[MathLine] = []
         opening = f"{relation} "
         for n, side in enumerate(sides):
             first, *rest = self.sum(side, column + self.measure(opening))
             code = opening + first.code
-            lines.append(Line(0, left + code) if n == 0 else Line(column, code))
+            lines.append(MathLine(0, left + code) if n == 0 else MathLine(column, code))
             lines += rest
         return lines
 
-    def _running(self, sides: Sequence[str], relation: str) -> list[Line]:
-        """A long left side, and the rest behind its last line."""
+    def _running(self, sides: Sequence[str], relation: str) -> list[MathLine]:
+        """A long left side, and the others after its last line."""
         left, *others = sides
         if others and self.measure(plain(others[0])) <= 0.2 * self.width:  # "= 0" stays with the last term
             left = self._with_tail(left, f" {relation} {plain(others.pop(0))}")
@@ -70,51 +76,60 @@ class Breaker:
         for side in others:
             opening = f"{relation} "
             last = lines[-1]
-            together = f"{last.code} {opening}{plain(side)}"
-            if last.indent + self.measure(together) <= self.width:
-                lines[-1] = Line(last.indent, together)
+            continued = f"{last.code} {opening}{plain(side)}"
+            if last.indent + self.measure(continued) <= self.width:
+                lines[-1] = MathLine(last.indent, continued)
                 continue
             first, *rest = self.sum(side, self.hang + self.measure(opening))
-            lines += [Line(self.hang, opening + first.code), *rest]
+            lines += [MathLine(self.hang, opening + first.code), *rest]
         return lines
 
     def _with_tail(self, code: str, tail: str) -> str:
-        """A sum with "= 0" behind its last term, or on a line of its own where it would tear that term."""
+        """A sum with "= 0" after its last term, or on a line of its own where it would force a break in that term."""
         if not code.endswith(END):
             return code + tail
+        # Inside the END mark, the tail belongs to the last term: both go to the next line or neither.
         last = f"{outermost(code)[-1]}{tail}"
         fits = self.measure(last) + self.hang <= self.width
         return code.removesuffix(END) + ("" if fits else BREAK) + tail + END
 
-    def sum(self, code: str, start: float, hang: float = 0) -> list[Line]:
-        """A marked sum that begins at column `start`, which its first line does not contain."""
+    def sum(self, code: str, start: float, hang: float = 0) -> list[MathLine]:
+        """The lines of a marked sum that begins at column `start`; the first line has no indentation of its own.
+
+        One pass over the tokens. `anchors` is a stack with one entry for each open sum: the column at which its further
+        lines begin. Each sign begins a new line unless the code up to the next sign of the same sum, inner sums
+        included, still fits. So a bracket moves to the next line as a whole if it can, and is broken inside only if it
+        is too wide for a line.
+        """
         tokens = [token for token in _TOKENS.split(code) if token]
-        lines = [Line(start, "")]
+        lines = [MathLine(start, "")]
         anchors: list[float] = []
         column = start
         for n, token in enumerate(tokens):
             if token == START:
+                # The outermost sum hangs; a sum in a bracket continues below its own first term.
                 outer = anchors[-1] if anchors else start + hang
                 anchors.append(outer if not anchors and column == start else self._inner(column, outer))
             elif token == END:
                 anchors.pop()
             elif token == BREAK:
+                # At the anchor itself nothing is gained by a new line, however wide the segment.
                 if column > anchors[-1] and column + self.measure(_segment(tokens[n + 1 :])) > self.width:
-                    lines.append(Line(anchors[-1], ""))
+                    lines.append(MathLine(anchors[-1], ""))
                     column = anchors[-1]
             else:
                 fresh = token if lines[-1].code or len(lines) == 1 else token.lstrip()
-                lines[-1] = Line(lines[-1].indent, lines[-1].code + fresh)
+                lines[-1] = MathLine(lines[-1].indent, lines[-1].code + fresh)
                 column = lines[-1].indent + self.measure(lines[-1].code)
         return lines
 
     def _inner(self, column: float, outer: float) -> float:
-        """Where the lines in a bracket continue: below its first term, unless that is far to the right."""
+        """The column at which lines in a bracket continue: below its first term, unless that is far to the right."""
         return max(column, outer + self.hang) if column <= self.width / 2 else outer + 2 * self.hang
 
 
 def outermost(code: str) -> list[str]:
-    """A marked sum, cut before the signs of its outermost terms."""
+    """The terms of a marked sum, cut before their signs; brackets are not cut."""
     if not code.startswith(START):
         return [plain(code)]
     parts = [""]
@@ -133,7 +148,7 @@ def outermost(code: str) -> list[str]:
 
 
 def _segment(tokens: Sequence[str]) -> str:
-    """What stands between a break and the next one that is not inside it."""
+    """The code from a break up to the next break of the same sum or of one around it, without marks."""
     depth = 0
     kept = []
     for token in tokens:

@@ -1,24 +1,22 @@
 r"""A derivation in Markdown with `$...$`, as GitHub, Jupyter, Quarto and pandoc render it.
 
-What they agree on is less than LaTeX, and here is how it is met. Numbers stand behind the equations as `\qquad (3)`,
-since not all of them know `\tag`; several equations are one `aligned`, since `align` inside `$$` is an error in LaTeX.
-Some take the backslash before a sign for Markdown's, so that there is no `\,` and no `\{`; an underscore behind a
-brace begins emphasis for some, unless there is a space before it; and no dollar stands inside mathematics.
+What all of them accept is less than LaTeX. Numbers follow the equations as `\qquad (3)`, because not all know `\tag`;
+several equations are one `aligned`, because `align` inside `$$` is an error in LaTeX. Some read a backslash before
+punctuation as Markdown's, so there is no `\,` and no `\{`; for some an underscore after a brace begins emphasis unless
+a space precedes it; and there is no dollar inside mathematics.
 """
 
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import groupby
 
 from lagrange.document.derivation import (
-    Block,
     CheckMark,
     Derivation,
     Detail,
     Display,
+    Emphasis,
     Equation,
     Math,
     Matrices,
@@ -26,15 +24,15 @@ from lagrange.document.derivation import (
     Prose,
     Ref,
     Table,
-    Term,
 )
 from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
-from lagrange.render.aligned import ALIGN, Typesetter, at_relations, with_ampersand
 from lagrange.render.escape import escape as tex
-from lagrange.render.letters_of_vectors import Vectors
-from lagrange.render.shown import shown
+from lagrange.render.escape import printable
+from lagrange.render.limits import MARKDOWN_LINE
+from lagrange.render.selection import shown
+from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, with_ampersand
+from lagrange.render.walk import Emitter, block_lines
 
-LINE = 38.0  # ems of an equation beside its number: a column of text on GitHub, at a desk
 MARKS = {True: "✓", False: "✗", None: "?"}
 _DIALECT = (
     (r" \, ", " "),
@@ -69,22 +67,19 @@ def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STE
 
 
 def escape(text: str) -> str:
-    """Text that stands for itself in Markdown."""
-    kept = "".join(
-        " " if c.isspace() else c for c in text if c.isspace() or unicodedata.category(c) not in ("Cc", "Cf")
-    )
-    return _SIGNS.sub(r"\\\1", kept)
+    """Text as Markdown that shows it."""
+    return _SIGNS.sub(r"\\\1", printable(text))
 
 
 def dialect(code: str) -> str:
     """LaTeX in the form that every reader of Markdown understands."""
-    for written, instead in _DIALECT:
-        code = code.replace(written, instead)
+    for latex, everywhere in _DIALECT:
+        code = code.replace(latex, everywhere)
     return code
 
 
-class _Page:
-    """One derivation; what it yields is set apart by empty lines."""
+class _Page(Emitter[str]):
+    """One derivation: paragraphs and displays, which empty lines will separate."""
 
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail) -> None:
         self.derivation = derivation
@@ -97,48 +92,26 @@ class _Page:
             yield f"*{escape(self.derivation.source).strip()}*"
         for number, step in enumerate(self.content.steps, 1):
             yield f"## {number}. {escape(step.title)}"
-            for kind, blocks in groupby(step.body, key=type):
-                if kind is CheckMark:
-                    yield "\n".join(self.check(b) for b in blocks if isinstance(b, CheckMark))
-                else:
-                    for block in blocks:
-                        yield from self.block(block)
+            yield from block_lines(step.body, self)
 
-    def block(self, block: Block) -> Iterator[str]:
-        match block:
-            case Prose():
-                yield _OPENING.sub(r"\1\\\2", self.prose(block.parts))
-            case Display():
-                yield self.display(block)
-            case Table():
-                yield self.table(block)
-            case Matrices():
-                for line in self.typesetter.matrices(block.named, LINE):
-                    if isinstance(line, str):
-                        yield f"$$\n{dialect(line)}\n$$"
-                    else:
-                        for part in line:
-                            yield from self.block(part)
+    def paragraphs(self, run: Sequence[Prose]) -> Iterator[str]:
+        return (_OPENING.sub(r"\1\\\2", self.prose(block.parts)) for block in run)
 
     def prose(self, parts: Iterable[Part]) -> str:
         return "".join(self.part(part) for part in parts)
 
     def part(self, part: Part) -> str:
-        match part:
-            case Math():
-                return f"${dialect(self.typesetter.inline(part.sides, part.relation, LINE))}$"
-            case Ref() if part.label in self.content.numbers:
-                return f"({self.content.numbers[part.label]})"
-            case Ref() if part.label in self.content.hidden:
-                hidden = self.content.hidden[part.label]
-                return f"${dialect(self.typesetter.inline(hidden.sides, hidden.relation, LINE))}$"
-            case Ref():
-                return "(?)"
-            case Term():
-                return f"*{escape(part.word)}*"
-        return escape(part)
+        match self.content.resolved(part):
+            case Math(sides=sides, relation=relation):
+                return f"${dialect(self.typesetter.inline(sides, relation, MARKDOWN_LINE))}$"
+            case Ref(label=label):
+                return f"({self.content.numbers[label]})"
+            case Emphasis(word=word):
+                return f"*{escape(word)}*"
+            case str(text):
+                return escape(text)
 
-    def display(self, block: Display) -> str:
+    def display(self, block: Display) -> Iterator[str]:
         systems = [self.rows(equation) for equation in block.equations]
         rows = [row for system in systems for row in system]
         if len(rows) == 1:
@@ -148,38 +121,46 @@ class _Page:
             lines = " \\\\\n".join(with_ampersand(row, at_relation) for row in rows)
             code = f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}"
         code = dialect(code)
-        return f"$$\n\\boxed{{{code}}}\n$$" if block.boxed else f"$$\n{code}\n$$"
+        yield f"$$\n\\boxed{{{code}}}\n$$" if block.boxed else f"$$\n{code}\n$$"
 
     def rows(self, equation: Equation) -> list[str]:
-        """The rows of an equation, with its number behind the last one of the equation itself."""
-        codes, below = self.typesetter.rows(equation, LINE, self.condition(equation.condition))
-        number = self.content.numbers.get(equation.label or "")
-        if number:
-            codes[-1] += rf" \qquad ({number})"
+        """The rows of an equation, with its number after the last one; a condition may follow below."""
+        codes, below = self.typesetter.rows(equation, MARKDOWN_LINE, self.condition(equation.condition))
+        if number := self.content.number(equation):
+            codes[-1] += rf" \qquad {number}"
         return [*codes, *below]
 
     def condition(self, parts: Iterable[Part]) -> str:
-        """Words and mathematics inside mathematics, where no dollar may stand."""
+        """Words and mathematics inside a displayed equation, where a dollar would end it."""
         codes = []
         for part in parts:
-            if isinstance(part, Math):
-                codes.append(self.typesetter.writer.relation(part.sides, part.relation))
-            else:
-                words = part.word if isinstance(part, Term) else self.part(part) if isinstance(part, Ref) else part
-                codes.append(_text(words))
+            match self.content.resolved(part):
+                case Math(sides=sides, relation=relation):
+                    codes.append(self.typesetter.writer.relation(sides, relation))
+                case Ref(label=label):
+                    codes.append(_text(f"({self.content.numbers[label]})"))
+                case Emphasis(word=text) | str(text):
+                    codes.append(_text(text))
         return " ".join(code for code in codes if code)
 
-    def table(self, block: Table) -> str:
+    def matrices(self, block: Matrices) -> Iterator[str]:
+        for line in self.typesetter.matrices(block.named, MARKDOWN_LINE):
+            if isinstance(line, str):
+                yield f"$$\n{dialect(line)}\n$$"
+            else:
+                yield from block_lines(line, self)
+
+    def table(self, block: Table) -> Iterator[str]:
         rows = [[self.part(part) or " " for part in row] for row in (block.header, *block.rows)]
         header, *others = (f"| {' | '.join(row)} |" for row in rows)
-        return "\n".join([header, "|" + "---|" * len(block.header), *others])
+        yield "\n".join([header, "|" + "---|" * len(block.header), *others])
 
-    def check(self, check: CheckMark) -> str:
-        how = f" — {escape(check.how)}" if check.how else ""
-        return f"- {MARKS[check.passed]} {self.prose(check.name)}{how}"
+    def checks(self, run: Sequence[CheckMark]) -> Iterator[str]:
+        ways = (f" — {escape(check.how)}" if check.how else "" for check in run)
+        yield "\n".join(f"- {MARKS[c.passed]} {self.prose(c.name)}{how}" for c, how in zip(run, ways, strict=True))
 
 
 def _text(words: str) -> str:
-    """Words inside mathematics; letters that are mathematics themselves stand beside them."""
+    r"""Words as `\text`, except for letters that need mathematics (`$\alpha$`), which come outside it."""
     pieces = re.split(r"\$([^$]*)\$", tex(words))
     return "".join(p if n % 2 else rf"\text{{{p}}}" if p else "" for n, p in enumerate(pieces))

@@ -1,8 +1,10 @@
 """Formulas of a web page: MathML in pieces between which a browser may break the line.
 
-Browsers do not break a formula. So a sum is cut at its signs into several, each of which is an inline element. A term
-that is wider than a phone's column is cut at the signs inside its brackets too, and kept together in a box that is
-broken only where it has to be. Widths are estimated in ems.
+Browsers do not break a formula. So a sum is cut at its signs into several formulas, which are inline elements with a
+`<wbr>` between them. A term wider than a phone's column is also cut at the signs inside its brackets; its pieces share
+an inline block, so that the browser breaks inside it only if the whole term does not fit on a line. Fractions and tall
+brackets cannot be cut; where they are too wide for a phone, the page has a second writing of the formula with
+(...)/(...) and brackets of a fixed size, and the style sheet shows one of the two. Widths are estimated in ems.
 """
 
 from __future__ import annotations
@@ -18,16 +20,11 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.document.derivation import Mathematics
 from lagrange.document.math_writer import TEXT, Notation, Writer
-from lagrange.document.pieces import BREAK, END, START, plain
+from lagrange.document.names import BREAK, END, START, plain
 from lagrange.document.style_mathml import MathML, WideMathML
+from lagrange.render.limits import DESK_ROW, PHONE_LEFT_SIDE, PHONE_PIECE
 
 MATHML, WIDE_MATHML = MathML(), WideMathML()
-LINE = 11.5
-"""Ems of a piece: what a phone shows beside the number of an equation."""
-SHORT = 2.8
-"""Ems of a left side behind which relations are aligned."""
-ROW = 28.0
-"""Ems of an equation that is left as it is, with fractions and brackets of their full size."""
 _TOKENS = re.compile(f"([{START}{BREAK}{END}])")
 _OPERATORS = "+−=≠≤≥<>≡≈→∝∧"
 _SMALLER = {"msub", "msup", "msubsup"}
@@ -35,7 +32,12 @@ _SMALLER = {"msub", "msup", "msubsup"}
 
 @record
 class Formulas:
-    """Writes formulas in one notation."""
+    """Writes formulas in one notation.
+
+    writer  with fractions and brackets of their full size
+    wide    with long fractions and tall brackets that can be cut
+    spoken  in the language of problem files, for screen readers
+    """
 
     writer: Writer
     wide: Writer
@@ -47,13 +49,13 @@ class Formulas:
         return cls(Writer(MATHML, notation), Writer(WIDE_MATHML, notation), Writer(TEXT, notation))
 
     def equation(self, sides: Sequence[Mathematics], relation: str, displayed: bool = False, first: int = 0) -> str:
-        """a = b = c, from the side number `first` on; written in another way on a phone where that is needed there."""
+        """a = b = c, beginning with the side numbered `first`; in two writings where a phone needs another one."""
         codes = [self.writer.marked(side) for side in sides]
         flat = [self.wide.marked(side) for side in sides]
-        if sum(map(width, codes)) > ROW:
+        if sum(map(width, codes)) > DESK_ROW:
             return self._written(flat, relation, displayed, first)
         desk = self._written(codes, relation, displayed, first)
-        if codes == flat or all(width(piece) <= LINE for code in codes for piece in _cut(code)):
+        if codes == flat or all(width(piece) <= PHONE_PIECE for code in codes for piece in _cut(code)):
             return desk
         phone = self._written(flat, relation, displayed, first)
         return f'<span class="desk">{desk}</span><span class="phone">{phone}</span>'
@@ -64,9 +66,9 @@ class Formulas:
         return "<wbr>".join(_elements((sign if n else "") + code, style) for n, code in enumerate(codes) if n >= first)
 
     def matrix(self, name: sp.Symbol, rows: Sequence[Sequence[sp.Expr]]) -> str | None:
-        """M = (a b; c d); None where it is too wide for a line."""
+        """M = (a b; c d); None if it is too wide for a line."""
         cells = [[self.writer.plain(e) for e in line] for line in rows]
-        if sum(max(width(line[k]) for line in cells) + 1 for k in range(len(cells[0]))) > ROW:
+        if sum(max(width(line[k]) for line in cells) + 1 for k in range(len(cells[0]))) > DESK_ROW:
             return None
         table = "".join("<mtr>" + "".join(f"<mtd>{cell}</mtd>" for cell in line) + "</mtr>" for line in cells)
         equals = self.writer.style.relation("=")
@@ -78,17 +80,17 @@ class Formulas:
         return f'<math displaystyle="true">{self.writer.plain(side)}</math>'
 
     def is_short(self, side: Mathematics) -> bool:
-        """Whether relations may be aligned behind such a left side, on a phone too."""
+        """Whether the left side leaves room for aligned relations, on a phone too."""
         code = self.writer.marked(side)
-        return BREAK not in code and width(code) <= SHORT
+        return BREAK not in code and width(code) <= PHONE_LEFT_SIDE
 
     def text(self, sides: Sequence[Mathematics], relation: str) -> str:
-        """The formula in the language of problem files, for those who listen."""
+        """The formula in the language of problem files, for screen readers."""
         return escape(self.spoken.relation(sides, relation))
 
 
 def width(code: str) -> float:
-    """The width of elements in ems, roughly."""
+    """The estimated width of elements in ems."""
     return _width(ElementTree.fromstring(f"<mrow>{plain(code)}</mrow>"))
 
 
@@ -116,17 +118,17 @@ def _letter(character: str) -> float:
 
 def _elements(code: str, style: str) -> str:
     """A marked sum as formulas in a row: one for each term; a box of several for a term that is too wide."""
-    found = []
+    terms = []
     for term in _parts(code):
         pieces = list(_cut(term))
         formulas = "<wbr>".join(f"<math{style}>{piece}</math>" for piece in pieces)
-        found.append(f'<span class="term">{formulas}</span>' if len(pieces) > 1 else formulas)
-    return "<wbr>".join(found)
+        terms.append(f'<span class="term">{formulas}</span>' if len(pieces) > 1 else formulas)
+    return "<wbr>".join(terms)
 
 
 def _cut(code: str) -> Iterator[str]:
-    """A term, cut at signs inside it until every piece fits, the outer ones first."""
-    parts = _parts(code) if width(code) > LINE else [code]
+    """The pieces of a term, cut at inner signs, outer ones first, until each piece fits or has no sign."""
+    parts = _parts(code) if width(code) > PHONE_PIECE else [code]
     if len(parts) == 1:
         yield plain(code)
     else:
@@ -135,16 +137,19 @@ def _cut(code: str) -> Iterator[str]:
 
 
 def _parts(code: str) -> list[str]:
-    """What stands between the outermost signs of the code, marks of inner ones left in."""
+    """The code between its outermost signs; marks of inner signs remain.
+
+    The outermost signs are the shallowest that there are: in -(a + b) they are those inside the bracket.
+    """
     tokens = _TOKENS.split(code)
     depth = 0
-    places = []
+    breaks = []
     for n, token in enumerate(tokens):
         depth += (token == START) - (token == END)
         if token == BREAK:
-            places.append((depth, n))
-    if not places:
+            breaks.append((depth, n))
+    if not breaks:
         return [code]
-    outermost = min(depth for depth, _ in places)
-    cuts = [0, *(n for depth, n in places if depth == outermost), len(tokens)]
+    outermost = min(depth for depth, _ in breaks)
+    cuts = [0, *(n for depth, n in breaks if depth == outermost), len(tokens)]
     return ["".join(tokens[a:b]).removeprefix(BREAK) for a, b in pairwise(cuts)]

@@ -1,4 +1,8 @@
-"""A picture in SVG, to stand in a web page: colours are those of the page, letters are text."""
+"""A picture as an SVG element of a web page.
+
+Kinds of lines are classes, which the style sheet of the page colours; letters are text in the font of the page. SVG
+counts y downwards, a `Scene` upwards; one centimetre of a scene is `CENTIMETRE` pixels.
+"""
 
 from __future__ import annotations
 
@@ -11,10 +15,11 @@ import sympy as sp
 
 from lagrange.core.symbols import UnitVector
 from lagrange.document.names import SMALL
-from lagrange.document.scene import Dot, Line, Point, Scene
+from lagrange.document.scene import Dot, PagePoint, Polyline, Scene
 
 CENTIMETRE = 42.0
 TIP = 0.2
+"""Length of the tip of an arrow, in centimetres."""
 _LOWERED = {**{d: n for n, d in zip("0123456789", "₀₁₂₃₄₅₆₇₈₉", strict=True)}, **{low: c for c, low in SMALL.items()}}
 _PIECE = re.compile(
     rf"(?P<index>_[^\W_]+(?:[._][^\W_]+)*|[{''.join(_LOWERED)}]+)"
@@ -24,11 +29,11 @@ _UPRIGHT = {"sin", "cos", "tan", "cot", "exp", "log"}
 
 
 def figure(scene: Scene, alt: str, write: Callable[[sp.Expr], str]) -> Iterator[str]:
-    """The lines of an `svg` element. `write` is Unicode of mathematics."""
+    """The lines of an `svg` element; `write` spells mathematics in Unicode."""
     box = scene.box
     width, height = box.width * CENTIMETRE, box.height * CENTIMETRE
 
-    def place(p: Point) -> tuple[float, float]:
+    def place(p: PagePoint) -> tuple[float, float]:
         return (p[0] - box.left) * CENTIMETRE, (box.top - p[1]) * CENTIMETRE
 
     yield (
@@ -48,20 +53,21 @@ def figure(scene: Scene, alt: str, write: Callable[[sp.Expr], str]) -> Iterator[
 
 def spans(text: str) -> str:
     """Mathematics as text: letters in italics, indices lowered."""
-    found, lowered = "", False
+    code, lowered = "", False
     for piece in _PIECE.finditer(text.replace(" (", "(")):
-        whole = escape(piece[0])
         if piece["index"]:
             inner = "".join(_LOWERED.get(c, c) for c in piece[0].removeprefix("_"))
             slanted = ' class="i"' if len(inner) == 1 and inner.isalpha() else ""
-            found += f'<tspan{slanted} dy="{0 if lowered else 4}" font-size="75%">{escape(inner)}</tspan>'
+            # `dy` moves all text after it, so what follows an index has to be raised again.
+            code += f'<tspan{slanted} dy="{0 if lowered else 4}" font-size="75%">{escape(inner)}</tspan>'
             lowered = True
             continue
         attributes = ' class="i"' if piece["letter"] or (piece["word"] and piece[0] not in _UPRIGHT) else ""
         attributes += ' dy="-4"' if lowered else ""
         lowered = False
-        found += f"<tspan{attributes}>{whole}</tspan>" if attributes else whole
-    return found
+        letters = escape(piece[0])
+        code += f"<tspan{attributes}>{letters}</tspan>" if attributes else letters
+    return code
 
 
 def _content(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
@@ -72,10 +78,11 @@ def _content(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
     return spans(write(content))
 
 
-def _line(line: Line, place: Callable[[Point], tuple[float, float]]) -> Iterator[str]:
+def _line(line: Polyline, place: Callable[[PagePoint], tuple[float, float]]) -> Iterator[str]:
     points = list(line.points)
     tips = []
     if line.tip:
+        # An arc consists of short pieces: the tip points along the chord of their end, and covers the end of the line.
         end = points[-1]
         before = next((p for p in reversed(points[:-1]) if math.dist(p, end) >= TIP), points[0])
         tips.append(_tip(before, end, place))
@@ -92,7 +99,7 @@ def _line(line: Line, place: Callable[[Point], tuple[float, float]]) -> Iterator
         yield f'<path class="{line.kind.value} tip" d="{tip}"/>'
 
 
-def _tip(before: Point, end: Point, place: Callable[[Point], tuple[float, float]]) -> str:
+def _tip(before: PagePoint, end: PagePoint, place: Callable[[PagePoint], tuple[float, float]]) -> str:
     (x0, y0), (x, y) = place(before), place(end)
     size = math.hypot(x - x0, y - y0) or 1.0
     c, s = (x - x0) / size, (y - y0) / size
@@ -105,7 +112,7 @@ def _tip(before: Point, end: Point, place: Callable[[Point], tuple[float, float]
     return "M" + " L".join(f"{a:.1f} {b:.1f}" for a, b in corners) + " Z"
 
 
-def _dot(dot: Dot, place: Callable[[Point], tuple[float, float]]) -> str:
+def _dot(dot: Dot, place: Callable[[PagePoint], tuple[float, float]]) -> str:
     x, y = place(dot.at)
     kind = "hinge" if dot.open else "particle"
     return f'<circle class="{kind}" cx="{x:.1f}" cy="{y:.1f}" r="{dot.radius * CENTIMETRE:.1f}"/>'

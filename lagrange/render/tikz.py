@@ -1,4 +1,8 @@
-r"""A picture in TikZ: `\draw` for each line, `\node` for each label, the styles of the kinds at its beginning."""
+r"""A picture in TikZ: `\draw` for each line, `\path` for each dot, `\node` for each label.
+
+Coordinates are plain centimetres, one command a line, and each kind of line is a style defined at the beginning: so
+that a picture can be changed by hand.
+"""
 
 from __future__ import annotations
 
@@ -6,28 +10,28 @@ from collections.abc import Callable, Iterator
 
 import sympy as sp
 
-from lagrange.document.scene import Dot, Kind, Line, Point, Scene
+from lagrange.document.scene import Dot, PagePoint, Polyline, Scene, StrokeKind
 from lagrange.render.escape import escape
 
 STYLES = {
-    Kind.ROD: "line width=1.1pt",
-    Kind.LINK: "line width=0.6pt",
-    Kind.BODY: "line width=0.8pt",
-    Kind.CURVE: "line width=0.8pt, black!60",
-    Kind.SPRING: "line width=0.6pt",
-    Kind.DAMPER: "line width=0.6pt",
-    Kind.GROUND: "line width=0.5pt",
-    Kind.GUIDE: "line width=0.4pt, dashed, black!60",
-    Kind.ANGLE: "line width=0.5pt",
-    Kind.AXIS: "line width=0.5pt, black!60",
-    Kind.FORCE: "line width=1.1pt",
-    Kind.REACTION: "line width=1.1pt, blue!60!black",
+    StrokeKind.ROD: "line width=1.1pt",
+    StrokeKind.LINK: "line width=0.6pt",
+    StrokeKind.BODY: "line width=0.8pt",
+    StrokeKind.CURVE: "line width=0.8pt, black!60",
+    StrokeKind.SPRING: "line width=0.6pt",
+    StrokeKind.DAMPER: "line width=0.6pt",
+    StrokeKind.GROUND: "line width=0.5pt",
+    StrokeKind.GUIDE: "line width=0.4pt, dashed, black!60",
+    StrokeKind.ANGLE: "line width=0.5pt",
+    StrokeKind.AXIS: "line width=0.5pt, black!60",
+    StrokeKind.FORCE: "line width=1.1pt",
+    StrokeKind.REACTION: "line width=1.1pt, blue!60!black",
 }
 
 
 def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
-    """The lines of a `tikzpicture`. `write` is LaTeX of mathematics."""
-    styles = [f"{k.value}/.style={{{STYLES[k]}}}" for k in Kind if any(line.kind is k for line in scene.lines)]
+    """The lines of a `tikzpicture`; `write` spells mathematics in LaTeX."""
+    styles = [f"{k.value}/.style={{{STYLES[k]}}}" for k in StrokeKind if any(line.kind is k for line in scene.lines)]
     yield r"\begin{tikzpicture}[line join=round, line cap=round, >={Stealth[length=5pt]},"
     yield "  " + ", ".join(styles) + "]"
     for line in scene.lines:
@@ -40,7 +44,7 @@ def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
     yield r"\end{tikzpicture}"
 
 
-def _draw(line: Line) -> str:
+def _draw(line: Polyline) -> str:
     tip = ", ->>" if line.double else ", ->" if line.tip else ""
     path = " -- ".join(map(_point, line.points)) + (" -- cycle" if line.closed else "")
     return rf"\draw[{line.kind.value}{tip}] {path};"
@@ -51,7 +55,7 @@ def _dot(dot: Dot) -> str:
     return rf"\path[{style}] {_point(dot.at)} circle[radius={dot.radius:.3g}];"
 
 
-def _point(p: Point) -> str:
+def _point(p: PagePoint) -> str:
     return f"({_number(p[0])},{_number(p[1])})"
 
 

@@ -1,6 +1,6 @@
 """How many wrong answers are explained, and how fast: `make bench`, or `python tests/bench/diagnosis.py`.
 
-The table of tests/test_diagnosis.py, and every term's sign, factor, omission and function in the equations of every
+The table of tests/answers/test_diagnosis.py, and every term's sign, factor, omission and function in the equations of every
 shipped problem of motion. Explained: one change is named that makes the equation right; rightly: it is the one that was made.
 """
 
@@ -12,16 +12,15 @@ import time
 from collections import Counter
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1]))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from mutations import best_system, mutations
-from test_diagnosis import TABLE, system
-from test_mutations import MOTION
-
-from lagrange.answers.answer_readings import read_answer
 from lagrange.answers.diagnosis import diagnosed
+from lagrange.answers.readings import read_answer
 from lagrange.core.diagnostics import Fragment
 from lagrange.mechanics.dynamics.comparison import Standing, compare
+from tests.answers.test_diagnosis import TABLE, system
+from tests.support.mutations import best_system, mutations
+from tests.support.shared import asking, solved
 
 
 def main() -> None:
@@ -41,8 +40,8 @@ def main() -> None:
     print(f"the table: {right} of {asked} explained rightly; median {1000 * statistics.median(seconds):.0f} ms")
     counts: Counter[tuple[str, str]] = Counter()
     seconds = []
-    for path in MOTION:
-        found = best_system(path)
+    for name in asking("motion"):
+        found = best_system(solved(name))
         for m in mutations(found[0]) if found else ():
             assert found is not None
             result = compare([m.equation], found[1].system)

@@ -45,7 +45,7 @@ class Spent:
 def run(command: Sequence[str]) -> Spent:
     """One process, its output kept. Bytecode is written and used, whatever the environment says, as where it is installed."""
     environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-    environment["PYTHONPATH"] = os.pathsep.join(map(str, (ROOT, ROOT / "cli", ROOT / "tests")))
+    environment["PYTHONPATH"] = os.pathsep.join(map(str, (ROOT, ROOT / "cli")))
     with tempfile.TemporaryFile("w+", encoding="utf-8") as output:
         process = subprocess.Popen(command, stdout=output, stderr=subprocess.DEVNULL, cwd=ROOT, env=environment)
         _, status, usage = os.wait4(process.pid, 0)
@@ -83,15 +83,15 @@ def processes(runs: int) -> None:
 
 OURS = """
 import json, sys, time
-from families import links
+from tests.support.families import links
 from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
 from lagrange.mechanics.constraints.kinematics import file_configuration
-from lagrange.mechanics.solution import Method, classify, eliminate, law_of_motion
+from lagrange.mechanics.solution import Method, classify, law_of_motion, virtual_displacements
 def equations(problem):
     classification = classify(problem)
-    configuration = file_configuration(problem, classification.rows)
-    elimination = eliminate(configuration.rows, len(problem.coordinates), configuration.states)
+    configuration = file_configuration(problem, classification.constrained)
+    elimination = virtual_displacements(configuration.constrained)
     law = law_of_motion(problem, configuration, elimination, classification.rank, False, Method.DALEMBERT)
     return law.equations(configuration, elimination).expressions
 equations(read_problem(Source("warm", links(2))))
@@ -174,12 +174,12 @@ def equations(runs: int) -> None:
 
 WHOLE = """
 import json, sys, time
-from families import FAMILIES
+from tests.support.families import FAMILIES
 from lagrange.document.derivation import Detail
 from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
 from lagrange.render import json as as_json
-from lagrange.render import terminal as pretty
+from lagrange.render import terminal
 from lagrange.explain.report import report
 def whole(family, n):
     started = time.process_time()
@@ -187,7 +187,7 @@ def whole(family, n):
     solved = time.process_time()
     as_json.render([found])
     written = time.process_time()
-    pretty.text(found.derivation, found.notation, 80, Detail.STEPS)
+    terminal.text(found.derivation, found.notation, 80, Detail.STEPS)
     return [solved - started, written - solved, time.process_time() - written, found.holds]
 whole(sys.argv[1], 2)
 print(json.dumps(whole(sys.argv[1], int(sys.argv[2]))))
@@ -196,8 +196,8 @@ print(json.dumps(whole(sys.argv[1], int(sys.argv[2]))))
 
 def growth(runs: int) -> None:
     """Whole derivations with checks, of systems of n, and how their times grow."""
-    sys.path.insert(0, str(ROOT / "tests"))
-    from families import FAMILIES
+    sys.path.insert(0, str(ROOT))
+    from tests.support.families import FAMILIES
 
     print(
         f"\n{'whole derivation':14}{'n':>4}{'solved':>10}{'JSON':>8}{'page':>8}{'MiB':>7}   checks   exponent from here to the next"

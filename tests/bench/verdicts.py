@@ -1,6 +1,6 @@
 """How long a verdict takes, the problem being loaded: `make bench`.
 
-Each answer of the table (`test_answers_table`) is judged once by a reference that has judged one other answer, as in
+Each answer of the table (`tests/answers/test_equations.py`) is judged once by a reference that has judged one other answer, as in
 a marked pile of answers; a verdict is with its remarks and reasons, without the diagnosis, which has its own benchmark.
 Beside it stands what a student of SymPy would do: `simplify` and `.equals(0)` of the difference of the accelerations that
 two systems give. All times are medians of five, a verdict's and its peers' in turn; ratios are medians of the ratios.
@@ -17,15 +17,14 @@ from pathlib import Path
 import sympy as sp
 from sympy.core.cache import clear_cache
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-
-from answer_truth import read
-from test_answers_table import GIVEN, SOLVED, TABLE, fragments
+sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import reference
 from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.problem.loader import read_problem
+from tests.answers.test_equations import GIVEN, SOLVED, TABLE, fragments
+from tests.support.answer_truth import read
 
 COMPARED = ("3", "8", "15", "20", "38", "40", "42", "44")
 """Answers for which SymPy is asked, those that it reads as they are."""

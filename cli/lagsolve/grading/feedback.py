@@ -1,7 +1,7 @@
 """A page of Markdown for the author of a submission: the verdict, equation by equation, and what could not be read.
 
-Everything on it that was handed in stands as code or is escaped: no page can hold a link, a picture or HTML of the
-author's making. The equations asked for are nowhere on it.
+Everything that was handed in is set as code or escaped, so that no page contains a link, a picture or HTML made by its
+author. The expected equations are not on it.
 """
 
 from __future__ import annotations
@@ -11,16 +11,16 @@ import re
 import unicodedata
 from collections.abc import Iterable, Iterator
 
-from lagrange.answers.equations import EquationVerdict, Verdict
-from lagrange.answers.grading import Graded
+from lagrange.answers.submissions import Graded
+from lagrange.answers.verdicts import EquationVerdict, Verdict
 from lagrange.render.markdown import escape
+from lagsolve.limits import LONGEST_PAGE_NAME
 
-LONGEST_NAME = 80  # of a page, without its ending
 MARKS = {Verdict.EQUIVALENT: "✓", Verdict.WRONG: "✗", Verdict.UNREADABLE: "!", Verdict.UNDECIDED: "?"}
 
 
 def page(problem: str, name: str, graded: Graded) -> str:
-    """The page; `problem` is the title of the problem, `name` what the submission is called."""
+    """The page; `problem` is the title of the problem, `name` that of the submission."""
     return "\n".join(_lines(problem, name, graded))
 
 
@@ -34,9 +34,10 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
         yield f"\n{graded.right} of the {graded.required} independent equations asked for {verb} right."
     if graded.others:
         yield "\n## Question by question\n"
-        for question, found, diagnosis in graded.others:
-            said = f" ({diagnosis})" if diagnosis else ""
-            yield f"- {MARKS.get(found, '·')} {prose(question.replace('_', ' '))}: {found.value}{prose(said)}"
+        for answer in graded.others:
+            diagnosis = f" ({answer.diagnosis})" if answer.diagnosis else ""
+            mark = MARKS.get(answer.verdict, "·")
+            yield f"- {mark} {prose(answer.name.replace('_', ' '))}: {answer.verdict.value}{prose(diagnosis)}"
     if graded.equations:
         yield "\n## Equation by equation\n"
         for equation in graded.equations:
@@ -51,8 +52,7 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
 def _of_equation(equation: EquationVerdict) -> Iterator[str]:
     mark = MARKS.get(equation.verdict, "·")
     yield f"- {mark} {code(equation.text)}: {equation.verdict.value}"
-    said = (*((equation.diagnosis,) if equation.diagnosis else ()), *equation.remarks)
-    for sentence in said:
+    for sentence in (*((equation.diagnosis,) if equation.diagnosis else ()), *equation.remarks):
         yield f"  - {prose(sentence)}"
 
 
@@ -81,22 +81,22 @@ def _longest_run(text: str) -> int:
 
 
 def page_names(names: Iterable[str]) -> dict[str, str]:
-    """submission -> name of its page: its own name where that is a plain one; no two alike, in whatever case."""
-    found: dict[str, str] = {}
+    """submission -> name of its page: its own name where that is plain; no two agree, in upper or lower case."""
+    pages: dict[str, str] = {}
     taken: set[str] = set()
     for name in names:
         plain = _plain(name)
         if plain != name or plain.casefold() in taken:
             plain = f"{plain}-{hashlib.sha256(name.encode('utf-8', 'surrogatepass')).hexdigest()[:12]}"
         taken.add(plain.casefold())
-        found[name] = f"{plain}.md"
-    return found
+        pages[name] = f"{plain}.md"
+    return pages
 
 
 def _plain(name: str) -> str:
-    """Letters, digits and the harmless marks of a name; nothing that a system or a shell could mistake."""
+    """The letters, digits and harmless marks of a name; nothing that a system or a shell could misread."""
     text = unicodedata.normalize("NFC", name)
     kept = "".join(c if c.isalnum() or c in "._- " else "_" for c in text).strip(" .-_") or "_"
-    while len(kept.encode()) > LONGEST_NAME:
+    while len(kept.encode()) > LONGEST_PAGE_NAME:
         kept = kept[:-1]
     return kept.rstrip(" .")

@@ -1,8 +1,8 @@
-"""What has been graded so far, so that a batch that was interrupted can go on.
+"""The journal of a batch: what has been graded so far, so that an interrupted batch can continue.
 
-One line of JSON for each submission, added when its row is known and its page is written: a key and the row. The key
-is a hash of everything on which the row depends, so that what has changed in the meantime is graded again. A line that
-cannot be read, the last one of a process that was killed, is left out. A batch that is complete takes its journal away.
+It has one line of JSON for each submission, added once its row is known and its page written: a key and the row. The
+key is a hash of everything on which the row depends, so that whatever has changed in the meantime is graded again. A
+line that cannot be read (the last one of a process that was killed) is ignored. A complete batch deletes its journal.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from lagrange.answers.equations import Verdict
-from lagrange.answers.grading import Submission
-from lagsolve.grading.rows import Row
+from lagrange.answers.submissions import Submission
+from lagrange.answers.verdicts import Verdict
+from lagsolve.grading.table import TableRow
 
 
 def key(submission: Submission, *of_batch: object) -> str:
-    """The hash of a submission and of what is the same in the whole batch: problem, version, limits."""
+    """The hash of a submission and of what the whole batch has in common: problem, version, limits."""
     parts: Iterable[bytes] = (
         repr((*of_batch, submission.name, submission.notes)).encode(),
         *(part for name, content in submission.files for part in (name.encode(), content)),
@@ -43,21 +43,21 @@ class Journal:
 
     @property
     def path(self) -> Path | None:
-        """Where it is."""
+        """The file of the journal; None where there is none."""
         return self._path
 
-    def row(self, of: str) -> Row | None:
-        """What was found before under a key."""
+    def row(self, of: str) -> TableRow | None:
+        """The row of a key; None where it is not known."""
         return self._known.get(of)
 
-    def add(self, under: str, row: Row) -> None:
-        """Notes a row, at once."""
+    def add(self, under: str, row: TableRow) -> None:
+        """Adds a row, written at once."""
         if self._file is not None:
             self._file.write(json.dumps({"key": under, "row": asdict(row)}) + "\n")
             self._file.flush()
 
     def close(self, complete: bool) -> None:
-        """Ends the journal; takes it away where it has served its purpose."""
+        """Closes the journal, and deletes it if the batch is complete."""
         if self._file is None or self._path is None:
             return
         self._file.close()
@@ -65,7 +65,7 @@ class Journal:
             self._path.unlink(missing_ok=True)
 
 
-def _read(path: Path) -> Iterable[tuple[str, Row]]:
+def _read(path: Path) -> Iterable[tuple[str, TableRow]]:
     try:
         lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     except FileNotFoundError:
@@ -76,9 +76,9 @@ def _read(path: Path) -> Iterable[tuple[str, Row]]:
             yield entry
 
 
-def _entry(line: str) -> tuple[str, Row] | None:
+def _entry(line: str) -> tuple[str, TableRow] | None:
     try:
-        found: dict[str, Any] = json.loads(line)
-        return str(found["key"]), Row(**found["row"] | {"verdict": Verdict(found["row"]["verdict"])})
+        entry: dict[str, Any] = json.loads(line)
+        return str(entry["key"]), TableRow(**entry["row"] | {"verdict": Verdict(entry["row"]["verdict"])})
     except (ValueError, KeyError, TypeError):
         return None

@@ -1,7 +1,11 @@
-"""An executor of `concurrent.futures` whose calls run within limits, each in a process that can be stopped.
+"""Executors of `concurrent.futures` whose calls run within limits: processes on this machine, or a Dask cluster.
 
 A call that exceeds its limits fails with a `StoppedError`, and so does one whose process is killed; the process is
-replaced and the other calls know nothing of it. One thread stands for each process and does nothing but wait for it.
+replaced, and the other calls are not affected. One thread per process does nothing but wait for it.
+
+The extra `cluster` installs what an existing Dask cluster needs, here and on its workers. A worker of the cluster
+cannot stop a task that loops, and is lost if it runs out of memory. So each of its threads has a process of its own
+with the limits, and the cluster distributes only the waiting.
 """
 
 from __future__ import annotations
@@ -9,17 +13,19 @@ from __future__ import annotations
 import os
 import queue
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future
+from contextlib import contextmanager
+from importlib.metadata import version
 from typing import Any, TypeVar
 
+from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
-from lagsolve.grading.child import nothing
-from lagsolve.grading.worker import FailedError, Limits, LostError, Worker
+from lagsolve.grading.worker import CallFailedError, Limits, LostError, Worker
+from lagsolve.grading.worker_process import nothing
+from lagsolve.limits import CLUSTER_SECONDS, STARTS
 
 T = TypeVar("T")
-
-STARTS = 3
 
 
 def available_cores() -> int:
@@ -36,7 +42,7 @@ class _Task:
 
 
 class Pool(Executor):
-    """`jobs` processes. `shutdown(cancel_futures=True)` stops the calls that are being carried out, too.
+    """`jobs` processes. `shutdown(cancel_futures=True)` also stops the calls that are running.
 
     setup  a call that each process makes first, within `setup_seconds`
     """
@@ -54,7 +60,7 @@ class Pool(Executor):
             thread.start()
 
     def submit(self, fn: Callable[..., T], /, *args: Any, **kwargs: Any) -> Future[T]:
-        """Has `fn(*args)` carried out; both must be picklable."""
+        """Runs `fn(*args)` in a process; both must be picklable."""
         assert not kwargs
         future: Future[T] = Future()
         with self._lock:
@@ -64,7 +70,7 @@ class Pool(Executor):
         return future
 
     def shutdown(self, wait: bool = True, *, cancel_futures: bool = False) -> None:
-        """Ends the processes once the calls are done; at once, where they are to be cancelled."""
+        """Ends the processes once the calls are done, or at once if they are to be cancelled."""
         with self._lock:
             self._cancelled |= cancel_futures
             workers = list(self._workers.values()) if cancel_futures else []
@@ -79,7 +85,7 @@ class Pool(Executor):
                 thread.join()
 
     def _serve(self, number: int) -> None:
-        """Carries out calls, in the life of one thread."""
+        """Runs calls: the life of one thread."""
         while (task := self._tasks.get()) is not None:
             if self._cancelled:
                 task.future.cancel()
@@ -87,7 +93,7 @@ class Pool(Executor):
                 continue
             try:
                 task.future.set_result(self._worker(number).call(task.function, *task.arguments))
-            except FailedError as error:
+            except CallFailedError as error:
                 task.future.set_exception(error)
             except BaseException as error:
                 self._discard(number)
@@ -97,7 +103,7 @@ class Pool(Executor):
     def _worker(self, number: int) -> Worker:
         """The process of a thread; a new one where the last was lost.
 
-        That one is lost before it is ready is not the fault of a call, and there is another.
+        A process that is lost before it is ready is not the fault of a call, and is replaced.
         """
         worker = self._workers.get(number)
         if worker is not None and worker.is_fresh:
@@ -125,3 +131,53 @@ class Pool(Executor):
             worker = self._workers.pop(number, None)
         if worker is not None:
             worker.stop()
+
+
+@contextmanager
+def cluster(address: str) -> Iterator[tuple[Executor, int]]:
+    """The executor of the scheduler at an address, and the number of its threads.
+
+    Raises ProblemError where it cannot be reached, or its workers have another lagsolve.
+    """
+    try:
+        from distributed import Client
+        from distributed.comm import get_address_host_port
+    except ImportError:
+        help_ = "pip install 'lagsolve[cluster]', here and on the cluster"
+        raise ProblemError(Diagnostic("no-cluster", "--dask needs the package `distributed`", help=help_)) from None
+    try:
+        get_address_host_port(address)  # a client with a malformed address hangs
+        client = Client(address, timeout=CLUSTER_SECONDS, set_as_default=False)
+    except (OSError, ValueError, TypeError) as error:
+        message = f"there is no Dask scheduler at {address}: {_one_line(error)}"
+        raise ProblemError(Diagnostic("no-cluster", message, help="an address is like tcp://host:8786")) from None
+    with client:
+        threads = _threads(client, address)
+        executor = client.get_executor(pure=False)
+        try:
+            yield executor, threads
+        finally:
+            executor.shutdown(wait=False)  # which cancels the remaining tasks
+
+
+def _threads(client: Any, address: str) -> int:
+    try:
+        client.wait_for_workers(1, timeout=CLUSTER_SECONDS)
+        versions = set(client.run(_version).values())
+    except Exception as error:
+        message = f"the workers at {address} cannot grade: {_one_line(error)}"
+        help_ = f"they need lagsolve {version('lagsolve')} and what it needs"
+        raise ProblemError(Diagnostic("no-cluster", message, help=help_)) from None
+    if versions != {version("lagsolve")}:
+        message = f"the workers at {address} have lagsolve {', '.join(sorted(versions))}, not {version('lagsolve')}"
+        raise ProblemError(Diagnostic("no-cluster", message, help="install the same version everywhere"))
+    threads: int = sum(client.nthreads().values())
+    return max(1, threads)
+
+
+def _version() -> str:
+    return version("lagsolve")
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(f"{type(error).__name__}: {error}".split())[:200]

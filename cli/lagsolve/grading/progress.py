@@ -1,16 +1,15 @@
-"""How far a batch has come, on standard error: a line that changes on a terminal, else a line now and then."""
+"""The progress of a batch on standard error: a line that changes on a terminal, otherwise a line now and then."""
 
 from __future__ import annotations
 
 import sys
 import time
 
-ON_TERMINAL, ELSEWHERE = 0.2, 15.0
-"""Seconds between two lines."""
+from lagsolve.limits import PROGRESS_ELSEWHERE, PROGRESS_ON_TERMINAL
 
 
 class Progress:
-    """Counts submissions; says nothing where a batch is short."""
+    """Counts submissions; prints nothing if a batch is short."""
 
     def __init__(self, total: int) -> None:
         self._total = total
@@ -19,26 +18,26 @@ class Progress:
         self._first: tuple[float, int] | None = None  # when the first was graded, and how many were done by then
 
     def step(self, done: int, graded: bool) -> None:
-        """So many are done, and whether one has just been graded."""
+        """Updates the number of submissions that are done; `graded`: one has just been graded."""
         now = time.monotonic()
         if graded and self._first is None:
             self._first = now, done
-        if sys.stderr is None or now - self._last < (ON_TERMINAL if self._terminal else ELSEWHERE):
+        if sys.stderr is None or now - self._last < (PROGRESS_ON_TERMINAL if self._terminal else PROGRESS_ELSEWHERE):
             return
         self._last = now
-        said = f"{done:,} of {self._total:,} graded, {now - self._start:.0f} s{self._left(now, done)}"
-        sys.stderr.write(f"\r\x1b[K{said}" if self._terminal else f"{said}\n")
+        line = f"{done:,} of {self._total:,} graded, {now - self._start:.0f} s{self._left(now, done)}"
+        sys.stderr.write(f"\r\x1b[K{line}" if self._terminal else f"{line}\n")
         sys.stderr.flush()
 
     def _left(self, now: float, done: int) -> str:
-        """How long it may still take, from what it took since the processes were ready."""
+        """The time that remains, estimated from the time since the processes were ready."""
         if self._first is None or done == self._first[1]:
             return ""
         since, before = self._first
         return f", about {(now - since) * (self._total - done) / (done - before):.0f} s more"
 
     def end(self) -> None:
-        """Takes the line away."""
+        """Removes the line."""
         if self._terminal:
             sys.stderr.write("\r\x1b[K")
             sys.stderr.flush()

@@ -1,9 +1,9 @@
-"""What was handed in: the files and folders that the command line names, found and read without trust.
+"""Submissions: the files and folders that the command line names, found and read without trusting them.
 
-Every file of a folder is a submission, and so is every folder in it: somebody's files, whose equations together are the
-answer. Deeper folders are not looked into, hidden files not at all. Links are not followed, and nothing is opened that
-is not a regular file, or is larger than an answer can be. A name can hold any character but those that end it; it is
-shown with what cannot be seen written out, `\\x1b`.
+Every file of a folder is a submission, and so is every folder in it: the files of one student, whose equations together
+are the answer. Deeper folders and hidden files are ignored. Links are not followed, and nothing is opened that is not a
+regular file, or is larger than an answer can be. A name can contain nearly any character; it is shown with invisible
+ones written out, `\\x1b`.
 """
 
 from __future__ import annotations
@@ -16,13 +16,14 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from pathlib import Path
 
-from lagrange.answers.grading import Submission
+from lagrange.answers.submissions import Submission
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
-from lagrange.problem.yaml_nodes import MAX_BYTES
+from lagrange.problem.limits import MAX_BYTES
+from lagsolve.limits import MOST_FILES
 
-ENDINGS = ("", ".txt", ".md", ".tex", ".yaml", ".yml")
-"""Of the files in somebody's folder, those that are an answer. A file that stands alone may end as it likes."""
+EXTENSIONS = ("", ".txt", ".md", ".tex", ".yaml", ".yml")
+"""Of the files in a student's folder that are an answer. A file of its own may have any extension."""
 
 KINDS = {
     stat.S_IFLNK: "is a link, which is not followed",
@@ -30,76 +31,77 @@ KINDS = {
     stat.S_IFSOCK: "is a socket, which is not opened",
     stat.S_IFDIR: "is a folder",
 }
-MOST_FILES = 50
 HIDDEN = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
 
 
-class RefusedError(Exception):
-    """A submission that is not read. The message completes `it ...`."""
+class UnreadSubmissionError(Exception):
+    """A submission that cannot be read. The message completes `it ...`."""
 
 
 @record
-class Entry:
+class UnreadSubmission:
     """A submission that has not been read yet.
 
-    name  what it is called, unlike any other of the batch; it may be shown as it stands
+    name  unique in the batch, and safe to print
     """
 
     name: str
     path: Path
 
     def read(self) -> Submission:
-        """Its files. Raises RefusedError."""
+        """Its files. Raises UnreadSubmissionError."""
         try:
             if _is_folder(self.path):
                 return self._of_folder()
             return Submission(self.name, ((shown(self.path.name), _content(self.path, MAX_BYTES)),))
         except OSError as error:
-            raise RefusedError(f"cannot be read: {error.strerror}") from None
+            raise UnreadSubmissionError(f"cannot be read: {error.strerror}") from None
 
     def _of_folder(self) -> Submission:
         names = sorted(islice(_names(self.path), MOST_FILES + 1))
         if len(names) > MOST_FILES:
-            raise RefusedError(f"has more than {MOST_FILES} files")
-        answers = [n for n in names if Path(n).suffix.lower() in ENDINGS and not _is_folder(self.path / n)]
+            raise UnreadSubmissionError(f"has more than {MOST_FILES} files")
+        answers = [n for n in names if Path(n).suffix.lower() in EXTENSIONS and not _is_folder(self.path / n)]
         others = [n for n in names if n not in answers]
         if not answers:
-            raise RefusedError(f"has no answer in it: a file that ends with {' '.join(e for e in ENDINGS if e)}")
+            raise UnreadSubmissionError(
+                f"has no answer in it: a file that ends with {' '.join(e for e in EXTENSIONS if e)}"
+            )
         files: list[tuple[str, bytes]] = []
         room = MAX_BYTES
         for name in answers:
             try:
                 content = _content(self.path / name, room)
-            except RefusedError as error:
-                raise RefusedError(f"has a file {shown(name)} that {error}") from None
+            except UnreadSubmissionError as error:
+                raise UnreadSubmissionError(f"has a file {shown(name)} that {error}") from None
             room -= len(content)
             files.append((shown(name), content))
         notes = (f"not looked into: {', '.join(map(shown, others))}",) if others else ()
         return Submission(self.name, tuple(files), notes)
 
 
-def entries(named: Sequence[str], not_these: Sequence[Path]) -> list[Entry]:
-    """The submissions that a command line names, sorted; `not_these` are files and folders of the grading itself.
+def entries(named: Sequence[str], excluded: Sequence[Path]) -> list[UnreadSubmission]:
+    """The submissions that a command line names, sorted; `excluded` are files and folders of the grading itself.
 
     Raises ProblemError where something does not exist, or where there are none.
     """
-    own = {real for p in not_these for real in (os.path.realpath(p), _place(p))}
-    found: dict[str, tuple[str, str]] = {}  # where it is: its short name, and the long one
+    own = {real for p in excluded for real in (os.path.realpath(p), _place(p))}
+    names: dict[str, tuple[str, str]] = {}  # place: the short name, and the long one
     for name in named:
         for path in _members(name):
             if (place := _place(path)) not in own:
-                found.setdefault(place, (path.name, os.path.normpath(path)))
-    if not found:
+                names.setdefault(place, (path.name, os.path.normpath(path)))
+    if not names:
         message = f"there is no submission in {', '.join(map(shown, named))}"
         help_ = "name a folder in which every file, or every folder, is a submission"
         raise ProblemError(Diagnostic("no-submissions", message, help=help_))
-    times = Counter(name for name, _ in found.values())
-    listed = [Entry(shown(n if times[n] == 1 else path), Path(place)) for place, (n, path) in found.items()]
+    times = Counter(name for name, _ in names.values())
+    listed = [UnreadSubmission(shown(n if times[n] == 1 else path), Path(place)) for place, (n, path) in names.items()]
     return sorted(listed, key=lambda e: e.name)
 
 
 def _place(path: Path) -> str:
-    """Where something is, links in the way followed but not the last one."""
+    """The place of a file or folder: links on the way are followed, but not the last one."""
     return os.path.join(os.path.realpath(path.parent), path.name)
 
 
@@ -108,7 +110,7 @@ def _is_folder(path: Path) -> bool:
 
 
 def _members(name: str) -> Iterator[Path]:
-    """The submissions that one argument names: those in a folder, or a file. A link stands for itself."""
+    """The submissions that one argument names: those in a folder, or a file. A link is not followed."""
     path = Path(name)
     try:
         if not _is_folder(path):
@@ -123,31 +125,31 @@ def _members(name: str) -> Iterator[Path]:
 
 
 def _names(folder: Path) -> Iterator[str]:
-    """What is in a folder, apart from what is hidden."""
-    with os.scandir(folder) as found:
-        yield from (e.name for e in found if not e.name.startswith("."))
+    """The names in a folder, without the hidden ones."""
+    with os.scandir(folder) as inside:
+        yield from (e.name for e in inside if not e.name.startswith("."))
 
 
 def _content(path: Path, room: int) -> bytes:
-    """The bytes of a regular file. Raises RefusedError where it is no such file, or has more bytes than that."""
+    """The bytes of a regular file. Raises UnreadSubmissionError where it is not one, or has more than `room` bytes."""
     before = os.lstat(path)
     if not stat.S_ISREG(before.st_mode):
-        raise RefusedError(KINDS.get(stat.S_IFMT(before.st_mode), "is a device, which is not opened"))
+        raise UnreadSubmissionError(KINDS.get(stat.S_IFMT(before.st_mode), "is a device, which is not opened"))
     if before.st_size > room:
-        raise RefusedError(f"has {before.st_size:,} bytes; {MAX_BYTES:,} are the most that is read")
+        raise UnreadSubmissionError(f"has {before.st_size:,} bytes; {MAX_BYTES:,} are the most that is read")
     flags = os.O_RDONLY | sum(getattr(os, f, 0) for f in ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY"))
     with open(os.open(path, flags), "rb") as file:
         now = os.fstat(file.fileno())
         if (now.st_dev, now.st_ino) != (before.st_dev, before.st_ino):
-            raise RefusedError("was replaced while it was read")
+            raise UnreadSubmissionError("was replaced while it was read")
         content = file.read(room + 1)
     if len(content) > room:
-        raise RefusedError(f"has more than {MAX_BYTES:,} bytes, which are the most that is read")
+        raise UnreadSubmissionError(f"has more than {MAX_BYTES:,} bytes, which are the most that is read")
     return content
 
 
 def shown(name: str) -> str:
-    """A name as text that can be printed, in which what cannot be seen is written out. Two names stay two."""
+    """A name as printable text, with invisible characters written out. Different names stay different."""
     return "".join(_visible(c) for c in name)
 
 

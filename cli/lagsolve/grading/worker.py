@@ -1,8 +1,8 @@
-"""A process that carries out one call after another and is stopped when a call exceeds its limits.
+"""A process that runs one call after another and is stopped when a call exceeds its limits.
 
-`multiprocessing` is not used: its pools end with a worker that is killed, and its processes may not be started from
-within the workers of a cluster. A worker is a fresh interpreter with this process's module path, so that it may be
-started at any moment from any thread, and it has a session of its own, so that Ctrl-C at a terminal does not reach it.
+`multiprocessing` is not used: its pools break when a worker is killed, and its processes cannot be started from within
+the workers of a cluster. A worker is a fresh interpreter with this process's module path, so that it can be started at
+any time from any thread, and it has a session of its own, so that Ctrl-C at a terminal does not reach it.
 """
 
 from __future__ import annotations
@@ -17,23 +17,23 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 from lagrange.core.records import record
-from lagsolve.grading.child import read_frame, write_frame
+from lagsolve.grading.worker_process import read_frame, write_frame
 
 T = TypeVar("T")
 
-PROGRAM = "import sys; sys.path[:] = {path!r}; from lagsolve.grading.child import main; main()"
+PROGRAM = "import sys; sys.path[:] = {path!r}; from lagsolve.grading.worker_process import main; main()"
 
 
 @record
 class Limits:
-    """What one call may take: seconds of the clock, and megabytes of address space of its process."""
+    """The limits of one call: seconds of wall-clock time, and megabytes of address space of its process."""
 
     seconds: float
     megabytes: int
 
 
 class StoppedError(Exception):
-    """A call that came to no result. The message completes `it ...`."""
+    """A call without a result. The message completes `it ...`."""
 
 
 class TimeLimitError(StoppedError):
@@ -41,19 +41,19 @@ class TimeLimitError(StoppedError):
 
 
 class MemoryLimitError(StoppedError):
-    """A call was given up for want of memory."""
+    """A call ran out of memory."""
 
 
 class LostError(StoppedError):
     """The process ended during a call: somebody killed it, or it crashed."""
 
 
-class FailedError(StoppedError):
+class CallFailedError(StoppedError):
     """A call raised an exception."""
 
 
 class SetupError(Exception):
-    """What a process does first cannot be done within the limits: no call will succeed."""
+    """The first call of a process cannot be done within the limits: no other will succeed."""
 
 
 class Worker:
@@ -80,12 +80,12 @@ class Worker:
 
     @property
     def pid(self) -> int:
-        """The number of the process."""
+        """The id of the process."""
         return self._process.pid
 
     @property
     def is_fresh(self) -> bool:
-        """Whether the process still waits for work."""
+        """Whether the process is waiting for work."""
         rested = self._idle and time.monotonic() - self._last > self._idle / 2
         return not rested and self._process.poll() is None
 
@@ -99,9 +99,9 @@ class Worker:
             raise SetupError(str(error)) from error
 
     def call(self, function: Callable[..., T], *arguments: Any, seconds: float | None = None) -> T:
-        """What the function returns in the process, within the limits or within another number of seconds.
+        """The value that the function returns in the process, within the limits or another number of seconds.
 
-        Raises StoppedError; after any but FailedError the process is gone.
+        Raises StoppedError; after any but CallFailedError the process is gone.
         """
         self._seconds = seconds = self.limits.seconds if seconds is None else seconds
         watch = threading.Timer(seconds, self._expire, (self._number,))
@@ -118,7 +118,7 @@ class Worker:
         if outcome == "returned":
             return result  # type: ignore[no-any-return]
         if outcome == "raised":
-            raise FailedError(": ".join(result))
+            raise CallFailedError(": ".join(result))
         self.stop()
         raise MemoryLimitError(f"needs more than {self.limits.megabytes:,} MB of memory")
 
@@ -144,7 +144,7 @@ class Worker:
             raise self._lost() from None
 
     def _lost(self) -> StoppedError:
-        """Why the process does not answer."""
+        """The reason why the process does not answer."""
         self.stop()
         status = self._process.returncode
         by_system = hasattr(signal, "SIGXCPU") and status == -signal.SIGXCPU
@@ -154,7 +154,7 @@ class Worker:
         return LostError(f"has lost its process, which {how}")
 
     def stop(self) -> None:
-        """Ends the process. It may be called from any thread, and more than once."""
+        """Ends the process. May be called from any thread, and more than once."""
         self._process.kill()
         self._process.wait()
         for stream in (self._process.stdin, self._process.stdout):
@@ -162,4 +162,4 @@ class Worker:
                 try:
                     stream.close()
                 except (OSError, ValueError):
-                    continue  # what was not sent is of no interest
+                    continue  # what was not sent does not matter

@@ -1,13 +1,13 @@
 """A system of equations solved in closed form, branch by branch.
 
 A product that vanishes splits into branches, one for each factor; a coordinate or force that occurs linearly is
-eliminated; an equation with one unknown left is solved (`closed_form`). Where the coefficient of what is eliminated may
-vanish, that is a branch of its own. What cannot be solved so stays in its branch as an equation.
+eliminated; an equation with one unknown left is solved (`single_equation`). Where the coefficient of what is eliminated
+may vanish, that is a branch of its own. What cannot be solved in this way stays in its branch as an equation.
 
     sin θ (a cos θ − b) = 0      [θ = 0], [θ = π], [cos θ = b/a where a ≥ b]
 
-A factor without unknowns is not zero for the parameters in general. It makes a branch (`special`) where it can vanish
-and nothing else is asked of the unknowns: W_1 a = W_2 b. The number of steps is bounded.
+A factor without unknowns is not zero for generic parameters. It makes a branch (`special`) where it can vanish and
+nothing else is asked of the unknowns: W_1 a = W_2 b. The number of steps is bounded.
 """
 
 from __future__ import annotations
@@ -18,27 +18,30 @@ from itertools import islice, product
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.closed_form import Relation, Root, Values, one_unknown, plain_roots
-from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator, square_root, tidied
-from lagrange.algebra.closed_forms.seen import seen_at_once
-from lagrange.algebra.closed_forms.signs import Condition, different_from_zero, sign_of
+from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, sign_of
+from lagrange.algebra.closed_forms.single_equation import (
+    Relation,
+    Root,
+    Values,
+    one_unknown,
+    plain_roots,
+    trivial_solutions,
+)
 from lagrange.algebra.closed_forms.solution_sets import (
-    MOST_POINTS,
     Branch,
     SolutionSet,
-    merged,
+    as_stated,
+    merged_branches,
     resolved,
     sides,
     verified,
     without_repetitions,
-    written,
 )
-from lagrange.algebra.closed_forms.unit_circle import Letters, NotAlgebraicError
-from lagrange.algebra.exact.exact import is_zero
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.records import record
-
-MOST_STEPS = 300
-"""Branchings of one search."""
 
 
 @record
@@ -47,7 +50,7 @@ class _State:
     values: Values = field(default_factory=dict)
     common: Values = field(default_factory=dict)
     relations: tuple[Relation, ...] = ()
-    conditions: tuple[Condition, ...] = ()
+    conditions: tuple[SignCondition, ...] = ()
     special: bool = False
     stuck: tuple[sp.Expr, ...] = ()
     solved: tuple[sp.Symbol, ...] = ()
@@ -75,38 +78,39 @@ def solutions(
 
     Raises NotAlgebraicError where a given angle has no letters.
     """
-    letters = Letters((*equations, *beside, *(sp.cos(u) for u in known or ())), unknowns)
+    letters = TrigLetters((*equations, *beside, *(sp.cos(u) for u in known or ())), unknowns)
     readable, strange = [], []
     for e in equations:
         try:
             readable.append(letters.read(e))
         except NotAlgebraicError:
             strange.append(e)
-    search = _Search(letters, first)
+    search = _BranchSearch(letters, first)
     try:
-        found = list(search.branches(_given(known or {}, tuple(readable), letters)))
+        branches = list(search.branches(_given(known or {}, tuple(readable), letters)))
     except _TooLongError:
-        found = [Branch((), left=tuple(equations))]
-        return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(found), None)
-    found = [replace(b, left=(*b.left, *strange)) for b in found]
-    kept, verdict = verified(found, readable, letters)
-    chosen = without_repetitions(merged([written(b, letters, unknowns) for b in merged(kept)]))
+        branches = [Branch((), left=tuple(equations))]
+        return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(branches), None)
+    branches = [replace(b, left=(*b.left, *strange)) for b in branches]
+    # Verified first: a branch without a point left must neither be merged with another one nor contain it.
+    kept, verdict = verified(branches, readable, letters)
+    chosen = without_repetitions(merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(kept)]))
     return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(chosen), verdict)
 
 
-def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], letters: Letters) -> _State:
+def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], letters: TrigLetters) -> _State:
     """The state in which some angles are known."""
     values: dict[sp.Symbol, sp.Expr] = {}
     relations = []
     for u, angle in known.items():
-        found = letters.angles[u]
-        values[found.cosine], values[found.sine] = letters.pair(found.measure.xreplace({u: angle}))
+        lettered = letters.angles[u]
+        values[lettered.cosine], values[lettered.sine] = letters.pair(lettered.measure.xreplace({u: angle}))
         relations.append(Relation(u, angle))
     return _State(equations, values, values, tuple(relations), solved=tuple(known))
 
 
-class _Search:
-    def __init__(self, letters: Letters, first: Sequence[sp.Symbol]) -> None:
+class _BranchSearch:
+    def __init__(self, letters: TrigLetters, first: Sequence[sp.Symbol]) -> None:
         self.letters = letters
         self.first = tuple(first)
         self.steps = 0
@@ -114,7 +118,7 @@ class _Search:
     def branches(self, state: _State) -> Iterator[Branch]:
         """The branches of a state."""
         self.steps += 1
-        if self.steps > MOST_STEPS:
+        if self.steps > MOST_BRANCHINGS:
             raise _TooLongError
         prepared = self._prepared(state)
         if prepared is None:
@@ -141,7 +145,7 @@ class _Search:
         yield from self._solved(state)
 
     def _prepared(self, state: _State) -> _State | None:
-        """The equations with the known values put in, as polynomials; None where they contradict themselves."""
+        """The equations with the known values substituted, as polynomials; None where they are contradictory."""
         kept = []
         state = self._with_roots(state)
         for e in state.equations:
@@ -170,17 +174,19 @@ class _Search:
         return replace(state, equations=tuple(sorted(kept, key=lambda e: (e.count_ops(), str(e)))))
 
     def _with_roots(self, state: _State) -> _State:
-        """The state with the values put in under square roots too: √(x² + y²) is √x², another letter, where y is 0."""
+        """The state with the values substituted under roots too: √(x² + y²) is √x², another letter, where y = 0."""
         used = {s for e in state.equations for s in e.free_symbols}
-        found: dict[sp.Symbol, sp.Expr] = {}
+        renamed: dict[sp.Symbol, sp.Expr] = {}
         for root in [r for r in self.letters.roots if r in used and r not in state.values]:
             radicand = self.letters.roots[root]
             if radicand.free_symbols.isdisjoint(state.values):
                 continue
-            changed = tidied(resolved(radicand, state.values))
+            changed = factored_quotient(resolved(radicand, state.values))
             if self.letters.unknowns_in(changed):
-                found[root] = self.letters.root(changed)
-        return replace(state, values={**state.values, **found}, common={**state.common, **found}) if found else state
+                renamed[root] = self.letters.root(changed)
+        return (
+            replace(state, values={**state.values, **renamed}, common={**state.common, **renamed}) if renamed else state
+        )
 
     def _without_squares(self, e: sp.Expr) -> sp.Expr:
         """The shorter of the polynomial and its reduction by C² + S² = 1; 0 where it is zero."""
@@ -194,17 +200,20 @@ class _Search:
         if state.special or e.is_number:
             return None
         pieces = factors(e) or []
+        # Only if exactly one factor can vanish is there one relation between the parameters to state.
         able = [p for p in pieces if p.is_Add and sign_of(p) is None]
         return Relation(*sides(self.letters.write(able[0]))) if len(able) == 1 else None
 
     def _pieces(self, e: sp.Expr, state: _State) -> list[tuple[sp.Expr, bool]] | None:
         """The factors of an equation that may vanish, if there are several, or if something can be divided out."""
-        found = factors(e)
-        if found is None:
+        irreducible = factors(e)
+        if irreducible is None:
             return None
-        pieces = [(p, False) for p in found if self.letters.unknowns_in(p)]
+        # A factor without unknowns is generically not zero and may be divided by. That it might vanish is a branch of
+        # its own, asked once at the start, when the equation is still the one that was given.
+        pieces = [(p, False) for p in irreducible if self.letters.unknowns_in(p)]
         if not state.values and not state.special:
-            for p in found:
+            for p in irreducible:
                 if not self.letters.unknowns_in(p) and p.is_Add and sign_of(p) is None and not self._circular(p):
                     pieces.append((p, True))
         if len(pieces) == 1 and pieces[0][0] in (e, -e):
@@ -216,6 +225,9 @@ class _Search:
 
     def _solved(self, state: _State) -> Iterator[Branch]:
         """One more unknown found."""
+        # Linear first, where the coefficient has no unknowns: no branch is made, and nothing is lost. Then an equation
+        # in one unknown, then an angle that others give; a coefficient that may vanish comes last, as it doubles the
+        # branches.
         linear = self._linear(state, with_unknowns=False)
         if linear is not None:
             yield from self.branches(linear[0])
@@ -230,6 +242,8 @@ class _Search:
             if roots is None:
                 yield from self._mixed(e, u, rest, state)
                 return
+            # An unknown that occurs nowhere else need not be pursued with both signs: one branch serves, and the signs
+            # are combined when its points are listed.
             alone = all(u not in self.letters.unknowns_in(other) for other in rest)
             for root in roots:
                 for values in root.values[:1] if alone else root.values:
@@ -239,7 +253,7 @@ class _Search:
                             equations=rest,
                             signs=(*state.signs, root.values) if alone else state.signs,
                             values={**state.values, **values},
-                            common={**state.common, **root.on_it},
+                            common={**state.common, **root.shared},
                             relations=(*state.relations, *root.relations),
                             conditions=(*state.conditions, *(c for c in root.conditions if c not in state.conditions)),
                             solved=(*state.solved, u),
@@ -254,12 +268,12 @@ class _Search:
             yield from self.branches(other)
             continue
         if self._linear(state, with_unknowns=True) is None:
-            for values in seen_at_once(state.equations, self.letters):
+            for values in trivial_solutions(state.equations, self.letters):
                 yield from self.branches(self._taken(state, (), values))
             yield self._finished(replace(state, equations=(), stuck=(*state.stuck, *state.equations)))
 
     def _taken(self, state: _State, rest: tuple[sp.Expr, ...], values: Values) -> _State:
-        """The state in which some unknowns have values that were seen."""
+        """The state in which some unknowns have trivial values, 0 or π."""
         relations = tuple(Relation(u, v) for u, v in values.items() if u in self.letters.unknowns)
         return replace(
             state,
@@ -279,23 +293,23 @@ class _Search:
         roots = plain_roots(e, u, self.letters)
         if roots is None:
             return None
-        found = []
+        completed = []
         for r in roots:
             [values] = r.values
             c, s = self.letters.pair(angle.measure.xreplace({u: self.letters.write(values[u])}))
-            found.append(replace(r, values=({**values, angle.cosine: c, angle.sine: s},)))
-        return found
+            completed.append(replace(r, values=({**values, angle.cosine: c, angle.sine: s},)))
+        return completed
 
     def _mixed(self, e: sp.Expr, u: sp.Symbol, rest: tuple[sp.Expr, ...], state: _State) -> Iterator[Branch]:
-        """An equation that is not solved, such as k θ = m g l sin θ; its root θ = 0 is seen at once."""
+        """An equation that is not solved, such as k θ = m g l sin θ; its root θ = 0 is still found."""
         left = replace(state, equations=rest, stuck=(*state.stuck, e), solved=(*state.solved, u))
-        for values in seen_at_once((e,), self.letters):
+        for values in trivial_solutions((e,), self.letters):
             yield from self.branches(self._taken(state, rest, values))
-            left = replace(left, conditions=(*left.conditions, Condition(u, "≠", values[u])))
+            left = replace(left, conditions=(*left.conditions, SignCondition(u, "≠", values[u])))
         yield from self.branches(left)
 
     def _linear(self, state: _State, with_unknowns: bool) -> list[_State] | None:
-        """What comes of eliminating an unknown that occurs linearly; None where there is none."""
+        """The states after eliminating an unknown that occurs linearly; None where there is none."""
         plain = [u for u in self.letters.unknowns if u not in self.letters.angles and u not in state.solved]
         plain.sort(key=lambda u: u not in self.first)
         for u in plain:
@@ -307,8 +321,8 @@ class _Search:
                 if bool(self.letters.unknowns_in(a)) is not with_unknowns:
                     continue
                 rest = (*state.equations[:n], *state.equations[n + 1 :])
-                value = tidied(-b / a)
-                found = [
+                value = factored_quotient(-b / a)
+                states = [
                     replace(
                         state,
                         equations=rest,
@@ -320,12 +334,12 @@ class _Search:
                     )
                 ]
                 if with_unknowns:
-                    found.append(replace(state, equations=(*rest, a, b)))
-                return found
+                    states.append(replace(state, equations=(*rest, a, b)))
+                return states
         return None
 
     def _turned(self, state: _State) -> _State | None:
-        """What comes of eliminating an angle that another one gives, θ = ψ + α; None where there is none."""
+        """The state after eliminating an angle that another one gives, θ = ψ + α; None where there is none."""
         letters = {s for a in self.letters.angles.values() for s in a.letters}
         for n, e in enumerate(state.equations):
             if not e.free_symbols.isdisjoint(letters):
@@ -334,7 +348,7 @@ class _Search:
                 parts = self._as_linear(e, u)
                 if parts is None or self.letters.unknowns_in(parts[0]):
                     continue
-                value = tidied(-parts[1] / parts[0])
+                value = factored_quotient(-parts[1] / parts[0])
                 pair = self._pair_of(self.letters.angles[u].measure.xreplace({u: value}))
                 if pair is None:
                     continue
@@ -361,7 +375,7 @@ class _Search:
         except NotAlgebraicError:
             return None
 
-    def _nonzero(self, coefficient: sp.Expr) -> list[Condition]:
+    def _nonzero(self, coefficient: sp.Expr) -> list[SignCondition]:
         """The conditions under which what is divided by does not vanish: k l ≠ m g."""
         pieces = [self.letters.shortest(p) for p in factors(coefficient) or [] if p.is_Add]
         sums = [p for p in pieces if p.is_Add]
@@ -386,7 +400,7 @@ class _Search:
             if letter not in values:
                 values[letter] = square_root(resolved(radicand, values)) if not state.signs else sp.sqrt(radicand)
         points = []
-        for chosen in islice(product(*state.signs), MOST_POINTS):
+        for chosen in islice(product(*state.signs), MOST_BRANCH_POINTS):
             for more in chosen:
                 values |= more
             points.append({u: resolved(v, values) for u, v in values.items()})

@@ -1,10 +1,10 @@
 """Small oscillations as algebra: det(K − w M) = 0, its roots w = ω², and the modes a with (K − w M) a = 0.
 
-The matrices are square, of rational functions of the parameters; what is no rational function of these (√2, cos α) is a
-letter. The determinant is a polynomial in w and is factored; a factor of the first or second degree gives its roots in
-closed form, any other is left as an equation. A mode is found in the field of the rational functions of w modulo the
-factor that w is a root of, where nothing has to be decided, and gets the root put in at the end. Work is bounded by the
-size of the matrices and of what is factored.
+The matrices are square, of rational functions of the parameters; anything else in them (√2, cos α) is a letter. The
+determinant is a polynomial in w and is factored; a factor of the first or second degree gives its roots in closed form,
+any other is left as an equation. A mode is found in the field of the rational functions of w modulo its factor, where
+zero is 0 and nothing has to be decided; the root is substituted at the end. The work is bounded by the size of the
+matrices and of what is factored.
 
     K = k ( 2 −1 ; −1 2 ), M = m      (k − m w)(3k − m w) = 0,  w = k/m: (1, 1),  w = 3k/m: (1, −1)
 
@@ -21,20 +21,19 @@ from sympy.polys.domains.domain import Domain
 from sympy.polys.matrices import DomainMatrix
 from sympy.polys.polyerrors import NotInvertible
 
-from lagrange.algebra.closed_forms.polynomial_roots import MOST_OPERATIONS, square_root
-from lagrange.algebra.closed_forms.presentation import shown
-from lagrange.algebra.closed_forms.signs import Condition, different_from_zero, sign_of
+from lagrange.algebra.closed_forms.limits import (
+    LARGEST_FACTORED,
+    LARGEST_MATRIX,
+    LONGEST_ROOT,
+    LONGEST_SOLVED_FACTOR,
+    MOST_MATRIX_ROWS,
+    MOST_MATRIX_SYMBOLS,
+)
+from lagrange.algebra.closed_forms.polynomial_roots import square_root
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, sign_of
+from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.linear_algebra import nullspace
 from lagrange.core.records import record
-
-MOST_ROWS = 6
-MOST_ENTRIES = 400
-"""Operations of all entries of a matrix whose determinant is still worked out."""
-MOST_SYMBOLS = 12
-LONGEST_FACTOR = 80
-"""Operations of a factor whose roots are still looked for; those of a longer one would fill lines."""
-LONGEST_ROOT = 80
-"""Operations of a root that is still written down."""
 
 Matrix = tuple[tuple[sp.Expr, ...], ...]
 
@@ -56,16 +55,16 @@ class Frequency:
     modes: tuple[tuple[sp.Expr, ...], ...] = ()
 
     @property
-    def presupposed(self) -> tuple[Condition, ...]:
-        """What must not vanish for the ratios of the modes to be these: y ≠ 0, a denominator."""
+    def presupposed(self) -> tuple[SignCondition, ...]:
+        """The denominators of the modes, which must not vanish: y ≠ 0."""
         below = {f for mode in self.modes for a in mode for f in sp.Mul.make_args(sp.fraction(sp.together(a))[1])}
-        short = sorted((f.as_base_exp()[0] for f in below if f.count_ops() <= MOST_OPERATIONS), key=str)
+        short = sorted((f.as_base_exp()[0] for f in below if f.count_ops() <= LARGEST_FACTORED), key=str)
         return tuple(dict.fromkeys(c for f in short for c in different_from_zero(f)))
 
 
-def with_letters(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
+def letters_for(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
     """A letter for each part that is no rational function of symbols: a root, a sine."""
-    found: dict[sp.Expr, sp.Symbol] = {}
+    letters: dict[sp.Expr, sp.Symbol] = {}
 
     def visit(e: sp.Expr) -> None:
         if e.is_Symbol or e.is_Rational:
@@ -74,60 +73,65 @@ def with_letters(expressions: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
             for a in e.args:
                 visit(a)
             return
-        found.setdefault(e, sp.Dummy(f"part_{len(found)}", real=True))
+        letters.setdefault(e, sp.Dummy(f"part_{len(letters)}", real=True))
 
     for e in expressions:
         visit(e)
-    return found
+    return letters
 
 
 def determinant(rows: Sequence[Sequence[sp.Expr]]) -> sp.Expr | None:
-    """The determinant, but for the denominators of the rows, multiplied out; None: too large."""
+    """The determinant, multiplied out, up to the denominators of the rows; None: too large."""
     entries = [e for row in rows for e in row]
     symbols = {s for e in entries for s in e.free_symbols}
-    if len(rows) > MOST_ROWS or len(symbols) > MOST_SYMBOLS or sum(e.count_ops() for e in entries) > MOST_ENTRIES:
+    if (
+        len(rows) > MOST_MATRIX_ROWS
+        or len(symbols) > MOST_MATRIX_SYMBOLS
+        or sum(e.count_ops() for e in entries) > LARGEST_MATRIX
+    ):
         return None
-    letters = with_letters(entries)
-    whole = []
+    letters = letters_for(entries)
+    cleared = []
     for row in rows:
         parts = [sp.fraction(sp.together(e.xreplace(letters))) for e in row]
         below = sp.Integer(1)
         for _, d in parts:
             below = sp.lcm(below, d)
-        whole.append([sp.expand(n * sp.cancel(below / d)) for n, d in parts])
-    matrix = DomainMatrix.from_Matrix(sp.Matrix(whole))
-    found = matrix.domain.to_sympy(matrix.charpoly()[-1]) * (-1) ** len(rows)
+        cleared.append([sp.expand(n * sp.cancel(below / d)) for n, d in parts])
+    # The last coefficient of the characteristic polynomial: no divisions, hence no quotients of polynomials.
+    matrix = DomainMatrix.from_Matrix(sp.Matrix(cleared))
+    value = matrix.domain.to_sympy(matrix.charpoly()[-1]) * (-1) ** len(rows)
     back = {v: e for e, v in letters.items()}
-    return sp.expand(found).xreplace(back)
+    return sp.expand(value).xreplace(back)
 
 
-def factored(polynomial: sp.Expr, letter: sp.Symbol) -> list[tuple[sp.Expr, int]]:
+def letter_factors(polynomial: sp.Expr, letter: sp.Symbol) -> list[tuple[sp.Expr, int]]:
     """The factors that contain the letter, each with its multiplicity, the coefficient of the highest power positive.
 
     The polynomial as it is, where it is too large to be factored.
     """
-    if polynomial.count_ops() > 2 * MOST_OPERATIONS:
+    if polynomial.count_ops() > 2 * LARGEST_FACTORED:
         return [(polynomial, 1)]
-    letters = with_letters([polynomial])
-    _, found = sp.factor_list(polynomial.xreplace(letters))
+    letters = letters_for([polynomial])
+    _, powers = sp.factor_list(polynomial.xreplace(letters))
     back = {v: e for e, v in letters.items()}
-    pieces = [(f.xreplace(back), int(n)) for f, n in found if letter in f.free_symbols]
-    return [(_led(f, letter), n) for f, n in pieces]
+    pieces = [(f.xreplace(back), int(n)) for f, n in powers if letter in f.free_symbols]
+    return [(_with_positive_lead(f, letter), n) for f, n in pieces]
 
 
-def _led(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
+def _with_positive_lead(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
     first = sp.Poly(f, letter).LC()
     return -f if sign_of(first) == -1 or (sign_of(first) is None and first.could_extract_minus_sign()) else f
 
 
 def closed_roots(factor: sp.Expr, letter: sp.Symbol) -> list[sp.Expr] | None:
     """Its roots, the smaller one first where that is known; None where they are not in closed form, or long."""
-    found = _parts_of_roots(factor, letter) if factor.count_ops() <= LONGEST_FACTOR else None
-    if found is None:
+    parts = _parts_of_roots(factor, letter) if factor.count_ops() <= LONGEST_SOLVED_FACTOR else None
+    if parts is None:
         return None
-    centre, half = found
+    centre, half = parts
     roots = [without_minus(centre)] if half == 0 else [_sum(centre, -half), _sum(centre, half)]
-    roots = [shown(r) for r in roots]
+    roots = [shortest_form(r) for r in roots]
     return None if any(r.count_ops() > LONGEST_ROOT for r in roots) else roots
 
 
@@ -140,6 +144,7 @@ def _parts_of_roots(factor: sp.Expr, letter: sp.Symbol) -> tuple[sp.Expr, sp.Exp
     if len(coefficients) != 3:
         return None
     a, b, c = coefficients
+    # h is positive where its sign is known, so that p − h, the smaller root, comes first.
     half = _factored_roots(square_root(b**2 - 4 * a * c)) / sp.factor(2 * a)
     return sp.factor(-b / (2 * a)), -half if sign_of(half) == -1 else half
 
@@ -171,14 +176,14 @@ def _sum(p: sp.Expr, h: sp.Expr) -> sp.Expr:
 class Field:
     """Numbers a_0 + a_1 w + ... modulo a factor, with coefficients rational functions of the parameters.
 
-    It is an `Arithmetic` of `elimination`: exact, so that what is zero is 0.
+    A `NumberField` of `linear_algebra`: exact, so that what is zero is 0.
     """
 
     exact = True
 
     def __init__(self, factor: sp.Expr, letter: sp.Symbol, entries: Iterable[sp.Expr]) -> None:
         self.letter = letter
-        self.letters = with_letters([factor, *entries])
+        self.letters = letters_for([factor, *entries])
         symbols = {s for e in (factor, *entries) for s in e.xreplace(self.letters).free_symbols} - {letter}
         rationals = sp.QQ
         domain: Domain = rationals.frac_field(*sorted(symbols, key=str)) if symbols else rationals
@@ -221,7 +226,7 @@ class Field:
         constant = coefficients[0]
         slope = coefficients[1] if len(coefficients) > 1 else sp.S.Zero
         moving = sp.factor_terms(sp.together(sp.factor(slope) * half))
-        return shown(_sum(sp.factor(constant + slope * centre), moving))
+        return shortest_form(_sum(sp.factor(constant + slope * centre), moving))
 
 
 def modes(
@@ -237,7 +242,7 @@ def modes(
         numbers = Field(factor, letter, entries)
         read = [numbers.read(e) for e in entries]
         basis = nullspace(numbers, [read[n : n + size] for n in range(0, size * size, size)], size)  # type: ignore[arg-type]
-        basis = [_led_by_one(v, numbers) for v in basis]
+        basis = [_with_leading_one(v, numbers) for v in basis]
     except (NotInvertible, ZeroDivisionError, sp.PolynomialError):
         return None
     centre, half = parts
@@ -245,7 +250,7 @@ def modes(
     return [tuple(tuple(numbers.at(x, centre, h) for x in v) for v in basis) for h in halves]
 
 
-def _led_by_one(vector: Sequence[sp.Poly], numbers: Field) -> list[sp.Poly]:
+def _with_leading_one(vector: Sequence[sp.Poly], numbers: Field) -> list[sp.Poly]:
     """The vector divided by its first component that is not zero."""
     first = next(x for x in vector if not numbers.vanishes(x))
     scale = numbers.inverse(first)
@@ -256,22 +261,22 @@ def frequencies(
     mass: Matrix, stiffness: Matrix, pieces: Sequence[tuple[sp.Expr, int]], letter: sp.Symbol, with_modes: bool
 ) -> tuple[Frequency, ...]:
     """The roots of det(K − w M), from its factors with their multiplicities; those known to be smaller first."""
-    found: list[Frequency] = []
+    unordered: list[Frequency] = []
     for factor, multiplicity in pieces:
         roots = closed_roots(factor, letter)
         if roots is None:
-            found.append(Frequency(None, factor, letter, multiplicity))
+            unordered.append(Frequency(None, factor, letter, multiplicity))
             continue
         vectors = modes(mass, stiffness, factor, letter) if with_modes else None
         for n, root in enumerate(roots):
-            found.append(Frequency(root, factor, letter, multiplicity, vectors[n] if vectors else ()))
-    return tuple(_ordered(found))
+            unordered.append(Frequency(root, factor, letter, multiplicity, vectors[n] if vectors else ()))
+    return tuple(_ordered(unordered))
 
 
-def _ordered(found: Sequence[Frequency]) -> list[Frequency]:
+def _ordered(frequencies: Sequence[Frequency]) -> list[Frequency]:
     """The smaller ones first, as far as is known; what is no closed form last."""
     ordered: list[Frequency] = []
-    for f in found:
+    for f in frequencies:
         place = len(ordered)
         while place and _is_less(f, ordered[place - 1]):
             place -= 1
@@ -283,4 +288,4 @@ def _is_less(a: Frequency, b: Frequency) -> bool:
     if a.square is None or b.square is None:
         return a.square is not None
     difference = sp.expand(b.square - a.square)
-    return difference.count_ops() <= MOST_OPERATIONS and sign_of(difference) == 1
+    return difference.count_ops() <= LARGEST_FACTORED and sign_of(difference) == 1

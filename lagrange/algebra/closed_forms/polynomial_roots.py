@@ -1,7 +1,7 @@
 """Polynomials in one letter: factors, and real roots in closed form with the conditions under which they are real.
 
 Roots are found of polynomials of the first and second degree, of x^n = a, and of these in x^n. The coefficients are
-polynomials in the parameters; a leading one whose sign is not known is assumed not to vanish, and that is a condition.
+polynomials in the parameters; a leading coefficient of unknown sign is assumed not to vanish, and that is a condition.
 """
 
 from __future__ import annotations
@@ -11,28 +11,25 @@ from math import gcd
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import Condition, different_from_zero, not_negative, sign_of
+from lagrange.algebra.closed_forms.limits import HIGHEST_DEGREE, LARGEST_FACTORED, MOST_FACTORED_SYMBOLS
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.core.records import record
-
-MOST_OPERATIONS = 400
-MOST_SYMBOLS = 14
-HIGHEST_DEGREE = 8
 
 
 def factors(e: sp.Expr) -> list[sp.Expr] | None:
     """The irreducible factors of a polynomial, each once; None where it is too large."""
-    if e.count_ops() > MOST_OPERATIONS or len(e.free_symbols) > MOST_SYMBOLS:
+    if e.count_ops() > LARGEST_FACTORED or len(e.free_symbols) > MOST_FACTORED_SYMBOLS:
         return None
     try:
-        _, found = sp.factor_list(e)
+        _, powers = sp.factor_list(e)
     except (sp.PolynomialError, NotImplementedError):
         return [e]
-    return [f for f, _ in found]
+    return [f for f, _ in powers]
 
 
 def numerator(e: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
     """Numerator and denominator of a rational expression in lowest terms; None where it is too large."""
-    if e.count_ops() > 4 * MOST_OPERATIONS or len(e.free_symbols) > 2 * MOST_SYMBOLS:
+    if e.count_ops() > 4 * LARGEST_FACTORED or len(e.free_symbols) > 2 * MOST_FACTORED_SYMBOLS:
         return None
     try:
         above, below = sp.fraction(sp.cancel(sp.together(e)))
@@ -42,8 +39,8 @@ def numerator(e: sp.Expr) -> tuple[sp.Expr, sp.Expr] | None:
 
 
 def square_root(e: sp.Expr) -> sp.Expr:
-    """√e with what is a square taken out. Its sign is left open."""
-    above, below = sp.fraction(sp.factor(e) if e.count_ops() <= MOST_OPERATIONS else e)
+    """√e with squares taken out of the root, up to sign."""
+    above, below = sp.fraction(sp.factor(e) if e.count_ops() <= LARGEST_FACTORED else e)
     outside, inside = _square_part(above)
     outside_below, inside_below = _square_part(below)
     return outside / outside_below * sp.sqrt(inside) / sp.sqrt(inside_below)
@@ -62,12 +59,12 @@ def _square_part(product: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 @record
 class Value:
-    """A root x of a polynomial: stated as x^power = shown."""
+    """A root x of a polynomial, stated as x^power = `stated`, or as x = `value` where that is None."""
 
     value: sp.Expr
-    conditions: tuple[Condition, ...] = ()
+    conditions: tuple[SignCondition, ...] = ()
     power: int = 1
-    shown: sp.Expr | None = None
+    stated: sp.Expr | None = None
 
 
 def polynomial_roots(f: sp.Expr, x: sp.Symbol) -> list[Value] | None:
@@ -81,16 +78,16 @@ def polynomial_roots(f: sp.Expr, x: sp.Symbol) -> list[Value] | None:
         return None
     step = gcd(*degrees)
     coefficient = {n // step: c for (n,), c in poly.terms()}
-    found = _low_degree(coefficient, max(degrees) // step)
-    if found is None or step == 1:
-        return found
-    return [r for v in found for r in _powers(v, int(step))]
+    roots = _low_degree(coefficient, max(degrees) // step)
+    if roots is None or step == 1:
+        return roots
+    return [r for v in roots for r in _powers(v, int(step))]
 
 
 def _low_degree(c: dict[int, sp.Expr], degree: int) -> list[Value] | None:
     zero = sp.S.Zero
     if degree == 1:
-        return [Value(tidied(-c.get(0, zero) / c[1]), different_from_zero(c[1]))]
+        return [Value(factored_quotient(-c.get(0, zero) / c[1]), different_from_zero(c[1]))]
     if degree != 2:
         return None
     a, b, d = c[2], c.get(1, zero), c.get(0, zero)
@@ -102,7 +99,7 @@ def _low_degree(c: dict[int, sp.Expr], degree: int) -> list[Value] | None:
         a, b, d = -a, -b, -d
     root = square_root(discriminant)
     nonzero = different_from_zero(a)
-    return [Value(tidied((-b + sign * root) / (2 * a)), (*conditions, *nonzero)) for sign in (1, -1)]
+    return [Value(factored_quotient((-b + sign * root) / (2 * a)), (*conditions, *nonzero)) for sign in (1, -1)]
 
 
 def _powers(v: Value, n: int) -> Iterator[Value]:
@@ -126,9 +123,9 @@ def _powers(v: Value, n: int) -> Iterator[Value]:
         yield Value(sign * root, (*v.conditions, *conditions))
 
 
-def tidied(e: sp.Expr) -> sp.Expr:
+def factored_quotient(e: sp.Expr) -> sp.Expr:
     """A quotient in lowest terms and factors, if it is short."""
-    if e.count_ops() > MOST_OPERATIONS:
+    if e.count_ops() > LARGEST_FACTORED:
         return e
     return (
         sp.factor(e) if not any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow)) else _with_roots(e)

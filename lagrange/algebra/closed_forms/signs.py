@@ -1,8 +1,8 @@
 """The sign of an expression in symbols of known sign, and the conditions under which roots are real.
 
 A product has the product of the signs of its factors, a sum of terms of one sign that sign. A sum with one square root
-in it is decided by squares: where A and B √D have different signs, A + B √D has the sign of A times that of
-A² − B² D. What cannot be told so is None, and becomes a condition of what depends on it.
+in it is decided by squares: where A and B √D have different signs, A + B √D has the sign of A times that of A² − B² D.
+An undecidable sign is None, and becomes a condition of whatever depends on it.
 """
 
 from __future__ import annotations
@@ -11,14 +11,12 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED
 from lagrange.core.records import record
-
-MOST_OPERATIONS = 300
-"""Operations of an expression that is still factored to find its sign."""
 
 
 @record
-class Condition:
+class SignCondition:
     """lhs relation rhs, where the relation is one of ≥ ≤ > < ≠."""
 
     lhs: sp.Expr
@@ -35,7 +33,7 @@ def sign_of(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> int | None
 
 
 def _factored(expression: sp.Expr) -> sp.Expr:
-    return sp.factor(expression) if expression.count_ops() <= MOST_OPERATIONS else expression
+    return sp.factor(expression) if expression.count_ops() <= LARGEST_SIGNED else expression
 
 
 def _of_product(product: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
@@ -44,12 +42,12 @@ def _of_product(product: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
         base, exponent = factor.as_base_exp()
         if exponent.is_Integer and exponent % 2 == 0 and base.is_real:
             continue
-        found = _of_factor(base if exponent.is_Rational else factor, known)
+        factor_sign = _of_factor(base if exponent.is_Rational else factor, known)
         if exponent.is_Rational and not exponent.is_Integer:
-            found = 1  # a root is positive where it exists
-        if found is None:
+            factor_sign = 1  # a root is positive where it exists
+        if factor_sign is None:
             return None
-        sign *= found
+        sign *= factor_sign
     return sign
 
 
@@ -107,11 +105,13 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
         return None
     if of_a == of_b:
         return of_a
+    # A and B √D of different signs: the one with the larger square decides.
     square = _of_product(_factored(sp.expand(a**2 - b**2 * root.base)), known)
     if of_a is not None:
         return None if square is None else of_a * square
     if square == -1:
         return of_b
+    # A has no known sign. If B √D outweighs even the terms of A that are against it, the sum has its sign.
     against = sp.Add(*(term for term in sp.Add.make_args(a) if _of_product(term, known) != of_b))
     if against in (0, a):
         return None
@@ -119,7 +119,7 @@ def _by_squares(f: sp.Expr, root: sp.Expr, known: tuple[sp.Expr, ...]) -> int | 
     return of_b if rest == 1 else None
 
 
-def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[Condition, ...] | None:
+def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple[SignCondition, ...] | None:
     """The conditions under which an expression is ≥ 0: none, one, or None where it is negative."""
     positive = tuple(positive)
     sign = sign_of(expression, positive)
@@ -128,7 +128,7 @@ def not_negative(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> tuple
     return () if sign >= 0 else None
 
 
-def between_minus_one_and_one(value: sp.Expr) -> tuple[Condition, ...] | None:
+def between_minus_one_and_one(value: sp.Expr) -> tuple[SignCondition, ...] | None:
     """The conditions under which |value| ≤ 1; None where that never holds."""
     numerator, denominator = sp.fraction(sp.together(value))
     if sign_of(denominator) == -1:
@@ -139,28 +139,28 @@ def between_minus_one_and_one(value: sp.Expr) -> tuple[Condition, ...] | None:
     if below is None or above is None:
         return None
     if below and above:
-        return (Condition(sp.Abs(value), "≤", sp.S.One),)
+        return (SignCondition(sp.Abs(value), "≤", sp.S.One),)
     return (*below, *above)
 
 
-def different_from_zero(expression: sp.Expr) -> tuple[Condition, ...]:
+def different_from_zero(expression: sp.Expr) -> tuple[SignCondition, ...]:
     """The condition that an expression is not zero; none where its sign is known."""
     sign = sign_of(expression)
     return (_compared(expression, "≠"),) if sign is None else ()
 
 
-def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] = ()) -> Condition:
+def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] = ()) -> SignCondition:
     """e ≥ 0 with the negative terms brought to the other side: k l ≥ m g."""
     primitive = _without_positive_factors(expression, positive)
     terms = sp.Add.make_args(sp.expand(primitive))
     left = [term for term in terms if not term.could_extract_minus_sign()]
     right = [-term for term in terms if term.could_extract_minus_sign()]
     if not left:
-        return Condition(sp.Add(*right), {"≥": "≤", "≠": "≠", ">": "<"}[relation], sp.S.Zero)
-    return Condition(sp.Add(*left), relation, sp.Add(*right))
+        return SignCondition(sp.Add(*right), {"≥": "≤", "≠": "≠", ">": "<"}[relation], sp.S.Zero)
+    return SignCondition(sp.Add(*left), relation, sp.Add(*right))
 
 
-def more_than_zero(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> Condition:
+def more_than_zero(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> SignCondition:
     """The condition that an expression is > 0."""
     return _compared(expression, ">", tuple(positive))
 
@@ -177,11 +177,11 @@ def _without_positive_factors(expression: sp.Expr, positive: tuple[sp.Expr, ...]
         if not exponent.is_Integer:
             kept.append(factor)
             continue
-        found = _of_factor(base, known)
+        factor_sign = _of_factor(base, known)
         if exponent % 2 == 0:
             kept += [] if base.is_real else [factor]
-        elif found is None:
+        elif factor_sign is None:
             kept.append(base)
         else:
-            sign *= found
+            sign *= factor_sign
     return sign * sp.Mul(*kept)

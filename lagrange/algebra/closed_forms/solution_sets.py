@@ -1,8 +1,10 @@
-"""The solutions of a system of equations, branch by branch: how they are kept, verified, put together and written.
+"""The solutions of a system of equations, branch by branch: how they are stored, verified, merged and stated.
 
-Every point of a branch is put back into the equations, exactly, and one that does not satisfy them is dropped (squaring
-brings such points in). Points that are stated alike, θ with cos θ = b/a, make one branch. A branch that another one
-contains is dropped. How branches are found: `branching`.
+Every point of a branch is substituted back into the equations, exactly, and one that does not satisfy them is dropped:
+squaring, and multiplying by a denominator, introduce such points. Points that are stated alike, θ with cos θ = b/a,
+make one branch. A branch contained in another one is dropped. How branches are found: `branching`.
+
+The value of an unknown is written in the shortest of a few forms, cot α as 1/tan α.
 """
 
 from __future__ import annotations
@@ -12,31 +14,78 @@ from dataclasses import field, replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.closed_form import Relation, Values
-from lagrange.algebra.closed_forms.presentation import shown
-from lagrange.algebra.closed_forms.signs import Condition
-from lagrange.algebra.closed_forms.unit_circle import Letters
-from lagrange.algebra.exact.exact import DivisionByZeroError, is_zero
+from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN, MOST_BRANCH_POINTS
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.single_equation import Relation, Values
+from lagrange.algebra.closed_forms.unit_circle import TrigLetters
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 
-MOST_POINTS = 130
-"""More points of a branch are not verified one by one: it is undecided whether they all satisfy the equations."""
+
+def shortest_form(e: sp.Expr) -> sp.Expr:
+    """The expression in the shortest of its forms."""
+    if e.is_Atom or e.count_ops() > LONGEST_REWRITTEN:
+        return e
+    forms = [e]
+    roots = [p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer]
+    forms += [_with_radicands(e, roots)] if roots else []
+    if not roots and e.has(sp.sin, sp.cos):
+        above, below = sp.fraction(sp.together(e))
+        forms.append(textbook_form(above) / textbook_form(below))
+    if not roots and (e.is_Add or e.has(sp.sin, sp.cos)):
+        forms.append(textbook_form(e))
+    candidates = [as_tangents(f) for f in forms]
+    return min(candidates, key=lambda f: (f.count_ops(), forms.index(f) if f in forms else 0))
+
+
+def _with_radicands(e: sp.Expr, roots: Sequence[sp.Expr]) -> sp.Expr:
+    """Sines and cosines under roots in textbook form, where that is shorter."""
+    shorter = {}
+    for p in roots:
+        if (p.base.is_Add or p.base.is_Mul) and p.base.has(sp.sin, sp.cos):
+            form = textbook_form(p.base)
+            if form.count_ops() < p.base.count_ops() and not p.base.atoms(sp.Pow) & {*roots}:
+                shorter[p] = form**p.exp
+    return e.xreplace(shorter)
+
+
+def as_tangents(e: sp.Expr) -> sp.Expr:
+    """Products of sines and cosines of one angle as tangents: cos α/sin α is 1/tan α."""
+    if e.is_Add:
+        return sp.Add(*(as_tangents(a) for a in e.args))
+    powers: dict[sp.Expr, list[sp.Integer]] = {}
+    rest = []
+    for factor in sp.Mul.make_args(e):
+        base, exponent = factor.as_base_exp()
+        if isinstance(base, sp.sin | sp.cos) and exponent.is_Integer:
+            entry = powers.setdefault(base.args[0], [sp.S.Zero, sp.S.Zero])
+            entry[isinstance(base, sp.cos)] += exponent
+        else:
+            rest.append(factor)
+    for angle, (sines, cosines) in powers.items():
+        if sines * cosines < 0:
+            both = sp.Min(abs(sines), abs(cosines)) * sp.sign(sines)
+            rest.append(sp.tan(angle) ** both)
+            sines, cosines = sines - both, cosines + both
+        rest.append(sp.sin(angle) ** sines * sp.cos(angle) ** cosines)
+    return sp.Mul(*rest)
 
 
 @record
 class Branch:
     """Some of the solutions.
 
-    relations   what determines the unknowns, in the order in which to read it
+    relations   equations that determine the unknowns, in the order in which to read them
     conditions  under which it exists
     points      the values of all letters (`unit_circle`) at each of its points; free unknowns are not in it
-    common      what holds of the letters at all of them
+    common      values of letters that hold at all of them
     special     whether it exists for particular parameters only
     left        equations that could not be solved, each zero
     """
 
     relations: tuple[Relation, ...]
-    conditions: tuple[Condition, ...] = ()
+    conditions: tuple[SignCondition, ...] = ()
     points: tuple[Values, ...] = ()
     common: Values = field(default_factory=dict)
     special: bool = False
@@ -58,7 +107,7 @@ class SolutionSet:
 
     equations: tuple[sp.Expr, ...]
     unknowns: tuple[sp.Symbol, ...]
-    letters: Letters
+    letters: TrigLetters
     branches: tuple[Branch, ...]
     verified: bool | None = True
 
@@ -69,14 +118,14 @@ class SolutionSet:
 
     def at(self, point: Values, e: sp.Expr) -> sp.Expr:
         """An expression at a point of a branch. Raises NotAlgebraicError."""
-        there = resolved(self.letters.read(e), point)
-        for root in [r for r in self.letters.roots if r in there.free_symbols]:
-            there = there.xreplace({root: sp.sqrt(self.letters.write(resolved(self.letters.roots[root], point)))})
-        return self.letters.write(there)
+        value = resolved(self.letters.read(e), point)
+        for root in [r for r in self.letters.roots if r in value.free_symbols]:
+            value = value.xreplace({root: sp.sqrt(self.letters.write(resolved(self.letters.roots[root], point)))})
+        return self.letters.write(value)
 
 
 def resolved(e: sp.Expr, values: Values) -> sp.Expr:
-    """An expression with the values put in, and in these again."""
+    """An expression with the values substituted, repeatedly, as values may contain letters themselves."""
     for _ in range(len(values) + 1):
         if not e.free_symbols & values.keys():
             break
@@ -93,17 +142,19 @@ def sides(e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
 
 
 def verified(
-    found: Sequence[Branch], equations: Sequence[sp.Expr], letters: Letters
+    branches: Sequence[Branch], equations: Sequence[sp.Expr], letters: TrigLetters
 ) -> tuple[list[Branch], bool | None]:
     """The branches whose points satisfy the equations, and whether that could be decided of all."""
+    # A branch is found by steps that are right generically: squaring A = −B √D admits the other sign of the root, and a
+    # denominator that was multiplied out may vanish. Substitution settles each point without comparing forms.
     kept = []
     verdict: bool | None = True
-    for b in found:
+    for b in branches:
         if b.special or b.left:
             kept.append(b)
             continue
         verdicts = [_satisfies(p, equations, letters) for p in b.points]
-        if None in verdicts or len(b.points) == MOST_POINTS or {True, False} <= {*verdicts}:
+        if None in verdicts or len(b.points) == MOST_BRANCH_POINTS or {True, False} <= {*verdicts}:
             verdict = None
         points = tuple(p for p, holds in zip(b.points, verdicts, strict=True) if holds is not False)
         if points:
@@ -111,7 +162,7 @@ def verified(
     return kept, verdict
 
 
-def _satisfies(point: Values, equations: Sequence[sp.Expr], letters: Letters) -> bool | None:
+def _satisfies(point: Values, equations: Sequence[sp.Expr], letters: TrigLetters) -> bool | None:
     """Whether a point satisfies the equations and lies on the circles and under the roots that it belongs to."""
     checked = [resolved(e, point) for e in equations]
     for a in letters.angles.values():
@@ -128,73 +179,76 @@ def _satisfies(point: Values, equations: Sequence[sp.Expr], letters: Letters) ->
     return False if False in verdicts else None if None in verdicts else True
 
 
-def merged(found: Sequence[Branch]) -> list[Branch]:
+def merged_branches(branches: Sequence[Branch]) -> list[Branch]:
     """Branches that are stated alike as one."""
     groups: dict[object, Branch] = {}
-    for b in found:
+    for b in branches:
         key = (b.relations, b.conditions, b.special, b.left)
         known = groups.get(key)
         points = (*known.points, *(p for p in b.points if p not in known.points)) if known else b.points
-        groups[key] = replace(b, points=points[:MOST_POINTS])
+        groups[key] = replace(b, points=points[:MOST_BRANCH_POINTS])
     return list(groups.values())
 
 
-def written(b: Branch, letters: Letters, unknowns: Sequence[sp.Symbol]) -> Branch:
-    """The branch with what is known put into its relations, in the order of the unknowns, without letters.
+def as_stated(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> Branch:
+    """The branch with known values substituted in its relations, in the order of the unknowns, without letters.
 
     Angles stay in them where they have several values: z = l sin θ beside tan θ = a.
     """
     owner = letters.of_unknowns
     several = {s for u in unknowns if u in letters.angles for s in letters.angles[u].letters}
     several = {s for s in several if s not in b.common or b.common[s].free_symbols & several}
+    # A root whose radicand has no unknowns left is a number or a root of parameters.
     known = {s: v for s, v in b.common.items() if s not in several}
     for root, radicand in letters.roots.items():
-        there = resolved(radicand, known)
-        if root not in known and there != radicand and not letters.unknowns_in(there):
-            known[root] = sp.sqrt(letters.write(there))
+        square = resolved(radicand, known)
+        if root not in known and square != radicand and not letters.unknowns_in(square):
+            known[root] = sp.sqrt(letters.write(square))
 
     def place(r: Relation) -> int:
         used = [unknowns.index(owner[s]) for s in letters.read(r.lhs).free_symbols if s in owner]
         return min(used, default=-1)
 
     relations = [
-        Relation(letters.write(r.lhs), shown(letters.write(resolved(r.rhs, known))))
+        Relation(letters.write(r.lhs), shortest_form(letters.write(resolved(r.rhs, known))))
         for r in sorted(b.relations, key=place)
     ]
     conditions = [
-        Condition(
-            shown(letters.write(resolved(c.lhs, known))), c.relation, shown(letters.write(resolved(c.rhs, known)))
+        SignCondition(
+            shortest_form(letters.write(resolved(c.lhs, known))),
+            c.relation,
+            shortest_form(letters.write(resolved(c.rhs, known))),
         )
         for c in b.conditions
     ]
     return replace(b, relations=tuple(relations), conditions=_joined(conditions))
 
 
-def _joined(conditions: Sequence[Condition]) -> tuple[Condition, ...]:
+def _joined(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
     """Each condition once; a ≥ b and a ≠ b are a > b."""
-    found: dict[tuple[sp.Expr, sp.Expr], set[str]] = {}
+    relations_between: dict[tuple[sp.Expr, sp.Expr], set[str]] = {}
     for c in conditions:
-        found.setdefault((c.lhs, c.rhs), set()).add(c.relation)
+        relations_between.setdefault((c.lhs, c.rhs), set()).add(c.relation)
     joined = []
-    for (lhs, rhs), relations in found.items():
+    for (lhs, rhs), relations in relations_between.items():
         for weak, strict in (("≥", ">"), ("≤", "<")):
             if {weak, "≠"} <= relations:
                 relations = relations - {weak, "≠"} | {strict}
-        joined += [Condition(lhs, relation, rhs) for relation in sorted(relations)]
+        joined += [SignCondition(lhs, relation, rhs) for relation in sorted(relations)]
     return tuple(joined)
 
 
-def without_repetitions(found: Sequence[Branch]) -> list[Branch]:
-    """Without branches that others contain, and without special ones that say more than a relation of parameters."""
-    generic = [b for b in found if not b.special]
+def without_repetitions(branches: Sequence[Branch]) -> list[Branch]:
+    """The branches that no other contains; special ones only if they are a relation of parameters and nothing else."""
+    generic = [b for b in branches if not b.special]
     if generic:
-        found = [b for b in found if not b.special or len(b.relations) == 1]
+        branches = [b for b in branches if not b.special or len(b.relations) == 1]
     kept = []
-    for n, b in enumerate(found):
+    for n, b in enumerate(branches):
         own = set(b.relations)
         wider = (
             set(o.relations) <= own and not o.left and (set(o.relations) != own or m < n) and len(o.points) >= 1
-            for m, o in enumerate(found)
+            for m, o in enumerate(branches)
             if m != n
         )
         if b.special or not any(wider):

@@ -2,9 +2,8 @@
 
 Conditions of equilibrium become polynomials when cos θ and sin θ are two letters C and S: cos(θ − α) is C c + S s,
 tan θ is S/C, cos 2θ is C² − S². The angles of parameters have letters too. A square root that contains an unknown is a
-letter R, with R² = what stands under it and R ≥ 0. An angle θ/n, where that occurs, is the one that has letters.
-
-An unknown that occurs beside its own sine and cosine (k θ = m g l sin θ) keeps its own symbol as well.
+letter R, with R² = its radicand and R ≥ 0. Where θ/n occurs, it is that angle which has letters. An unknown that occurs
+beside its own sine and cosine (k θ = m g l sin θ) keeps its own symbol as well.
 """
 
 from __future__ import annotations
@@ -14,10 +13,9 @@ from math import lcm
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.limits import HIGHEST_MULTIPLE
 from lagrange.core.records import record
 
-HIGHEST_MULTIPLE = 12
-"""The highest multiple of an angle that is expanded."""
 CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
 Pair = tuple[sp.Expr, sp.Expr]
@@ -28,7 +26,7 @@ class NotAlgebraicError(Exception):
 
 
 @record
-class Angle:
+class LetteredAngle:
     """An angle with letters; `measure` is θ, or θ/2 where that occurs."""
 
     measure: sp.Expr
@@ -41,18 +39,19 @@ class Angle:
         return self.cosine, self.sine
 
 
-class Letters:
+class TrigLetters:
     """The letters of the expressions of one problem.
 
     unknowns  the symbols that are to be found
     angles    by the symbol (or product of parameters) that they measure
-    roots     what stands under each root letter, in letters
+    roots     the radicand of each root letter, in letters
     """
 
     def __init__(self, expressions: Iterable[sp.Expr], unknowns: Iterable[sp.Symbol]) -> None:
         self.unknowns = tuple(unknowns)
-        self.angles: dict[sp.Expr, Angle] = {}
+        self.angles: dict[sp.Expr, LetteredAngle] = {}
         self.roots: dict[sp.Symbol, sp.Expr] = {}
+        # Where θ/2 occurs beside θ, the letters are those of θ/2, and cos θ is C² − S².
         parts: dict[sp.Expr, int] = {}
         for e in expressions:
             for f in e.atoms(*CIRCULAR):
@@ -61,29 +60,29 @@ class Letters:
         for monomial, d in parts.items():
             self._angle(monomial, d)
 
-    def angle_of(self, unknown: sp.Symbol) -> Angle | None:
+    def angle_of(self, unknown: sp.Symbol) -> LetteredAngle | None:
         """The angle of an unknown that occurs in sines and cosines."""
         return self.angles.get(unknown)
 
     @property
     def of_unknowns(self) -> dict[sp.Symbol, sp.Symbol]:
         """The unknown that each letter belongs to; an unknown itself is a letter too."""
-        found = {u: u for u in self.unknowns}
+        owner = {u: u for u in self.unknowns}
         for u in self.unknowns:
             if u in self.angles:
-                found |= dict.fromkeys(self.angles[u].letters, u)
-        return found
+                owner |= dict.fromkeys(self.angles[u].letters, u)
+        return owner
 
     def unknowns_in(self, e: sp.Expr) -> frozenset[sp.Symbol]:
         """The unknowns on which an expression in letters depends."""
         owner = self.of_unknowns
-        found: set[sp.Symbol] = set()
+        unknowns: set[sp.Symbol] = set()
         for s in e.free_symbols:
             if s in owner:
-                found.add(owner[s])
+                unknowns.add(owner[s])
             elif s in self.roots:
-                found |= self.unknowns_in(self.roots[s])
-        return frozenset(found)
+                unknowns |= self.unknowns_in(self.roots[s])
+        return frozenset(unknowns)
 
     def read(self, e: sp.Expr) -> sp.Expr:
         """An expression in letters. Raises NotAlgebraicError."""
@@ -108,6 +107,7 @@ class Letters:
 
     def write(self, e: sp.Expr) -> sp.Expr:
         """An expression in letters with sines, cosines and roots again."""
+        # A radicand may contain root letters itself.
         for _ in range(3):
             if not e.free_symbols & self.roots.keys():
                 break
@@ -116,15 +116,15 @@ class Letters:
 
     @property
     def _functions(self) -> Mapping[sp.Symbol, sp.Expr]:
-        found: dict[sp.Symbol, sp.Expr] = {}
+        functions: dict[sp.Symbol, sp.Expr] = {}
         for a in self.angles.values():
-            found |= {a.cosine: sp.cos(a.measure), a.sine: sp.sin(a.measure)}
-        return found
+            functions |= {a.cosine: sp.cos(a.measure), a.sine: sp.sin(a.measure)}
+        return functions
 
     def reduced(self, e: sp.Expr, keep: str = "cosine") -> sp.Expr:
-        """A polynomial with S² = 1 − C² put in (or C² = 1 − S², `keep="sine"`), expanded. Zero comes out as 0.
+        """A polynomial reduced by S² = 1 − C² (or C² = 1 − S², `keep="sine"`) and expanded. Zero becomes 0.
 
-        What is under roots is reduced by itself, and the roots are then coefficients.
+        Radicands are reduced separately, and the roots are then coefficients.
         """
         e = sp.expand(e)
         masks = {p: sp.Dummy("root") for p in self._roots_of_letters(e)}
@@ -158,6 +158,7 @@ class Letters:
         """√radicand, as a multiple of a letter."""
         radicand = self.reduced(radicand) if radicand.is_polynomial(*radicand.free_symbols) else radicand
         for letter, known in self.roots.items():
+            # √(4 l² − 4 x²) is a multiple of the letter for √(l² − x²), so that the two cancel.
             ratio = sp.cancel(radicand / known)
             if ratio.is_positive and not self.unknowns_in(ratio):
                 return sp.sqrt(ratio) * letter
@@ -165,11 +166,11 @@ class Letters:
         self.roots[letter] = radicand
         return letter
 
-    def _angle(self, monomial: sp.Expr, denominator: int) -> Angle:
+    def _angle(self, monomial: sp.Expr, denominator: int) -> LetteredAngle:
         name = str(monomial / denominator)
         letters = (sp.Symbol(f"{f}({name})", real=True) for f in ("cos", "sin"))
-        self.angles[monomial] = found = Angle(monomial / denominator, *letters)
-        return found
+        self.angles[monomial] = angle = LetteredAngle(monomial / denominator, *letters)
+        return angle
 
     def _circular(self, e: sp.Expr) -> sp.Expr:
         c, s = self.pair(e.args[0])
@@ -202,12 +203,12 @@ def with_square(e: sp.Expr, letter: sp.Symbol, square: sp.Expr) -> sp.Expr:
 
 def _terms(angle: sp.Expr) -> list[tuple[sp.Expr, sp.Rational]]:
     """The terms of an angle that are not numbers, as monomials with rational coefficients."""
-    found = []
+    terms = []
     for term in sp.Add.make_args(sp.expand(angle)):
         c, monomial = term.as_coeff_Mul()
         if term.free_symbols:
-            found.append((monomial, c) if c.is_Rational else (term, sp.S.One))
-    return found
+            terms.append((monomial, c) if c.is_Rational else (term, sp.S.One))
+    return terms
 
 
 def _sum(a: Pair, b: Pair) -> Pair:

@@ -1,11 +1,11 @@
-"""Points over a random prime field: expressions evaluated exactly.
+"""Points over a random prime field, at which expressions are evaluated exactly.
 
-Angles are kept by value. Where the monomial m has the residue v, e^{im} is a random point w of the unit
-circle that belongs to v from then on, and e^{icm} = w^c. So equal arguments have equal cosines however they
-are written, and θ/2 may come up after θ: w is drawn from a part of the circle in which fractions exist and
-are unique. Only an angle that a constraint was solved for has its fractions at some of the points. Undefined
-functions are kept by value in the same way: f(a) = f(b) exactly where a = b; exponentials too, as random
-squares.
+Angles are kept by value: where the monomial m has the residue v, e^{im} is a random point w of the unit circle that
+belongs to v from then on, and e^{icm} = w^c. Equal arguments therefore have equal cosines however they are written.
+θ/2 may occur after θ, because w is drawn from a part of the circle in which fractions exist and are unique; an angle
+for which a constraint was solved has its fractions at some of the points only.
+
+Exponentials are kept by value too, as random squares, and so are undefined functions: f(a) = f(b) exactly where a = b.
 """
 
 from __future__ import annotations
@@ -16,16 +16,13 @@ from typing import Any, Self, cast
 
 import sympy as sp
 
-from lagrange.algebra.exact.evaluation import Graph
-from lagrange.algebra.exact.graph import Term
+from lagrange.algebra.exact.expression_graph import Graph, Term
+from lagrange.algebra.exact.limits import LARGEST_ANGLE_RATIO, MOST_COMPARED_ANGLES
 from lagrange.algebra.exact.points import Operation, Point
 from lagrange.algebra.exact.prime_field import Circle, PrimeField, ZeroDivisorError, reconstructed
 
-_MOST_COMPARED = 40
-_LARGEST_RATIO = 720
 
-
-class Angle:
+class CirclePoint:
     """A point of the circle, e^{iv/depth} for a residue v; `free` if all its fractions exist uniquely."""
 
     __slots__ = ("depth", "free", "root")
@@ -54,21 +51,21 @@ class FieldPoint(Point):
         super().__init__(graph, field, signs)
         self.field = field
         self.p = field.p
-        self.angles: dict[int, tuple[Angle, int, int]] = {}
+        self.angles: dict[int, tuple[CirclePoint, int, int]] = {}
         self._turned: dict[tuple[int, int, int], Circle] = {}
 
     def reconstructed(self, residue: int) -> sp.Rational | None:
-        """The small fraction that a residue stands for, or None."""
-        found = reconstructed(residue, self.p)
-        return None if found is None else sp.Rational(found.numerator, found.denominator)
+        """The small fraction with this residue, or None."""
+        fraction = reconstructed(residue, self.p)
+        return None if fraction is None else sp.Rational(fraction.numerator, fraction.denominator)
 
     def set_angle(self, symbol: sp.Symbol, pair: Circle, depth: int) -> None:
         """Give a symbol a random value and its angle: e^{iv/depth} = pair."""
         value = self.assigned[symbol] = self._drawn(symbol)
-        self.angles[value] = (Angle(pair, depth, free=False), 1, 1)
+        self.angles[value] = (CirclePoint(pair, depth, free=False), 1, 1)
 
     def function_key(self, node: int) -> Any:
-        """Where in `functions` the value of an UNSPECIFIED node is kept."""
+        """The key in `functions` of the value of an UNSPECIFIED node."""
         name, needs = self.graph.data[node]
         return name, tuple([self.at(n) for n in needs])
 
@@ -118,30 +115,33 @@ class FieldPoint(Point):
             self._turned[key] = angle.turned(self.field, n * a, d * b)
         return self._turned[key]
 
-    def _new_angle(self, v: int, may_be_dependent: bool) -> tuple[Angle, int, int]:
-        """A multiple of a known angle, or a new one: −v is looked for always, other ratios if told."""
+    def _new_angle(self, v: int, may_be_dependent: bool) -> tuple[CirclePoint, int, int]:
+        """A multiple of a known angle, or a new one; `may_be_dependent`: any small ratio is looked for, not only −1."""
+        # cos(a − b) and cos(b − a) both occur, so that −v is always looked up. Other ratios can only arise where values
+        # are marked, √(k/m) t beside √(4k/m) t: different monomials of symbols are independent.
         if self.p - v in self.angles:
             angle, a, b = self.angles[self.p - v]
-            found = (angle, -a, b)
+            multiple = (angle, -a, b)
         else:
-            found = (self._multiple(v) if may_be_dependent else None) or (
-                Angle(self.field.random_circle()),
+            multiple = (self._multiple(v) if may_be_dependent else None) or (
+                CirclePoint(self.field.random_circle()),
                 1,
                 1,
             )
-        self.angles[v] = found
-        return found
+        self.angles[v] = multiple
+        return multiple
 
-    def _multiple(self, v: int) -> tuple[Angle, int, int] | None:
+    def _multiple(self, v: int) -> tuple[CirclePoint, int, int] | None:
         inverse = pow(v, -1, self.p)
-        for other, (angle, a, b) in islice(self.angles.items(), _MOST_COMPARED):
-            ratio = reconstructed(other * inverse, self.p, _LARGEST_RATIO)
+        for other, (angle, a, b) in islice(self.angles.items(), MOST_COMPARED_ANGLES):
+            ratio = reconstructed(other * inverse, self.p, LARGEST_ANGLE_RATIO)
             if ratio:
                 return angle, a * ratio.denominator, b * ratio.numerator
         return None
 
     def _drawn(self, symbol: sp.Symbol) -> int:
         value = self.field.sample()
+        # Squares only for symbols of known sign: if all symbols were squares, |u| − u would vanish at every point.
         if symbol.is_nonnegative:
             return value * value % self.p
         if symbol.is_nonpositive:

@@ -1,8 +1,9 @@
-"""Gauss–Jordan elimination over whatever the numbers are: residues mod p, or reals of eighty digits.
+"""Gauss–Jordan elimination over any numbers: residues mod p, reals of eighty digits, the field of an algebraic root.
 
-Residues are exact, and any pivot that is not zero serves. With reals the largest pivot is taken, and a rank
-is given only where a clear gap separates the pivots from what rounding leaves: no small number is called
-zero by a guess.
+A of shape (m, n) is brought to reduced row echelon form; rank, null space {x : A x = 0}, a solution of A x = b and
+membership of a row space are read off from it. Residues are exact, and any pivot that is not zero serves. With reals
+the largest pivot is taken, and a rank is given only where a clear gap separates the pivots from what rounding leaves:
+no small number is called zero by a guess.
 """
 
 from __future__ import annotations
@@ -10,10 +11,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any, Protocol
 
-Row = list[Any]
+NumberRow = list[Any]
 
 
-class Arithmetic(Protocol):
+class NumberField(Protocol):
     """The numbers at a point."""
 
     exact: bool
@@ -25,14 +26,14 @@ class Arithmetic(Protocol):
     def reduce(self, x: Any) -> Any:
         """The canonical form of a sum of products."""
 
-    def less(self, row: Sequence[Any], factor: Any, other: Sequence[Any]) -> Row:
+    def less(self, row: Sequence[Any], factor: Any, other: Sequence[Any]) -> NumberRow:
         """row − factor · other."""
 
     def inverse(self, x: Any) -> Any:
         """1/x. Raises ZeroDivisorError."""
 
     def vanishes(self, x: Any) -> bool:
-        """Whether x is 0. Raises InadmissibleError when that cannot be told."""
+        """Whether x is 0. Raises InadmissibleError when that is undecidable."""
 
     def root(self, x: Any) -> Any:
         """√x. Raises InadmissibleError when it does not exist."""
@@ -41,7 +42,7 @@ class Arithmetic(Protocol):
         """A random number."""
 
 
-def row_reduced(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> tuple[list[Row], list[int]]:
+def row_reduced(arithmetic: NumberField, rows: Sequence[Sequence[Any]]) -> tuple[list[NumberRow], list[int]]:
     """Reduced row echelon form without its zero rows, and pivot columns: (m, n) -> (r, n), (r,)."""
     work = [[arithmetic.reduce(x) for x in row] for row in rows]
     width = len(work[0]) if work else 0
@@ -66,11 +67,11 @@ def row_reduced(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> tuple[
 
 
 class RowSpace:
-    """The combinations of some rows of one width; rows may be added. A row is told from them in one pass."""
+    """The span of some rows of one width; rows may be added. One pass decides whether a row lies in it."""
 
-    def __init__(self, arithmetic: Arithmetic, rows: Iterable[Sequence[Any]] = ()) -> None:
+    def __init__(self, arithmetic: NumberField, rows: Iterable[Sequence[Any]] = ()) -> None:
         self.arithmetic = arithmetic
-        self._echelon: list[tuple[int, Row]] = []
+        self._echelon: list[tuple[int, NumberRow]] = []
         for row in rows:
             self.add(row)
 
@@ -79,8 +80,8 @@ class RowSpace:
         """The number of independent rows."""
         return len(self._echelon)
 
-    def residue(self, row: Sequence[Any]) -> Row:
-        """What is left of a row modulo these; linear in the row."""
+    def residue(self, row: Sequence[Any]) -> NumberRow:
+        """The residue of a row modulo these; linear in the row."""
         left = [self.arithmetic.reduce(x) for x in row]
         for pivot, known in self._echelon:
             if left[pivot] != 0:
@@ -91,7 +92,7 @@ class RowSpace:
         return all(self.arithmetic.vanishes(x) for x in self.residue(row))
 
     def add(self, row: Sequence[Any]) -> bool:
-        """One more row; whether it is independent of those before."""
+        """Add a row; return whether it is independent of those before."""
         arithmetic = self.arithmetic
         left = self.residue(row)
         pivot = _pivot(arithmetic, [[x] for x in left], 0, 0)
@@ -102,12 +103,12 @@ class RowSpace:
         return True
 
 
-def rank(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]]) -> int:
+def rank(arithmetic: NumberField, rows: Sequence[Sequence[Any]]) -> int:
     """The rank of a matrix of shape (m, n)."""
     return len(row_reduced(arithmetic, rows)[1])
 
 
-def nullspace(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]], width: int) -> list[Row]:
+def nullspace(arithmetic: NumberField, rows: Sequence[Sequence[Any]], width: int) -> list[NumberRow]:
     """A basis of the x with A x = 0: A of shape (m, width), basis vectors of shape (width,)."""
     reduced, pivots = row_reduced(arithmetic, rows)
     basis = []
@@ -121,11 +122,11 @@ def nullspace(arithmetic: Arithmetic, rows: Sequence[Sequence[Any]], width: int)
 
 
 def solution(
-    arithmetic: Arithmetic,
+    arithmetic: NumberField,
     rows: Sequence[Sequence[Any]],
     right: Sequence[Any],
     free: Sequence[Any] | None = None,
-) -> Row | None:
+) -> NumberRow | None:
     """An x with A x = b, or None when there is none. A of shape (m, n), b of shape (m,), x of shape (n,).
 
     Unknowns that stay free take their values from `free`, shape (n,), or 0.
@@ -141,8 +142,10 @@ def solution(
     return x
 
 
-def _pivot(arithmetic: Arithmetic, rows: list[Row], top: int, column: int) -> int | None:
+def _pivot(arithmetic: NumberField, rows: list[NumberRow], top: int, column: int) -> int | None:
     candidates = range(top, len(rows))
+    # What is not zero mod p is exactly not zero. A real pivot must be the largest, lest rounding errors grow, and when
+    # even that one vanishes, all do.
     if arithmetic.exact:
         return next((n for n in candidates if rows[n][column] != 0), None)
     best = max(candidates, key=lambda n: abs(rows[n][column]), default=None)

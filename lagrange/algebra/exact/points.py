@@ -1,11 +1,11 @@
 """Points: values for all symbols at once, and the value of every expression there.
 
-A point carries its arithmetic: residues of a random prime field (`residues`) or reals of eighty digits
-(`reals`). Rows are reduced, ranks taken and systems solved with the same calls in both. A symbol gets its
-random value when it is first wanted: a square (a positive number) if it is positive, ±1 for a `Sign`, else
-anything.
+A point carries its arithmetic: residues of a random prime field (`field_points`) or reals of eighty digits
+(`real_points`). Rows are reduced, ranks taken and systems solved with the same calls in both. A symbol gets its random
+value when it is first needed: a square (a positive number) if it is positive, ±1 for a `Sign`, anything otherwise.
 
-    A(q) u + b(q)  is read off at a point by one backward pass: `affine` gives the rows [A | b].
+Equations that are affine in some unknowns u, e_i = Σ_k A_ik u_k + b_i, are read as rows [A | b] of numbers. A_ik is
+the derivative of e_i with respect to u_k, found for all k by one backward pass through the graph.
 """
 
 from __future__ import annotations
@@ -15,10 +15,9 @@ from typing import Any, Self
 
 import sympy as sp
 
-from lagrange.algebra.exact import linear_algebra as elimination
-from lagrange.algebra.exact.evaluation import Graph
-from lagrange.algebra.exact.graph import Op, Term
-from lagrange.algebra.exact.linear_algebra import Row
+from lagrange.algebra.exact import linear_algebra
+from lagrange.algebra.exact.expression_graph import Graph, Op, Term
+from lagrange.algebra.exact.linear_algebra import NumberRow
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.core.symbols import Sign
 
@@ -30,7 +29,7 @@ Operation = Callable[[Any, list[Any], Any], Any]
 class Point:
     """Random values of the symbols of a graph, residues (int) or reals (mpf).
 
-    assigned   values of symbols as far as they have been wanted, shared by the points made `with_values`
+    assigned   values of the symbols needed so far, shared by the points made `with_values`
     functions  values of undefined and opaque functions, by name and by values of the arguments
     signs      bit n gives the sign of the n-th `Sign` symbol
     """
@@ -55,11 +54,11 @@ class Point:
         """The value of an expression. Raises InadmissibleError, ZeroDivisorError, UnsupportedError."""
         return self.at(self.graph.node(expression))
 
-    def values(self, expressions: Iterable[sp.Expr]) -> Row:
+    def values(self, expressions: Iterable[sp.Expr]) -> NumberRow:
         """The values of several expressions."""
         return [self.value(e) for e in expressions]
 
-    def matrix(self, rows: Iterable[Iterable[sp.Expr]]) -> list[Row]:
+    def matrix(self, rows: Iterable[Iterable[sp.Expr]]) -> list[NumberRow]:
         """The values of a matrix given by its rows (`matrix.tolist()`), shape (m, n)."""
         return [self.values(row) for row in rows]
 
@@ -76,6 +75,7 @@ class Point:
                     if values[n] is None:
                         values[n] = operations[codes[n]](self, values, data[n])
             except InadmissibleError as error:
+                # The first node that fails says which symbols are worth drawing again (`Sampler`).
                 error.node = n if error.node is None else error.node
                 raise
         return values[node]
@@ -88,23 +88,24 @@ class Point:
         """Whether an expression vanishes here."""
         return bool(self.arithmetic.vanishes(self.value(expression)))
 
-    def affine(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[Row] | None:
+    def affine(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[NumberRow] | None:
         """Rows [A | b], shape (m, n + 1), with expressions = A u + b here; None if one is not affine in u."""
         rows = self.affine_each(expressions, unknowns)
         return None if None in rows else [row for row in rows if row is not None]
 
-    def affine_each(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[Row | None]:
+    def affine_each(self, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[NumberRow | None]:
         """The row of each expression, shape (n + 1,); None for one that is not affine in u.
 
         expressions (m,), unknowns (n,). A is read off at random u; that A u + b holds is tried at other ones.
         """
+        # u² has a slope at every point too: only a second set of values tells it from an affine expression.
         nodes = [self.graph.node(e) for e in expressions]
-        here = self.with_values({u: self.random() for u in unknowns})
-        there = self.with_values({u: self.random() for u in unknowns})
-        return [here._affine(node, unknowns, there) for node in nodes]
+        first = self.with_values({u: self.random() for u in unknowns})
+        second = self.with_values({u: self.random() for u in unknowns})
+        return [first._affine(node, unknowns, second) for node in nodes]
 
     def with_values(self, changes: Mapping[sp.Symbol, Any]) -> Self:
-        """The same point but for the given symbols. What does not depend on them is not evaluated again."""
+        """The same point with other values of the given symbols. Nothing else is evaluated again."""
         return self._changed(self.assigned, {**self._changes, **changes}, self.graph.mask(changes))
 
     def redrawn(self, symbols: Iterable[sp.Symbol]) -> Self:
@@ -114,7 +115,7 @@ class Point:
         return self._changed(kept, self._changes, self.graph.mask(drawn))
 
     def assign(self, symbol: sp.Symbol, value: Any) -> None:
-        """Give a symbol that was not wanted yet its value. Raises InadmissibleError for a wrong sign."""
+        """Give a symbol that has no value yet its value. Raises InadmissibleError for a wrong sign."""
         if symbol.is_positive:
             self.require_positive(value)
         self.assigned[symbol] = value
@@ -143,21 +144,21 @@ class Point:
 
     def rank(self, rows: Sequence[Sequence[Any]]) -> int:
         """The rank of a matrix of values, shape (m, n)."""
-        return elimination.rank(self.arithmetic, rows)
+        return linear_algebra.rank(self.arithmetic, rows)
 
-    def row_reduced(self, rows: Sequence[Sequence[Any]]) -> tuple[list[Row], list[int]]:
-        """Echelon form and pivot columns, see `elimination.row_reduced`."""
-        return elimination.row_reduced(self.arithmetic, rows)
+    def row_reduced(self, rows: Sequence[Sequence[Any]]) -> tuple[list[NumberRow], list[int]]:
+        """Echelon form and pivot columns, see `linear_algebra.row_reduced`."""
+        return linear_algebra.row_reduced(self.arithmetic, rows)
 
-    def nullspace(self, rows: Sequence[Sequence[Any]], width: int) -> list[Row]:
-        """A basis of the solutions of A x = 0, see `elimination.nullspace`."""
-        return elimination.nullspace(self.arithmetic, rows, width)
+    def nullspace(self, rows: Sequence[Sequence[Any]], width: int) -> list[NumberRow]:
+        """A basis of the solutions of A x = 0, see `linear_algebra.nullspace`."""
+        return linear_algebra.nullspace(self.arithmetic, rows, width)
 
     def solution(
         self, rows: Sequence[Sequence[Any]], right: Sequence[Any], free: Sequence[Any] | None = None
-    ) -> Row | None:
-        """A solution of A x = b or None, see `elimination.solution`."""
-        return elimination.solution(self.arithmetic, rows, right, free)
+    ) -> NumberRow | None:
+        """A solution of A x = b or None, see `linear_algebra.solution`."""
+        return linear_algebra.solution(self.arithmetic, rows, right, free)
 
     def turned(self, terms: tuple[Term, ...], n: int, d: int) -> tuple[Any, Any]:
         """Cosine and sine of Σ terms + π n/d."""
@@ -168,7 +169,7 @@ class Point:
         raise NotImplementedError
 
     def function_key(self, node: int) -> Any:
-        """Where in `functions` the value of an UNSPECIFIED node is kept."""
+        """The key in `functions` of the value of an UNSPECIFIED node."""
         raise NotImplementedError
 
     def _drawn(self, symbol: sp.Symbol) -> Any:
@@ -178,6 +179,7 @@ class Point:
         raise NotImplementedError
 
     def _sign(self, symbol: sp.Symbol) -> Any:
+        # Bit n of the number of the point: successive points run through all combinations of signs.
         own = self.graph.bit(symbol)
         place = sum(isinstance(s, Sign) and bit < own for s, bit in self.graph.bits.items())
         return self.number(-1 if self.signs >> place & 1 else 1)
@@ -186,19 +188,20 @@ class Point:
         other = self._blank()
         other.assigned, other._changes, other.functions = assigned, changes, self.functions
         symbols = self.graph.symbols
+        # What does not depend on the changed symbols need not be evaluated again.
         other._values = [v if not symbols[n] & mask else None for n, v in enumerate(self._values)]
         return other
 
-    def _affine(self, node: int, unknowns: Sequence[sp.Symbol], there: Self) -> Row | None:
-        """The row of a node; None if it does not hold `there` as well, at other values of the unknowns."""
+    def _affine(self, node: int, unknowns: Sequence[sp.Symbol], other: Self) -> NumberRow | None:
+        """The row of a node; None if it does not hold at `other` values of the unknowns as well."""
         row = self._slopes(node, unknowns)
         if row is None:
             return None
-        b, c = (p.at(node) - sum(a * p.input(u) for a, u in zip(row, unknowns, strict=True)) for p in (self, there))
+        b, c = (p.at(node) - sum(a * p.input(u) for a, u in zip(row, unknowns, strict=True)) for p in (self, other))
         reduce = self.arithmetic.reduce
         return [*row, reduce(b)] if self.arithmetic.vanishes(reduce(b - c)) else None
 
-    def _slopes(self, node: int, unknowns: Sequence[sp.Symbol]) -> Row | None:
+    def _slopes(self, node: int, unknowns: Sequence[sp.Symbol]) -> NumberRow | None:
         """Derivatives of a node by the unknowns; None if these occur in other than sums, products, powers."""
         graph, reduce = self.graph, self.arithmetic.reduce
         mask = graph.mask(unknowns)
@@ -206,14 +209,15 @@ class Point:
             return None
         self.at(node)
         values = self._values
+        # Backward through the graph, each node's slope complete before its needs: all unknowns in one pass.
         slopes: dict[int, Any] = {node: self.number(1)}
-        found: dict[sp.Symbol, Any] = {}
+        by_unknown: dict[sp.Symbol, Any] = {}
         for n in reversed(graph.order(node)):
             if not graph.symbols[n] & mask or n not in slopes:
                 continue
             slope, op, data = reduce(slopes[n]), graph.operations[n], graph.data[n]
             if op == Op.SYMBOL:
-                found[data] = slope
+                by_unknown[data] = slope
             elif op == Op.ADD:
                 for m in data:
                     slopes[m] = slopes.get(m, 0) + slope
@@ -222,10 +226,11 @@ class Point:
                     if graph.symbols[m] & mask:
                         slopes[m] = slopes.get(m, 0) + self._others(slope, data, place)
             elif op == Op.POWER:
+                # n b^(n − 1) as n b^n/b, from the value that is known; where b = 0 another point is drawn.
                 base, exponent = data
                 inverse = self.arithmetic.inverse(values[base])
                 slopes[base] = slopes.get(base, 0) + slope * exponent * reduce(values[n] * inverse)
-        return [found.get(u, self.number(0)) for u in unknowns]
+        return [by_unknown.get(u, self.number(0)) for u in unknowns]
 
     def _others(self, slope: Any, factors: tuple[int, ...], place: int) -> Any:
         for n, m in enumerate(factors):

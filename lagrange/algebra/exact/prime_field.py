@@ -1,17 +1,16 @@
 """Arithmetic in a random prime field that imitates the reals: roots, signs, angles.
 
-The prime is p = k·M − 1 near 2^89 with M = 2^5·3^2·5·7·11·13·17·19·23 and k drawn at random in every
-process, so that no equation can be written that is zero mod p without being zero. Then
+The prime is p = k·M − 1 near 2^89 with M = 2^5·3^2·5·7·11·13·17·19·23 and k drawn at random in every process, so that
+nobody can write an equation that is zero mod p without being zero. Then
 
     p ≡ 3 (mod 4):    −1 is no square, "square" imitates "positive", √a is the root that is itself a square;
     primes ≤ 23       are squares, so that √2, √3, ... exist and √2·√3 = √6;
-    gcd((p−1)/2, n)   is 1 for n composed of small primes, so that a^{1/n} is unique among the squares;
-    x² + y² = 1       is a cyclic group of order p + 1, the elements x + iy of norm 1: the circle. π/n is
-                      exact where 2n divides M. Random angles are from the part of order k: there, θ/2,
-                      θ/3, ... are unique.
+    gcd((p−1)/2, n)   is 1 for n composed of small odd primes, so that a^{1/n} is unique among the squares;
+    x² + y² = 1       is a cyclic group of order p + 1, the elements x + iy of norm 1: the circle. π/n is exact where 2n
+                      divides M. Random angles are from the part of order k: there θ/2, θ/3, ... are unique.
 
-89 bits need as many machine digits in CPython as 61 do. Reference: Schwartz 1980, Zippel 1979 (a polynomial
-of degree d that is not zero vanishes at a random point with probability d/p); Gauss for the roots of unity.
+References: Schwartz 1980, Zippel 1979 (a polynomial of degree d that is not zero vanishes at a random point with a
+probability of d/p at most); Gauss for the roots of unity.
 """
 
 from __future__ import annotations
@@ -26,8 +25,11 @@ import sympy as sp
 
 M = 2**5 * 9 * 5 * 7 * 11 * 13 * 17 * 19 * 23
 ALWAYS_SQUARES = frozenset({2, 3, 5, 7, 11, 13, 17, 19, 23})
+# The prime powers of M: a fraction of a turn is a sum of one fraction for each of them.
 _PARTS = (32, 9, 5, 7, 11, 13, 17, 19, 23)
+# 89 bits take three digits of 30 bits in CPython, as 61 bits do, so that the larger field costs nothing.
 _BITS = 89
+# Bits of an exponent looked up at once. Random angles are drawn often: 12 products in place of some 80.
 _WINDOW = 5
 _SMALL_PRIMES = prod(sp.primerange(2, 1000))
 _ODD_SMALL_PRIMES = _SMALL_PRIMES // 2
@@ -36,7 +38,7 @@ Circle = tuple[int, int]
 
 
 class InadmissibleError(Exception):
-    """This point will not do (the root of a non-square is wanted): another one may.
+    """This point is not admissible (it needs the root of a non-square); another one may be.
 
     node  the node of a graph at which that came up, if it is known
     """
@@ -71,6 +73,8 @@ class PrimeField:
         while True:
             k = rng.randrange(low + 1, 2 * low)
             p = k * M - 1
+            # k without small factors: small fractions of random angles exist and are unique. (p − 1)/2 without small
+            # odd ones: so are odd roots.
             if gcd(k, _SMALL_PRIMES) != 1 or gcd(p >> 1, _ODD_SMALL_PRIMES) != 1:
                 continue
             if any(_jacobi(n, p) != 1 for n in wanted) or not sp.isprime(p):
@@ -176,6 +180,7 @@ class PrimeField:
 
     def circle_root(self, a: Circle, d: int) -> Circle:
         """A point with 1/d of the angle, for any point of the circle. Raises InadmissibleError."""
+        # Halves by cos(θ/2) = √((1 + cos θ)/2); odd parts by inverting d modulo the order, where the point has them.
         while d % 2 == 0:
             cosine = self.root((1 + a[0]) * self.number(1, 2))
             a, d = (cosine, a[1] * self.inverse(2 * cosine) % self.p), d // 2
@@ -268,9 +273,10 @@ class PrimeField:
 
 
 class Fields:
-    """Random fields, drawn when they are first wanted. A seed makes them repeatable: for tests only."""
+    """Random fields, drawn when first needed. A seed makes them repeatable: for tests only."""
 
     def __init__(self, seed: int | None = None) -> None:
+        # From the system's source: with a prime that could be predicted, p·θ could be added to an equation unseen.
         self.random = random.Random(seed) if seed is not None else random.SystemRandom()
         self._drawn: dict[tuple[int, frozenset[int]], PrimeField] = {}
 
@@ -286,7 +292,7 @@ class Fields:
 
 @cache
 def process_fields() -> Fields:
-    """The fields of this process: random, and others in every process."""
+    """The random fields of this process, different in every process."""
     return Fields()
 
 
@@ -295,6 +301,7 @@ def reconstructed(residue: int, p: int, bound: int | None = None) -> Fraction | 
 
     At most one exists up to √(p/2). With the default, a random residue passes with a chance of p^(−1/3).
     """
+    # Wang's rational reconstruction: Euclid's algorithm for p and the residue, stopped once the remainder is small.
     limit = round(p ** (1 / 3)) if bound is None else bound
     limit = min(limit, isqrt(p // 2))
     a, b = p, residue % p

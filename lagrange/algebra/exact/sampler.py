@@ -1,13 +1,12 @@
-"""Generic points of the surface that geometric constraints cut out.
+"""Generic points of the surface that the geometric constraints cut out.
 
-Ranks, Frobenius conditions and verdicts are statements about points with f_1 = ... = f_m = 0; off that
-surface they can be wrong: with z = 0, the form dx + y z du is dx. The constraints are solved one after the
-other, exactly, over a random prime field (`triangular`, `blocks`); what cannot be solved so, by Newton's
-iteration in real numbers of eighty digits (`projection`). Where both fail there are no points, and the
-question is undecided.
+Ranks, Frobenius' condition and verdicts are statements about points with f_1 = ... = f_m = 0; off that surface they
+can be wrong: with z = 0, the form dx + y z du is dx. The constraints are solved one after the other, exactly, over a
+random prime field (`triangular`, `solved_blocks`), and where that fails by Newton's iteration in real numbers of
+eighty digits (`real_points`). Where both fail there are no points, and the question is undecided.
 
-A point is on either branch of a square root, at random. Points have numbers: the first ones are kept, with
-all values that were computed at them, so that one random point serves all the expressions of a problem.
+A point lies on either branch of a square root, at random. Points are numbered: the first ones are kept, with all
+values computed at them, so that one random point serves all the expressions of a problem.
 """
 
 from __future__ import annotations
@@ -20,32 +19,31 @@ from typing import TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.exact.evaluation import Graph
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, Op
 from lagrange.algebra.exact.field_points import FieldPoint
-from lagrange.algebra.exact.graph import DivisionByZeroError, Op
+from lagrange.algebra.exact.limits import (
+    DRAWS,
+    FIELDS,
+    FIRST_WIDE_POINT,
+    KEPT_POINTS,
+    MOST_MISSING_POINTS,
+    NEWTON_STARTS,
+    POINTS_PER_FIELD,
+    REAL_DRAWS,
+    REDRAWS,
+    SPREAD,
+    SPREAD_ON_SURFACE,
+    WIDE_SPREAD,
+)
 from lagrange.algebra.exact.points import Point
+from lagrange.algebra.exact.points_needed import ZERO_DIVISIONS, ZERO_DIVISIONS_WITH_SIGNS
 from lagrange.algebra.exact.prime_field import Fields, InadmissibleError, ZeroDivisorError, process_fields
-from lagrange.algebra.exact.projection import newton_point
-from lagrange.algebra.exact.reals import RealPoint, Reals
-from lagrange.algebra.exact.triangular import DRAWS, Order, contradiction, triangular_order
+from lagrange.algebra.exact.real_points import RealPoint, Reals, newton_point
+from lagrange.algebra.exact.triangular import SolutionOrder, contradiction, triangular_order
 from lagrange.core.symbols import Sign, t
 
 T = TypeVar("T")
 AnyPoint = TypeVar("AnyPoint", bound=Point)
-
-_FIELDS = 8
-_POINTS_IN_A_FIELD = 4
-_KEPT = 40
-_REAL_DRAWS = 30
-_NEWTON_STARTS = 8
-_REDRAWS = 60
-_SPREAD = 2
-_WIDE_SPREAD = 12
-_FIRST_WIDE_POINT = 6
-_SPREAD_ON_A_SURFACE = 1
-_MOST_NUMBERS_WITHOUT_POINT = 3
-_ZERO_DIVISIONS = 4
-_ZERO_DIVISIONS_OF_BRANCHES = 40
 
 
 class NoPointError(Exception):
@@ -56,8 +54,8 @@ class Sampler:
     """The generic points with f = 0 for all constraints; without constraints, of the whole space.
 
     constraints  expressions in coordinates, t and parameters, each to be zero; no velocities
-    coordinates  what they are solved for if possible
-    fields       where the random prime fields come from (tests pass seeded ones)
+    coordinates  solved for if possible
+    fields       source of the random prime fields (tests pass seeded ones)
 
     Symbols that the constraints do not fix, velocities and accelerations among them, have random values.
     """
@@ -77,7 +75,7 @@ class Sampler:
         self._squares: frozenset[int] = frozenset()
 
     @cached_property
-    def order(self) -> Order | None:
+    def order(self) -> SolutionOrder | None:
         """The constraints in triangular order, or None when no such order was found."""
         return triangular_order(self.constraints, self.coordinates, self._unconstrained)
 
@@ -104,13 +102,14 @@ class Sampler:
         """
         if self.order is None:
             return self.real_point(number)
+        # A new √29, say: fields in which 29 is no square are of no use any more, nor are their points.
         if self._squares != self.graph.squares:
             self._squares = self.graph.squares
             self._points.clear()
         return _kept(self._points, number, self.drawn)
 
     def real_point(self, number: int = 0) -> RealPoint:
-        """A point with real values of eighty digits, with signs as the symbols say. Raises NoPointError."""
+        """A point with real values of eighty digits, of the signs that symbols declare. Raises NoPointError."""
         return _kept(self._real_points, number, self._drawn_real)
 
     def points(self, first: int = 0) -> Iterator[Point]:
@@ -121,11 +120,11 @@ class Sampler:
 
     def drawn(self, number: int = 0) -> FieldPoint | None:
         """A new point over a field; equal numbers modulo 32 give the same field."""
-        field = self.fields.field(number // _POINTS_IN_A_FIELD % _FIELDS, self.graph.squares)
+        field = self.fields.field(number // POINTS_PER_FIELD % FIELDS, self.graph.squares)
         return self.order.drawn(lambda: FieldPoint(self.graph, field, number), DRAWS) if self.order else None
 
     def results(self, evaluate: Callable[[Point], T], *, real: bool = False) -> Iterator[T]:
-        """What `evaluate` gives at one point after the other, but those where it raises InadmissibleError.
+        """The results of `evaluate` at one point after the other, except where it raises InadmissibleError.
 
         Raises DivisionByZeroError when a denominator vanishes at all points, NoPointError when too many fail,
         UnsupportedError.
@@ -138,6 +137,7 @@ class Sampler:
                 failures, zeros = 0, {}
             except ZeroDivisorError as error:
                 failures += 1
+                # Only a denominator that has vanished at every point so far may be zero; a later failure is chance.
                 if error.node is not None and number < failures:
                     zeros[error.node] = zeros.get(error.node, 0) + 1
                     _report_division(self.graph, error.node, zeros[error.node])
@@ -145,7 +145,7 @@ class Sampler:
                 failures += 1
             except NoPointError:
                 missing += 1
-            if failures > DRAWS or missing >= _MOST_NUMBERS_WITHOUT_POINT:
+            if failures > DRAWS or missing >= MOST_MISSING_POINTS:
                 raise NoPointError
 
     def sampled(self, evaluate: Callable[[Point], T], number: int = 2, *, real: bool = False) -> list[T]:
@@ -154,8 +154,9 @@ class Sampler:
 
     def _admissible(self, evaluate: Callable[[Point], T], number: int, real: bool) -> T:
         """The result at one point, symbols under a root that does not exist being drawn again."""
+        # Only the symbols under the missing root are drawn again: k independent roots exist at 2^-k of the points.
         point = self.real_point(number) if real else self.point(number)
-        for _ in range(_REDRAWS):
+        for _ in range(REDRAWS):
             try:
                 result = evaluate(point)
             except ZeroDivisorError:
@@ -185,10 +186,12 @@ class Sampler:
             # A root of more symbols may wait: that of A B exists once those of A and of B do.
             if point.has_value(n) and graph.symbols[n].bit_count() <= graph.symbols[node].bit_count():
                 fixed |= graph.symbols[n]
+        # A symbol of the constraints would leave the surface; one of a root that exists might lose it again.
         loose = graph.symbols[node] & ~fixed
         return [s for s, bit in graph.bits.items() if bit & loose and not isinstance(s, Sign)]
 
     def _keep(self, number: int, point: Point) -> None:
+        # With the symbols that were drawn again: the next expression finds its roots in place.
         if isinstance(point, FieldPoint) and number in self._points:
             self._points[number] = point
         elif isinstance(point, RealPoint) and number in self._real_points:
@@ -203,22 +206,24 @@ class Sampler:
         def fresh() -> RealPoint:
             return RealPoint(self.graph, self._reals, number, spread)
 
-        point = self.order.drawn(fresh, _REAL_DRAWS) if self.order else None
+        # The triangular order first: it only takes roots. Newton's iteration is the last resort: it needs all the
+        # derivatives in every step, may diverge, and proves nothing beyond the digits that it reached.
+        point = self.order.drawn(fresh, REAL_DRAWS) if self.order else None
         if point is None and self._order_by_parameters:
-            point = self._order_by_parameters.drawn(fresh, _REAL_DRAWS)
+            point = self._order_by_parameters.drawn(fresh, REAL_DRAWS)
         if point is not None:
             return point
-        starts = (fresh() for _ in range(_NEWTON_STARTS))
+        starts = (fresh() for _ in range(NEWTON_STARTS))
         return next((p for p in starts if newton_point(p, self.constraints, self.coordinates)), None)
 
     def _spread(self, number: int) -> int:
         """How far real values reach. Only later points are wide: they are for signs that change far away."""
         if self.constraints:
-            return _SPREAD_ON_A_SURFACE
-        return _WIDE_SPREAD if number >= _FIRST_WIDE_POINT and number % 2 else _SPREAD
+            return SPREAD_ON_SURFACE
+        return WIDE_SPREAD if number >= FIRST_WIDE_POINT and number % 2 else SPREAD
 
     @cached_property
-    def _order_by_parameters(self) -> Order | None:
+    def _order_by_parameters(self) -> SolutionOrder | None:
         """Another order, with rods as long as they have to be: random lengths may not fit together."""
         symbols = {s for f in self.constraints for s in f.free_symbols}
         parameters = sorted(symbols - {*self.coordinates, t}, key=str)
@@ -233,19 +238,19 @@ class Sampler:
 
 def _kept(known: dict[int, AnyPoint | None], number: int, draw: Callable[[int], AnyPoint | None]) -> AnyPoint:
     if number not in known:
-        found = draw(number)
-        if number < _KEPT:
-            known[number] = found
+        point = draw(number)
+        if number < KEPT_POINTS:
+            known[number] = point
     else:
-        found = known[number]
-    if found is None:
+        point = known[number]
+    if point is None:
         raise NoPointError
-    return found
+    return point
 
 
 def _report_division(graph: Graph, node: int, times: int) -> None:
     """A denominator that vanished at several points, on all branches if it has any, is zero."""
-    if times < (_ZERO_DIVISIONS_OF_BRANCHES if graph.marks[node] else _ZERO_DIVISIONS):
+    if times < (ZERO_DIVISIONS_WITH_SIGNS if graph.marks[node] else ZERO_DIVISIONS):
         return
     data = graph.data[node]
     if graph.operations[node] in (Op.POWER, Op.ROOT):

@@ -1,10 +1,10 @@
 """A block of constraints solved for as many unknowns at one point.
 
-At a point where everything else has a value, a constraint is a polynomial in the unknowns with numbers as
-coefficients. An angle θ brings C = cos θ/D, S = sin θ/D and C² + S² = 1; a root R = √u and a quotient W =
-1/u of an unknown u bring R² = u and W u = 1. Row reduction with the highest monomials first exposes linear
-equations (two circles about the same unknown point differ by a linear one); each is solved and inserted,
-until one quadratic equation is left:
+At a point where everything else has a value, a constraint is a polynomial in the unknowns with numbers as coefficients.
+An angle θ contributes C = cos θ/D, S = sin θ/D and C² + S² = 1; a root R = √u and a quotient W = 1/u of an unknown u
+contribute R² = u and W u = 1. Row reduction with the highest monomials first exposes linear equations (two circles
+about the same unknown point differ by a linear one); each is solved and substituted, until one quadratic equation is
+left:
 
     (x − x1)² + (y − y1)² = a²,  (x − x2)² + (y − y2)² = b²    ->    y = α x + β    ->    A x² + B x + C = 0.
 
@@ -20,16 +20,15 @@ from typing import Any, cast
 
 import sympy as sp
 
-from lagrange.algebra.exact.graph import Op
-from lagrange.algebra.exact.linear_algebra import Arithmetic, row_reduced
+from lagrange.algebra.exact.expression_graph import Op
+from lagrange.algebra.exact.limits import HIGHEST_BLOCK_POWER
+from lagrange.algebra.exact.linear_algebra import NumberField, row_reduced
 from lagrange.algebra.exact.points import Point
 from lagrange.core.records import record
 
-_HIGHEST_POWER = 8
-
 Monomial = tuple[int, ...]
-Polynomial = dict[Monomial, Any]
-Pair = tuple[Polynomial, Polynomial]
+NumericPolynomial = dict[Monomial, Any]
+Pair = tuple[NumericPolynomial, NumericPolynomial]
 
 
 class NotSolvableError(Exception):
@@ -41,7 +40,7 @@ class ContradictoryError(Exception):
 
 
 @record
-class Block:
+class SolvedBlock:
     """Constraints and what they are solved for: symbols, or undefined functions at their arguments."""
 
     constraints: tuple[sp.Expr, ...]
@@ -67,7 +66,7 @@ class _System:
         self.point = point
         self.graph = point.graph
         self.size = 0
-        self.equations: list[Polynomial] = []
+        self.equations: list[NumericPolynomial] = []
         self._known: dict[int, Any] = {}
         self._roots: list[int] = []
         self._variables: dict[int, int] = {}
@@ -83,6 +82,7 @@ class _System:
     def assign(self, values: Sequence[Any]) -> None:
         """Give the unknowns their values."""
         point = self.point
+        # R² = u has the solutions ±R, but √u is the one that is itself a square.
         for n in self._roots:
             point.arithmetic.root(values[n])
         for unknown, n in self._variables.items():
@@ -93,12 +93,12 @@ class _System:
         for unknown, (c, s) in self._circles.items():
             point.set_angle(self.graph.data[unknown], (values[c], values[s]), self._depths[unknown])
 
-    def polynomial(self, node: int) -> Polynomial:
+    def polynomial(self, node: int) -> NumericPolynomial:
         """A node as a polynomial in the variables."""
-        found = self._known.get(node)
-        if found is None:
-            found = {(): self.point.at(node)}
-        return cast(Polynomial, found)
+        polynomial = self._known.get(node)
+        if polynomial is None:
+            polynomial = {(): self.point.at(node)}
+        return cast(NumericPolynomial, polynomial)
 
     def _affected(self, constraints: Sequence[int], unknowns: set[int]) -> list[int]:
         """The nodes that depend on the unknowns, in order."""
@@ -117,6 +117,7 @@ class _System:
         if not angles:
             self._variables[unknown] = self._new()
             return
+        # An unknown beside its own cosine, x + sin x = c, has no algebraic solution.
         if len(angles) < len(users) or graph.operations[unknown] != Op.SYMBOL:
             raise NotSolvableError
         self._depths[unknown] = lcm(*(d for n in angles for m, _, d in graph.data[n][0] if m == unknown))
@@ -154,30 +155,30 @@ class _System:
                 return self._product(sine, self._power(cosine, -1))
         raise NotSolvableError
 
-    def _sum(self, parts: Sequence[Polynomial]) -> Polynomial:
-        total: Polynomial = {}
+    def _sum(self, parts: Sequence[NumericPolynomial]) -> NumericPolynomial:
+        total: NumericPolynomial = {}
         for part in parts:
             for monomial, c in part.items():
                 total[monomial] = total[monomial] + c if monomial in total else c
         return _cleaned(self.point.arithmetic, total)
 
-    def _product(self, a: Polynomial, b: Polynomial) -> Polynomial:
+    def _product(self, a: NumericPolynomial, b: NumericPolynomial) -> NumericPolynomial:
         return _product(self.point.arithmetic, a, b)
 
-    def _power(self, base: Polynomial, exponent: int) -> Polynomial:
+    def _power(self, base: NumericPolynomial, exponent: int) -> NumericPolynomial:
         if exponent < 0:
             w = self._new()
             self.equations.append(self._sum([self._product(base, {(w,): self._one()}), {(): self.point.number(-1)}]))
             base, exponent = {(w,): self._one()}, -exponent
-        if exponent > _HIGHEST_POWER:
+        if exponent > HIGHEST_BLOCK_POWER:
             raise NotSolvableError
-        result: Polynomial = {(): self._one()}
+        result: NumericPolynomial = {(): self._one()}
         for _ in range(exponent):
             result = self._product(result, base)
         return result
 
-    def _root(self, base: Polynomial, n: int, d: int) -> Polynomial:
-        if d > _HIGHEST_POWER:
+    def _root(self, base: NumericPolynomial, n: int, d: int) -> NumericPolynomial:
+        if d > HIGHEST_BLOCK_POWER:
             raise NotSolvableError
         r = self._new()
         self._roots.append(r)
@@ -199,11 +200,11 @@ class _System:
         return self._times(pair, ({(): cosine}, {(): sine}))
 
     def _circle_power(self, unknown: int, n: int) -> Pair:
-        if abs(n) > _HIGHEST_POWER:
+        if abs(n) > HIGHEST_BLOCK_POWER:
             raise NotSolvableError
         c, s = self._circles[unknown]
-        one: Pair = ({(c,): self._one()}, {(s,): self.point.number(1 if n > 0 else -1)})
-        return reduce(self._times, [one] * abs(n))
+        generator: Pair = ({(c,): self._one()}, {(s,): self.point.number(1 if n > 0 else -1)})
+        return reduce(self._times, [generator] * abs(n))
 
     def _times(self, a: Pair, b: Pair) -> Pair:
         minus = {m: self.point.arithmetic.reduce(-c) for m, c in b[1].items()}
@@ -213,13 +214,13 @@ class _System:
         )
 
 
-def _cleaned(arithmetic: Arithmetic, p: Polynomial) -> Polynomial:
+def _cleaned(arithmetic: NumberField, p: NumericPolynomial) -> NumericPolynomial:
     reduced = {m: arithmetic.reduce(c) for m, c in p.items()}
     return {m: c for m, c in reduced.items() if not arithmetic.vanishes(c)}
 
 
-def _product(arithmetic: Arithmetic, a: Polynomial, b: Polynomial) -> Polynomial:
-    result: Polynomial = {}
+def _product(arithmetic: NumberField, a: NumericPolynomial, b: NumericPolynomial) -> NumericPolynomial:
+    result: NumericPolynomial = {}
     for m, c in a.items():
         for n, d in b.items():
             monomial = tuple(sorted(m + n))
@@ -227,14 +228,16 @@ def _product(arithmetic: Arithmetic, a: Polynomial, b: Polynomial) -> Polynomial
     return _cleaned(arithmetic, result)
 
 
-def _solution(arithmetic: Arithmetic, equations: list[Polynomial], size: int) -> tuple[list[Any], int]:
+def _solution(arithmetic: NumberField, equations: list[NumericPolynomial], size: int) -> tuple[list[Any], int]:
     """Values of all variables, and the number of square roots taken."""
-    rules: list[tuple[int, Polynomial]] = []
+    rules: list[tuple[int, NumericPolynomial]] = []
     free = set(range(size))
     roots = 0
     while True:
         equations = _echelon(arithmetic, equations)
         linear = [e for e in equations if max(map(len, e)) == 1]
+        # A linear equation has one solution and excludes no point, and substituting it leaves fewer unknowns. A root is
+        # taken only when none is left: it halves the points and doubles the branches.
         if linear:
             variable, rule = _linear_rule(arithmetic, linear[-1])
         elif equations:
@@ -251,8 +254,9 @@ def _solution(arithmetic: Arithmetic, equations: list[Polynomial], size: int) ->
     return values, roots
 
 
-def _echelon(arithmetic: Arithmetic, equations: list[Polynomial]) -> list[Polynomial]:
+def _echelon(arithmetic: NumberField, equations: list[NumericPolynomial]) -> list[NumericPolynomial]:
     """The equations reduced, highest monomials first. Raises ContradictoryError when one reads 1 = 0."""
+    # The highest monomials are eliminated first, so that equations of lower degree remain at the end.
     monomials = sorted({m for e in equations for m in e}, key=lambda m: (-len(m), m))
     zero = arithmetic.number(0)
     rows, _ = row_reduced(arithmetic, [[e.get(m, zero) for m in monomials] for e in equations])
@@ -262,14 +266,16 @@ def _echelon(arithmetic: Arithmetic, equations: list[Polynomial]) -> list[Polyno
     return [e for e in reduced if e]
 
 
-def _linear_rule(arithmetic: Arithmetic, equation: Polynomial) -> tuple[int, Polynomial]:
+def _linear_rule(arithmetic: NumberField, equation: NumericPolynomial) -> tuple[int, NumericPolynomial]:
     """x = ... from a linear equation."""
     lead = next(m for m in equation if m)
     scale = arithmetic.inverse(equation[lead])
     return lead[0], {m: arithmetic.reduce(-c * scale) for m, c in equation.items() if m != lead}
 
 
-def _next_rule(arithmetic: Arithmetic, equations: list[Polynomial], free: int) -> tuple[int, Polynomial, int]:
+def _next_rule(
+    arithmetic: NumberField, equations: list[NumericPolynomial], free: int
+) -> tuple[int, NumericPolynomial, int]:
     """A quadratic equation in one variable solved, or a random value for a variable that is to spare."""
     for equation in equations:
         variables = {v for m in equation for v in m}
@@ -277,6 +283,7 @@ def _next_rule(arithmetic: Arithmetic, equations: list[Polynomial], free: int) -
             x = variables.pop()
             a, b, c = (equation.get((x,) * n, arithmetic.number(0)) for n in (2, 1, 0))
             root = arithmetic.root(arithmetic.reduce(b * b - 4 * a * c))
+            # Both branches must occur: what holds on one of them only is not true of the surface.
             signed = root if arithmetic.random.getrandbits(1) else -root
             return x, {(): arithmetic.reduce((signed - b) * arithmetic.inverse(arithmetic.reduce(2 * a)))}, 1
     if free <= len(equations):
@@ -287,12 +294,14 @@ def _next_rule(arithmetic: Arithmetic, equations: list[Polynomial], free: int) -
     return spare, {(): arithmetic.sample()}, 0
 
 
-def _inserted(arithmetic: Arithmetic, p: Polynomial, variable: int, rule: Polynomial) -> Polynomial:
+def _inserted(
+    arithmetic: NumberField, p: NumericPolynomial, variable: int, rule: NumericPolynomial
+) -> NumericPolynomial:
     if not any(variable in m for m in p):
         return p
-    total: Polynomial = {}
+    total: NumericPolynomial = {}
     for monomial, c in p.items():
-        part: Polynomial = {tuple(v for v in monomial if v != variable): c}
+        part: NumericPolynomial = {tuple(v for v in monomial if v != variable): c}
         for _ in range(monomial.count(variable)):
             part = _product(arithmetic, part, rule)
         for m, d in part.items():
@@ -300,7 +309,7 @@ def _inserted(arithmetic: Arithmetic, p: Polynomial, variable: int, rule: Polyno
     return _cleaned(arithmetic, total)
 
 
-def _value(arithmetic: Arithmetic, p: Polynomial, values: list[Any]) -> Any:
+def _value(arithmetic: NumberField, p: NumericPolynomial, values: list[Any]) -> Any:
     total = arithmetic.number(0)
     for monomial, c in p.items():
         for v in monomial:

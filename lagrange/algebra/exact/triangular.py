@@ -2,11 +2,10 @@
 
     f_1 fixes s_1,   f_2 fixes s_2 once s_1 is known,   ...
 
-The order is found from its end: a coordinate that occurs in one constraint only can be solved for last,
-whatever the others are, and so can k coordinates that occur in k constraints only (x, y of a joint held by
-two rods). Taking these away shortens the problem and excludes nothing. Linear equations go before quadratic
-ones. Where no coordinate will do, a parameter may (the length of a rod), then the value of an undefined
-function.
+The order is found from its end: a coordinate that occurs in one constraint only can be solved for last, whatever the
+others are, and so can k coordinates that occur in k constraints only (x, y of a joint held by two rods). Removing these
+constraints shortens the problem and excludes nothing. Linear equations are preferred to quadratic ones. Where no
+coordinate serves, a parameter may (the length of a rod), then the value of an undefined function.
 """
 
 from __future__ import annotations
@@ -19,21 +18,21 @@ from typing import TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.exact.evaluation import Graph
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, Graph, Op, UnsupportedError
 from lagrange.algebra.exact.field_points import FieldPoint
-from lagrange.algebra.exact.graph import DivisionByZeroError, Op, UnsupportedError
+from lagrange.algebra.exact.limits import (
+    BLOCK_TRIALS,
+    CHOICES_OF_UNKNOWNS,
+    DRAWS,
+    LARGEST_BLOCK,
+    LONGEST_RULE,
+    MOST_TRIED_BLOCKS,
+)
 from lagrange.algebra.exact.points import Point
 from lagrange.algebra.exact.prime_field import InadmissibleError
-from lagrange.algebra.exact.solved_blocks import Block, ContradictoryError, NotSolvableError
+from lagrange.algebra.exact.solved_blocks import ContradictoryError, NotSolvableError, SolvedBlock
 from lagrange.core.records import record
 from lagrange.core.symbols import t
-
-TRIALS = 12
-DRAWS = 200
-_MOST_TRIED = 400
-_LARGEST_BLOCK = 4
-_CHOICES_OF_UNKNOWNS = 20
-_LONGEST_RULE = 60
 
 Places = tuple[int, ...]
 Unknowns = tuple[sp.Expr, ...]
@@ -42,7 +41,7 @@ AnyPoint = TypeVar("AnyPoint", bound=Point)
 
 
 @record
-class Order:
+class SolutionOrder:
     """Constraints in the order in which they are solved.
 
     blocks  to be solved one after the other
@@ -50,7 +49,7 @@ class Order:
     roots   how many square roots are taken on the way: each has two branches
     """
 
-    blocks: tuple[Block, ...]
+    blocks: tuple[SolvedBlock, ...]
     rules: Mapping[sp.Symbol, sp.Expr]
     roots: int = 0
 
@@ -68,20 +67,22 @@ class Order:
     def solved(self, point: AnyPoint) -> tuple[AnyPoint, int]:
         """A point on the surface, made from a random one, and how many roots that took.
 
-        Where a root does not exist, only what belongs to that constraint is drawn again. Raises FailedError.
+        Where a root does not exist, only the symbols of that block are drawn again. Raises UnsolvedBlockError.
         """
         roots = 0
         for n, (block, own) in enumerate(zip(self.blocks, self.own, strict=True)):
-            for _ in range(TRIALS if own else 1):
+            # Each root exists at half of the points. Twelve rods in a row would take 2^12 draws of the whole point, but
+            # only two or so of each block's own symbols.
+            for _ in range(BLOCK_TRIALS if own else 1):
                 try:
                     roots += block.solve(point)
                     break
                 except InadmissibleError:
                     point = point.redrawn(own)
                 except (NotSolvableError, ContradictoryError):
-                    raise FailedError(n) from None
+                    raise UnsolvedBlockError(n) from None
             else:
-                raise FailedError(n)
+                raise UnsolvedBlockError(n)
         return point, roots
 
     def drawn(self, fresh: Callable[[], AnyPoint], draws: int) -> AnyPoint | None:
@@ -89,12 +90,12 @@ class Order:
         for _ in range(draws):
             try:
                 return self.solved(fresh())[0]
-            except FailedError:
+            except UnsolvedBlockError:
                 continue
         return None
 
 
-class FailedError(Exception):
+class UnsolvedBlockError(Exception):
     """A block was not solved."""
 
     def __init__(self, block: int) -> None:
@@ -102,21 +103,24 @@ class FailedError(Exception):
         self.block = block
 
 
-def triangular_order(constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], fresh: Fresh) -> Order | None:
+def triangular_order(
+    constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], fresh: Fresh
+) -> SolutionOrder | None:
     """The constraints in a triangular order, or None when none was found.
 
-    fresh  gives a random point of the space without constraints, on which solutions are tried
+    fresh  draws a random point of the space without constraints, on which solutions are tried
     """
     try:
-        search = _Search(Graph(), constraints, coordinates, fresh)
+        search = _OrderSearch(Graph(), constraints, coordinates, fresh)
         while (blocks := search.peeled()) is not None:
-            order = Order(tuple(blocks), _explicit(blocks, coordinates))
+            order = SolutionOrder(tuple(blocks), _explicit(blocks, coordinates))
             roots, failing = _tried(order, fresh)
             if failing is None:
                 if coordinates and any(u not in coordinates for b in blocks for u in b.unknowns):
                     # x = 0 with x = a fixes the parameter a: a contradiction for all but one a.
                     return None if contradiction(constraints, coordinates, fresh) else replace(order, roots=roots)
                 return replace(order, roots=roots)
+            # A block that is solvable on its own may fail where the earlier ones hold: never again, and search anew.
             search.banned.add(failing)
     except (UnsupportedError, DivisionByZeroError):
         pass
@@ -124,15 +128,16 @@ def triangular_order(constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Sy
 
 
 def contradiction(constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], fresh: Fresh) -> Places:
-    """Places of constraints that exclude one another, none to spare, or () if none were found."""
+    """Places of a minimal set of constraints that exclude one another, or () if none was found."""
 
     def excluded(places: Sequence[int]) -> bool:
-        return _contradicts(Block(tuple(constraints[n] for n in places), tuple(coordinates)), fresh)
+        return _contradicts(SolvedBlock(tuple(constraints[n] for n in places), tuple(coordinates)), fresh)
 
     places = list(range(len(constraints)))
     try:
         if not excluded(places):
             return ()
+        # Without any that is not needed: the ones reported are all to blame.
         for n in list(places):
             fewer = [m for m in places if m != n]
             if excluded(fewer):
@@ -142,7 +147,7 @@ def contradiction(constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbo
     return tuple(places)
 
 
-def _explicit(blocks: Sequence[Block], coordinates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+def _explicit(blocks: Sequence[SolvedBlock], coordinates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """s = E for the coordinates that occur linearly in their constraint, as far as E is short."""
     rules: dict[sp.Symbol, sp.Expr] = {}
     for block in blocks:
@@ -153,14 +158,14 @@ def _explicit(blocks: Sequence[Block], coordinates: Sequence[sp.Symbol]) -> dict
         if slope == 0 or slope.has(s):
             continue
         value = (-f.xreplace({s: sp.S.Zero}) / slope).xreplace(rules)
-        if value.count_ops() <= _LONGEST_RULE:
+        if value.count_ops() <= LONGEST_RULE:
             rules[s] = value
     return rules
 
 
-def _contradicts(block: Block, fresh: Fresh) -> bool:
+def _contradicts(block: SolvedBlock, fresh: Fresh) -> bool:
     graph = Graph()
-    for _ in range(TRIALS):
+    for _ in range(BLOCK_TRIALS):
         try:
             block.solve(fresh(graph))
         except ContradictoryError:
@@ -173,20 +178,21 @@ def _contradicts(block: Block, fresh: Fresh) -> bool:
     return False
 
 
-def _tried(order: Order, fresh: Fresh) -> tuple[int, Block | None]:
+def _tried(order: SolutionOrder, fresh: Fresh) -> tuple[int, SolvedBlock | None]:
     """How many roots drawing a point takes, and the block at which it always fails, if one does."""
+    # The block at which the luckiest draw failed is to blame: those before it have been solved.
     graph = Graph(order.rules)
     furthest = 0
     for _ in range(DRAWS):
         try:
             return order.solved(fresh(graph))[1], None
-        except FailedError as failure:
+        except UnsolvedBlockError as failure:
             furthest = max(furthest, failure.block)
     return 0, order.blocks[furthest]
 
 
-class _Search:
-    """Takes away constraints from the end."""
+class _OrderSearch:
+    """Removes constraints from the end."""
 
     def __init__(
         self, graph: Graph, constraints: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], fresh: Fresh
@@ -196,31 +202,32 @@ class _Search:
         self.coordinates = coordinates
         self.fresh = fresh
         self.nodes = [graph.node(f) for f in constraints]
-        self.banned: set[Block] = set()
+        self.banned: set[SolvedBlock] = set()
         self._tried = 0
 
-    def peeled(self) -> list[Block] | None:
+    def peeled(self) -> list[SolvedBlock] | None:
         """Blocks that were solvable each on its own."""
         remaining = list(range(len(self.nodes)))
-        blocks: list[Block] = []
+        blocks: list[SolvedBlock] = []
         while remaining:
-            found = self._last_block(remaining)
-            if found is None:
+            last = self._last_block(remaining)
+            if last is None:
                 return None
-            places, block = found
+            places, block = last
             blocks.append(block)
             remaining = [n for n in remaining if n not in places]
         return blocks[::-1]
 
-    def _last_block(self, remaining: list[int]) -> tuple[Places, Block] | None:
+    def _last_block(self, remaining: list[int]) -> tuple[Places, SolvedBlock] | None:
         """As few constraints as possible, with as many unknowns that occur in them alone."""
-        sizes = list(range(1, min(len(remaining), _LARGEST_BLOCK) + 1))
-        if len(remaining) > _LARGEST_BLOCK:
+        # The smaller the block, the fewer its roots and the surer its solution. All that remain at once come last.
+        sizes = list(range(1, min(len(remaining), LARGEST_BLOCK) + 1))
+        if len(remaining) > LARGEST_BLOCK:
             sizes.append(len(remaining))
         for size in sizes:
-            found = self._best(self._candidates(remaining, size, self._coordinates))
-            if found:
-                return found
+            block = self._best(self._candidates(remaining, size, self._coordinates))
+            if block:
+                return block
         return self._best(self._candidates(remaining, 1, self._parameters)) or self._best(
             self._candidates(remaining, 1, self._functions)
         )
@@ -232,30 +239,31 @@ class _Search:
             others = [n for n in remaining if n not in places]
             inside = {u: None for n in places for u in unknowns(n)}
             own = [u for u in inside if not any(self._has(n, u) for n in others)]
-            # Fewer unknowns than constraints will do where constraints are redundant: tried on all that are
+            # Fewer unknowns than constraints suffice where constraints are redundant: tried on all that are
             # left, and on a constraint without coordinates, which may be an identity.
             if len(own) >= size or not others or not inside:
-                for chosen in islice(combinations(own, min(size, len(own))), _CHOICES_OF_UNKNOWNS):
+                for chosen in islice(combinations(own, min(size, len(own))), CHOICES_OF_UNKNOWNS):
                     yield places, chosen
 
-    def _best(self, candidates: Iterator[tuple[Places, Unknowns]]) -> tuple[Places, Block] | None:
+    def _best(self, candidates: Iterator[tuple[Places, Unknowns]]) -> tuple[Places, SolvedBlock] | None:
         """The first that is linear, else the first that is solved at all."""
-        best: tuple[Places, Block] | None = None
+        best: tuple[Places, SolvedBlock] | None = None
         for places, unknowns in candidates:
-            block = Block(tuple(self.constraints[n] for n in places), unknowns)
-            if block in self.banned or self._tried >= _MOST_TRIED:
+            block = SolvedBlock(tuple(self.constraints[n] for n in places), unknowns)
+            if block in self.banned or self._tried >= MOST_TRIED_BLOCKS:
                 continue
             self._tried += 1
             roots = self._roots_needed(block)
+            # Without a root there is one branch, and every point is admissible.
             if roots == 0:
                 return places, block
             if roots is not None and best is None:
                 best = places, block
         return best
 
-    def _roots_needed(self, block: Block) -> int | None:
+    def _roots_needed(self, block: SolvedBlock) -> int | None:
         """How many roots a block takes, tried where no other constraint is satisfied; None: not solved."""
-        for _ in range(TRIALS):
+        for _ in range(BLOCK_TRIALS):
             try:
                 return block.solve(self.fresh(self.graph))
             except InadmissibleError:

@@ -1,1 +1,1 @@
-""""""
+"""Differential forms: exactness, integrability (Frobenius), integrating factors, hidden finite relations."""

@@ -1,8 +1,11 @@
 """One form as a combination of others: ω = Σ c_j ω_j, with functions c_j of the configuration.
 
-That there is such a combination, and which of the ω_j it needs, is read off at random points of the constraint surface.
-The c_j are then found from as many columns as forms are needed, by Cramer's rule; constants directly. Every column is
-verified on the surface. What would be too long to be read is not worked out: then the c_j are None.
+Whether there is such a combination, and which of the ω_j it needs, is read off at random points of the constraint
+surface. The c_j follow from as many columns as forms are needed, by Cramer's rule; constants are reconstructed directly
+from their residues. Every column is verified on the surface. What would be too long to read is not worked out: then the
+result is None.
+
+Shapes: ω (n,), ω_j (m, n), c (m,).
 """
 
 from __future__ import annotations
@@ -11,12 +14,10 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
-from lagrange.algebra.fourier.textbook import textbook_form
-
-MOST_FORMS = 3
-MOST_OPERATIONS = 60
-LONGEST = 60
+from lagrange.algebra.exact.points_needed import ZERO_POINTS
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
+from lagrange.algebra.forms.limits import LARGEST_COMBINED, LONGEST_COMBINATION, MOST_COMBINED_FORMS
+from lagrange.algebra.fourier.textbook_form import textbook_form
 
 Form = Sequence[sp.Expr]
 Combination = tuple[sp.Expr, ...]
@@ -28,25 +29,26 @@ def combination(form: Form, others: Sequence[Form], surface: Surface) -> Combina
     form (n,), others (m, n) of rank m.
     """
     try:
-        found = surface.sampled(lambda point: _values(point, form, others), 2)
-        if any(values is None for values in found):
+        values_at_points = surface.sampled(lambda point: _values(point, form, others), ZERO_POINTS)
+        if any(values is None for values in values_at_points):
             return None
-        needed = [j for j in range(len(others)) if any(values and values[j] for values in found)]
-        numbers = surface.sampled(lambda point: _rational(point, form, others), 2)
+        needed = [j for j in range(len(others)) if any(values and values[j] for values in values_at_points)]
+        # The same small fractions at two points: the c_j are constants, and no determinant is needed.
+        numbers = surface.sampled(lambda point: _rational(point, form, others), ZERO_POINTS)
         constant = numbers[0] if numbers[0] == numbers[1] else None
         candidate = constant or _by_cramer(form, others, needed, surface)
         if candidate is None or not _holds(candidate, form, others, surface):
             return None
     except (DivisionByZeroError, NoPointError, UnsupportedError):
         return None
-    return candidate if sum(c.count_ops() for c in candidate) <= LONGEST else None
+    return candidate if sum(c.count_ops() for c in candidate) <= LONGEST_COMBINATION else None
 
 
 def _values(point: Point, form: Form, others: Sequence[Form]) -> list[object] | None:
     """The values of the c_j at a point."""
     rows = point.matrix(others)
-    found = point.solution([list(column) for column in zip(*rows, strict=True)], point.values(form))
-    return None if found is None else [None if point.arithmetic.vanishes(c) else c for c in found]
+    solution = point.solution([list(column) for column in zip(*rows, strict=True)], point.values(form))
+    return None if solution is None else [None if point.arithmetic.vanishes(c) else c for c in solution]
 
 
 def _rational(point: Point, form: Form, others: Sequence[Form]) -> Combination | None:
@@ -59,7 +61,7 @@ def _rational(point: Point, form: Form, others: Sequence[Form]) -> Combination |
 
 
 def _by_cramer(form: Form, others: Sequence[Form], needed: Sequence[int], surface: Surface) -> Combination | None:
-    if not 0 < len(needed) <= MOST_FORMS:
+    if not 0 < len(needed) <= MOST_COMBINED_FORMS:
         return None
     rows = [others[j] for j in needed]
     columns = independent_columns(rows, surface, form)
@@ -67,15 +69,15 @@ def _by_cramer(form: Form, others: Sequence[Form], needed: Sequence[int], surfac
         return None
     matrix = sp.Matrix([[row[k] for row in rows] for k in columns])
     right = sp.Matrix([form[k] for k in columns])
-    if sum(e.count_ops() for e in (*matrix, *right)) > MOST_OPERATIONS:
+    if sum(e.count_ops() for e in (*matrix, *right)) > LARGEST_COMBINED:
         return None
     below = textbook_form(matrix.det(method="berkowitz"))
-    found = [sp.S.Zero] * len(others)
+    coefficients = [sp.S.Zero] * len(others)
     for n, j in enumerate(needed):
         replaced = matrix.copy()
         replaced[:, n] = right
-        found[j] = _lowest(textbook_form(replaced.det(method="berkowitz")), below)
-    return tuple(found)
+        coefficients[j] = _lowest(textbook_form(replaced.det(method="berkowitz")), below)
+    return tuple(coefficients)
 
 
 def independent_columns(rows: Sequence[Form], surface: Surface, beside: Form = ()) -> list[int]:

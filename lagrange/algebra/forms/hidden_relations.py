@@ -1,13 +1,13 @@
-"""The finite relations that constraints hide, shown by none of them alone.
+"""Finite relations implied by several constraints together and shown by none of them alone.
 
-The derived flag (`flags`) says how many finite relations the constraints hold together. Two wheels on an axle that do
-not slip, for instance, hold one, though each of the three constraints is nonintegrable:
+The derived flag (`derived_flag`) counts how many finite relations the constraints imply together. Two wheels on an axle
+that do not slip, for instance, imply one, though each of the three constraints is nonintegrable:
 
-    x' cos θ + y' sin θ + b θ' = R φ1',   x' cos θ + y' sin θ - b θ' = R φ2'   =>   R (φ1 - φ2) - 2 b θ = const.
+    x' cos θ + y' sin θ + b θ' = R φ1',   x' cos θ + y' sin θ − b θ' = R φ2'   =>   R (φ1 − φ2) − 2 b θ = const.
 
 A relation φ = const holds where dφ = Σ c_j ω_j. Candidates for φ are the combinations of a bounded dictionary
-(`candidates`, `first_integrals`). Each one found is verified exactly: dφ is in the row space of the forms, and
-independent of the relations already known. What the dictionary does not hold is counted and not guessed.
+(`first_integrals`). Each one found is verified exactly: dφ is in the row space of the forms, and independent of the
+relations already known. Relations outside the dictionary are counted and not guessed.
 """
 
 from __future__ import annotations
@@ -17,12 +17,18 @@ from math import lcm
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, Surface, UnsupportedError
-from lagrange.algebra.forms.candidates import candidates
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, UnsupportedError
 from lagrange.algebra.forms.combinations import Combination, combination
-from lagrange.algebra.forms.first_integrals import NoTrialError, Space, Trial, coefficients, combined
-from lagrange.algebra.forms.potentials import cleared, differentiated
-from lagrange.algebra.fourier.common_factor import normalised
+from lagrange.algebra.forms.exact_forms import cleared, differentiated
+from lagrange.algebra.forms.first_integrals import (
+    NoTrialError,
+    SampledForms,
+    Trial,
+    coefficients,
+    combined,
+    integral_candidates,
+)
+from lagrange.algebra.fourier.terms import normalised
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, t
 
@@ -74,37 +80,39 @@ def hidden_relations(
     if before is None:
         return HiddenRelations(missing=None)
     wanted = (integrable_rank if integrable_rank is not None else len(forms) if most is None else most) - before
-    found: list[HiddenRelation] = []
+    relations: list[HiddenRelation] = []
     if wanted > 0 and forms:
         try:
             for function in _proposed(forms, known, surface, slots):
-                relation = _verified(function, forms, [*known, *(r.differential for r in found)], surface, slots)
+                relation = _verified(function, forms, [*known, *(r.differential for r in relations)], surface, slots)
                 if relation is not None:
-                    found.append(relation)
-                if len(found) == wanted:
+                    relations.append(relation)
+                if len(relations) == wanted:
                     break
         except (NoTrialError, UnsupportedError, DivisionByZeroError):
             pass
-    return HiddenRelations(tuple(found), None if integrable_rank is None else max(wanted, 0) - len(found))
+    return HiddenRelations(tuple(relations), None if integrable_rank is None else max(wanted, 0) - len(relations))
 
 
 def _proposed(forms: Sequence[Form], known: Sequence[Form], surface: Surface, slots: Slots) -> Iterator[sp.Expr]:
     """Functions that seem to stay constant, the simplest first. Numbers such as π are taken for parameters."""
+    # The coefficients are interpolated with rational numbers: π or √2 takes part as a parameter, and is put back.
     numbers = _irrational_numbers([a for form in (*forms, *known, surface.constraints) for a in form])
     back = {symbol: number for number, symbol in numbers.items()}
     if numbers:
         forms = [tuple(a.xreplace(numbers) for a in form) for form in forms]
         known = [tuple(a.xreplace(numbers) for a in form) for form in known]
         surface = Surface([f.xreplace(numbers) for f in surface.constraints], surface.coordinates)
+    # Points solved for a parameter would not keep the values of the parameters that a trial is about.
     order = surface.order
     if order is None or any(u not in slots.coordinates for block in order.blocks for u in block.unknowns):
         return
-    space = Space(forms, order, surface, slots)
+    space = SampledForms(forms, order, surface, slots)
     for form in known:
         space.know(form)
     tried: set[tuple[int, ...]] = set()
     read = 0
-    for stage in candidates(forms, slots, order.rules):
+    for stage in integral_candidates(forms, slots, order.rules):
         for function in stage[read:]:
             space.add(function)
         read = len(stage)
@@ -115,28 +123,29 @@ def _proposed(forms: Sequence[Form], known: Sequence[Form], surface: Surface, sl
             tried.add(tuple(values))
             constants = coefficients(space, trial, values)
             if constants is not None:
-                function = _written(combined(space.functions, constants), slots)
+                function = _as_written(combined(space.functions, constants), slots)
+                # Known from here on: what comes next must be independent of it.
                 yield function.xreplace(back)
                 space.know(differential_of(function, slots))
 
 
 def _irrational_numbers(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
     """A symbol for each number such as π or √2 that is a factor, and not inside a function."""
-    found: dict[sp.Expr, sp.Expr] = {}
+    symbols: dict[sp.Expr, sp.Expr] = {}
 
     def visit(e: sp.Expr) -> None:
         if e.is_number:
             for factor in sp.Mul.make_args(e):
                 base = factor.as_base_exp()[0] if factor.is_Pow and factor.exp.is_Integer else factor
                 if not base.is_Rational and base.is_positive and (base is sp.pi or base.is_Pow):
-                    found[base] = sp.Dummy("number", positive=True)
+                    symbols[base] = sp.Dummy("number", positive=True)
         elif e.is_Add or e.is_Mul or (e.is_Pow and e.exp.is_Integer):
             for a in e.args:
                 visit(a)
 
     for e in expressions:
         visit(e)
-    return found
+    return symbols
 
 
 def _verified(
@@ -156,11 +165,11 @@ def differential_of(function: sp.Expr, slots: Slots) -> Form:
     return tuple(differentiated(function, v, slots) for v in (*slots.coordinates, t))
 
 
-def _written(function: sp.Expr, slots: Slots) -> sp.Expr:
+def _as_written(function: sp.Expr, slots: Slots) -> sp.Expr:
     """Without a common factor; x y² for (log x)/2 + log y."""
     tidied = normalised(cleared(function, (*slots.coordinates, t), slots), slots.coordinates)
     parts = [term.as_coeff_Mul() for term in sp.Add.make_args(tidied)]
     if all(isinstance(f, sp.log) and n.is_Rational for n, f in parts):
-        whole = lcm(*(int(n.q) for n, _ in parts))
-        return sp.Mul(*(f.args[0].replace(sp.Abs, lambda a: a) ** (n * whole) for n, f in parts))
+        denominator = lcm(*(int(n.q) for n, _ in parts))
+        return sp.Mul(*(f.args[0].replace(sp.Abs, lambda a: a) ** (n * denominator) for n, f in parts))
     return tidied

@@ -1,17 +1,17 @@
-"""Which constraints are finite relations in disguise.
+"""Integrability: which constraints are finite relations in disguise.
 
-A form ω = Σ a_i dq_i + a_t dt (t counts as a coordinate here) is exact if ∂a_i/∂q_k = ∂a_k/∂q_i for all
-pairs, and then ω = df. It is integrable if ω = μ df, and by Frobenius' theorem it is so just when
+A form ω = Σ a_i dq_i + a_t dt (t counts as a coordinate here) is exact if ∂a_i/∂q_k = ∂a_k/∂q_i for all pairs, and then
+ω = df. It is integrable if ω = μ df; by Frobenius' theorem this holds if and only if
 
     ω ∧ dω = Σ_{i<j<k} c_ijk dq_i ∧ dq_j ∧ dq_k = 0,
-    c_ijk = a_i (∂_j a_k - ∂_k a_j) + a_j (∂_k a_i - ∂_i a_k) + a_k (∂_i a_j - ∂_j a_i).
+    c_ijk = a_i (∂_j a_k − ∂_k a_j) + a_j (∂_k a_i − ∂_i a_k) + a_k (∂_i a_j − ∂_j a_i).
 
-Exact implies integrable; y dx - x dy shows that the converse fails. Several constraints may hide finite
-relations that none of them shows: the derived flag counts them (see `flags`).
+Exact implies integrable; y dx − x dy shows that the converse fails. Several constraints may imply finite relations that
+none of them shows: the derived flag counts them (`derived_flag`).
 
-Geometric constraints hold at all times, so that ranks and Frobenius' condition are taken on their surface:
-with z = 0 the form dx + y z du is dx. There, at a generic point in a prime field, the surface is written as
-a graph over part of the coordinates, all as jets, and the forms are pulled back to it.
+Geometric constraints hold at all times, so that ranks and Frobenius' condition are taken on their surface: with z = 0
+the form dx + y z du is dx. There, at a generic point in a prime field, the surface is written as a graph over some of
+the coordinates, all as jets, and the forms are pulled back to it.
 """
 
 from __future__ import annotations
@@ -22,27 +22,39 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError, is_zero
-from lagrange.algebra.exact.graph import SIGNED
-from lagrange.algebra.forms.charts import SingularSurfaceError, chart, independent_constraints, pulled_back
-from lagrange.algebra.forms.flags import Distribution, derived, kernel
-from lagrange.algebra.forms.jets import BITS, Jet, Ring, WorkLimitError, constant_term
-from lagrange.algebra.forms.potentials import differentiated
-from lagrange.algebra.forms.taylor import NoExpansionError
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.exact.expression_graph import SIGNED
+from lagrange.algebra.exact.points_needed import (
+    FLAG_POINTS,
+    FLAG_POINTS_AFTER_ROOTS,
+    FLAG_POINTS_WITH_SIGNS,
+    FLAG_REAL_POINTS,
+    FLAG_REAL_POINTS_WITH_SIGNS,
+)
+from lagrange.algebra.exact.zero_test import (
+    DivisionByZeroError,
+    NoPointError,
+    Point,
+    Surface,
+    UnsupportedError,
+    is_zero,
+)
+from lagrange.algebra.forms.derived_flag import (
+    Distribution,
+    SingularSurfaceError,
+    chart,
+    derived,
+    independent_constraints,
+    kernel,
+    pulled_back,
+)
+from lagrange.algebra.forms.exact_forms import differentiated
+from lagrange.algebra.forms.jets import BITS, Jet, JetRing, NoExpansionError, WorkLimitError, constant_term
+from lagrange.algebra.forms.limits import FLAG_WORK, HIGHEST_FLAG_ORDER, LONGEST_TIDIED_COMPONENT, LONGEST_TIDIED_FORM
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots
 
 T = TypeVar("T")
-
-HIGHEST_ORDER = 10
-WORK_LIMIT = 6_000_000
-POINTS = 2
-ROOT_POINTS = 8
-BRANCH_POINTS = 20
-REAL_POINTS = 4
-LONGEST_TIDIED = 60
-LONGEST_FORM = 40
 
 
 @record
@@ -60,12 +72,12 @@ class Flag:
 
     @property
     def bound(self) -> int | None:
-        """What `integrable_rank` is at most, None where nothing is known."""
+        """An upper bound of `integrable_rank`, None where nothing is known."""
         return self.ranks[-1] if self.ranks else None
 
 
 @record
-class Comparison:
+class PartialsComparison:
     """∂a/∂k = ∂b/∂i, for the coefficients a of di and b of dk; `equal` is None where it is undecided."""
 
     variables: tuple[sp.Symbol, sp.Symbol]
@@ -76,19 +88,19 @@ class Comparison:
 
 @record
 class Exactness:
-    """All pairs of partial derivatives of one form; `exact` is None where it hangs on an undecided pair."""
+    """All pairs of partial derivatives of one form; `exact` is None where it depends on an undecided pair."""
 
-    comparisons: tuple[Comparison, ...]
+    comparisons: tuple[PartialsComparison, ...]
     exact: bool | None
 
     @property
-    def differing(self) -> tuple[Comparison, ...]:
+    def differing(self) -> tuple[PartialsComparison, ...]:
         """The pairs that differ."""
         return tuple(c for c in self.comparisons if c.equal is False)
 
 
 @record
-class Component:
+class WedgeComponent:
     """One component of ω ∧ dω: the coefficient of da ∧ db ∧ dc; `nonzero` is None where it is undecided."""
 
     variables: tuple[sp.Symbol, sp.Symbol, sp.Symbol]
@@ -107,31 +119,33 @@ def exactness(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Sl
             continue
         left, right = differentiated(a, r, slots), differentiated(b, q, slots)
         equal = True if left == right else _compared(left - right)
-        comparisons.append(Comparison((q, r), (a, b), (left, right), equal))
+        comparisons.append(PartialsComparison((q, r), (a, b), (left, right), equal))
     return Exactness(tuple(comparisons), _all(c.equal for c in comparisons))
 
 
-def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> tuple[Component, ...]:
+def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> tuple[WedgeComponent, ...]:
     """The components of ω ∧ dω, in the order of the variables; those written as 0 are left out."""
     components = []
-    written = writer(form)
+    write = writer(form)
     indices = range(len(form))
     d = {(i, j): differentiated(form[j], variables[i], slots) for i in indices for j in indices if i != j}
     for i, j, k in combinations(indices, 3):
         cyclic = ((i, j, k), (j, k, i), (k, i, j))
-        coefficient = written(sp.Add(*(form[a] * (d[b, c] - d[c, b]) for a, b, c in cyclic)))
+        coefficient = write(sp.Add(*(form[a] * (d[b, c] - d[c, b]) for a, b, c in cyclic)))
         if coefficient != 0:
             zero = _compared(coefficient)
             triple = (variables[i], variables[j], variables[k])
-            components.append(Component(triple, coefficient, None if zero is None else not zero))
+            components.append(WedgeComponent(triple, coefficient, None if zero is None else not zero))
     return tuple(components)
 
 
 def writer(form: Sequence[sp.Expr]) -> Callable[[sp.Expr], sp.Expr]:
-    """How components of ω ∧ dω are written: in textbook form, unless that would be too long for anybody to read."""
-    if sum(a.count_ops() for a in form) > LONGEST_FORM:
+    """How components of ω ∧ dω are written: in textbook form, unless that would be too long to read."""
+    if sum(a.count_ops() for a in form) > LONGEST_TIDIED_FORM:
         return lambda coefficient: coefficient
-    return lambda coefficient: textbook_form(coefficient) if coefficient.count_ops() <= LONGEST_TIDIED else coefficient
+    return lambda coefficient: (
+        textbook_form(coefficient) if coefficient.count_ops() <= LONGEST_TIDIED_COMPONENT else coefficient
+    )
 
 
 def derived_flag(
@@ -139,8 +153,8 @@ def derived_flag(
     slots: Slots,
     geometric: Sequence[sp.Expr] | Surface = (),
     *,
-    highest_order: int = HIGHEST_ORDER,
-    work_limit: int = WORK_LIMIT,
+    highest_order: int = HIGHEST_FLAG_ORDER,
+    work_limit: int = FLAG_WORK,
 ) -> Flag:
     """The derived flag of all constraints together, at generic points of the geometric ones.
 
@@ -158,11 +172,12 @@ def derived_flag(
         nonlocal left
         if not rows:
             return Flag((len(finite),), len(finite))
-        ring = Ring(point.arithmetic, left)
+        ring = JetRing(point.arithmetic, left)
         try:
             flag = _flag_at(ring, point, rows, slots, finite, highest_order)
         finally:
             left -= ring.work
+        # A limit of order or work is reached at every generic point alike: no need to try another one.
         if flag.integrable_rank is None:
             raise _OpenFlagError(flag)
         return flag
@@ -183,16 +198,16 @@ def is_integrable(form: Sequence[sp.Expr], slots: Slots, geometric: Sequence[sp.
     omega = [sp.sympify(a, strict=True) for a in form]
 
     def at(point: Point, finite: Sequence[sp.Expr]) -> bool | None:
-        ring = Ring(point.arithmetic, WORK_LIMIT)
-        there = chart(ring, point, finite, slots, 2 if finite else 1)
-        (row,) = pulled_back(ring, there, [omega])
-        return _is_frobenius(ring, row, there.free)
+        ring = JetRing(point.arithmetic, FLAG_WORK)
+        local = chart(ring, point, finite, slots, 2 if finite else 1)
+        (row,) = pulled_back(ring, local, [omega])
+        return _is_frobenius(ring, row, local.free)
 
     return _agreed(at, omega, surface, slots, lambda _: None)
 
 
 def _flag_at(
-    ring: Ring,
+    ring: JetRing,
     point: Point,
     forms: Sequence[Sequence[sp.Expr]],
     slots: Slots,
@@ -200,33 +215,35 @@ def _flag_at(
     highest_order: int,
 ) -> Flag:
     """The flag at one point, with as high an order as it takes."""
+    # The order needed is not known beforehand, and the work grows steeply with it: so the lowest that decides.
     best: list[int] = []
     for order in range(1, highest_order + 1):
-        found: list[int] = []
+        ranks: list[int] = []
         try:
-            there = chart(ring, point, geometric, slots, order + 1 if geometric else order)
-            d: Distribution | None = kernel(ring, pulled_back(ring, there, forms), there.free, order)
+            # Pulling back differentiates the chart, which costs one order.
+            local = chart(ring, point, geometric, slots, order + 1 if geometric else order)
+            d: Distribution | None = kernel(ring, pulled_back(ring, local, forms), local.free, order)
             while d is not None:
-                found.append(len(there.graph) + len(d.bound))
-                if len(found) > 1 and found[-2] == found[-1]:
-                    return Flag(tuple(found[:-1]), found[-1])
+                ranks.append(len(local.graph) + len(d.bound))
+                if len(ranks) > 1 and ranks[-2] == ranks[-1]:
+                    return Flag(tuple(ranks[:-1]), ranks[-1])
                 d = derived(ring, d)
         except WorkLimitError:
-            best = found if len(found) > len(best) else best
+            best = ranks if len(ranks) > len(best) else best
             return Flag(tuple(best), None, "the computation would be too large")
-        best = found
+        best = ranks
     return Flag(tuple(best), None, f"brackets of more than {highest_order} levels would be needed")
 
 
 class _OpenFlagError(Exception):
-    """A flag that a limit left open; no other point would do better."""
+    """A flag that a limit left undecided; no other point would do better."""
 
     def __init__(self, flag: Flag) -> None:
         super().__init__(flag.reason)
         self.flag = flag
 
 
-def _is_frobenius(ring: Ring, row: Sequence[Jet], free: Sequence[int]) -> bool:
+def _is_frobenius(ring: JetRing, row: Sequence[Jet], free: Sequence[int]) -> bool:
     """Whether ω ∧ dω = 0 at the point, from the first-order jets of ω."""
     a = [constant_term(jet) for jet in row]
     rates = [[jet[1].get(1 << BITS * k, 0) for jet in row] for k in free]
@@ -248,6 +265,7 @@ def _beyond(
     constraints: Sequence[sp.Expr], rows: Sequence[tuple[sp.Expr, ...]], slots: Slots
 ) -> list[tuple[sp.Expr, ...]]:
     """The rows that are not written as the differential of a geometric constraint."""
+    # On the surface df vanishes identically: such rows are counted with the surface, not again.
     known = set()
     for f in constraints:
         symbols = f.free_symbols
@@ -263,18 +281,19 @@ def _agreed(
     slots: Slots,
     undecided: Callable[[str], T],
 ) -> T:
-    """What random points say if all say the same; a real one too where expressions are branches or opaque."""
+    """The common answer of random points, if they agree; of real ones too where values have branches or are opaque."""
     everything = (*surface.constraints, *expressions)
     try:
+        # A jet takes its roots and signs from the point, on one branch: ranks may differ between branches.
         marks = {surface.graph.marks[surface.graph.node(e)] for e in everything}
         signs = any(isinstance(s, Sign) for e in everything for s in e.free_symbols)
         branches = signs or any(mark & SIGNED for mark in marks)
-        count = BRANCH_POINTS if branches else ROOT_POINTS if _has_roots(surface) else POINTS
+        count = FLAG_POINTS_WITH_SIGNS if branches else FLAG_POINTS_AFTER_ROOTS if _has_roots(surface) else FLAG_POINTS
         finite = independent_constraints(surface, slots)
-        found = surface.sampled(lambda point: evaluate(point, finite), count if expressions else 1)
+        results = surface.sampled(lambda point: evaluate(point, finite), count if expressions else 1)
         if surface.exact and any(marks):
-            reals = REAL_POINTS if branches else 1
-            found += surface.sampled(lambda point: evaluate(point, finite), reals, real=True)
+            reals = FLAG_REAL_POINTS_WITH_SIGNS if branches else FLAG_REAL_POINTS
+            results += surface.sampled(lambda point: evaluate(point, finite), reals, real=True)
     except (UnsupportedError, NoExpansionError) as error:
         return undecided(f"there is no Taylor series of {error}")
     except (NoPointError, DivisionByZeroError):
@@ -283,8 +302,8 @@ def _agreed(
         return undecided("the geometric constraints are not regular where they hold")
     except WorkLimitError:
         return undecided("the computation would be too large")
-    if all(other == found[0] for other in found):
-        return found[0]
+    if all(other == results[0] for other in results):
+        return results[0]
     return undecided("different points of the constraint surface give different answers")
 
 

@@ -4,11 +4,11 @@ A form may be integrable on a surface only: there it is a form in fewer coordina
 solved,
 
     linear in a coordinate q:             q = E, with E free of q
-    p and q on a circle:                  (p - α)² + (q - β)² = ρ²,    p = α + ρ cos ψ,    q = β + ρ sin ψ
+    p and q on a circle:                  (p − α)² + (q − β)² = ρ²,    p = α + ρ cos ψ,    q = β + ρ sin ψ
 
-with α, β, ρ that do not contain p and q (a sphere is a circle whose ρ depends on z), and the differentials dE, dα +
-cos ψ dρ - ρ sin ψ dψ, dβ + sin ψ dρ + ρ cos ψ dψ are put into the form. What is found there is written in the old
-coordinates again.
+with α, β, ρ that do not contain p and q (a sphere is a circle whose ρ depends on z). The differentials dE,
+dα + cos ψ dρ − ρ sin ψ dψ and dβ + sin ψ dρ + ρ cos ψ dψ are substituted into the form, and the relation that is found
+is written in the old coordinates again.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, Surface, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
+from lagrange.algebra.forms.exact_forms import differentiated
 from lagrange.algebra.forms.factor_candidates import is_small
+from lagrange.algebra.forms.factor_methods import shortened
 from lagrange.algebra.forms.integrability import is_integrable
 from lagrange.algebra.forms.integrating_factors import IntegratingFactor, integrating_factor
-from lagrange.algebra.forms.one_variable import shortened
-from lagrange.algebra.forms.potentials import differentiated
+from lagrange.algebra.forms.limits import LARGEST_SOLVED_CONSTRAINT
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, t
 
-LARGEST = 60
 ANGLES = ("psi", "chi", "eta", "zeta")
 
 
 @record
-class Angle:
+class PolarAngle:
     """ψ with p - α = ρ cos ψ, q - β = ρ sin ψ."""
 
     symbol: sp.Symbol
@@ -55,14 +55,14 @@ class Angle:
 class Restriction:
     """A form on the surface of geometric constraints.
 
-    rules      what the coordinates are that were replaced
-    angles     that were introduced
+    rules      the coordinates that were replaced, with their values
+    angles     those introduced
     form       the coefficients, shape (k,), of the differentials of `variables` (k,)
     slots      with the coordinates that are left
     """
 
     rules: tuple[tuple[sp.Symbol, sp.Expr], ...]
-    angles: tuple[Angle, ...]
+    angles: tuple[PolarAngle, ...]
     form: tuple[sp.Expr, ...]
     variables: tuple[sp.Symbol, ...]
     slots: Slots
@@ -82,14 +82,15 @@ def restriction(form: Sequence[sp.Expr], geometric: Sequence[sp.Expr], slots: Sl
     """
     left = slots
     rules: dict[sp.Symbol, sp.Expr] = {}
-    angles: list[Angle] = []
+    angles: list[PolarAngle] = []
     for f in geometric:
-        there = f.xreplace(rules)
+        constraint = f.xreplace(rules)
         names = {s.name for e in (*form, *geometric) for s in e.free_symbols} | {q.name for q in left.coordinates}
-        found = _linear(there, left) or _circle(there, left, names)
-        if found is None:
+        solution = _linear(constraint, left) or _circle(constraint, left, names)
+        if solution is None:
             continue
-        solved, angle = found
+        solved, angle = solution
+        # Earlier rules may contain a coordinate that is replaced only now.
         rules = {q: e.xreplace(solved) for q, e in rules.items()} | dict(solved)
         kept = [q for q in left.coordinates if q not in solved]
         if angle is not None:
@@ -134,31 +135,33 @@ class FiniteForm:
 
 
 def finite_form(form: Sequence[sp.Expr], surface: Surface, slots: Slots) -> FiniteForm | None:
-    """A factor for a form, or for what it is on the surface of the geometric constraints; None: not found.
+    """A factor for a form, or for its restriction to the geometric constraints; None: not found.
 
     form     (n + 1,) coefficients of dq_1 ... dq_n, dt
     surface  where the geometric constraints hold
     """
     geometric = surface.constraints
     if not geometric or is_integrable(form, slots):
-        found = integrating_factor(form, (*slots.coordinates, t), slots)
-        if found is not None and _is_valid(found, surface):
-            return FiniteForm(found)
+        factor = integrating_factor(form, (*slots.coordinates, t), slots)
+        if factor is not None and _is_valid(factor, surface):
+            return FiniteForm(factor)
         if not geometric:
             return None
-    there = restriction(form, geometric, slots)
-    if there is None or not is_integrable(there.form, there.slots):
+    restricted = restriction(form, geometric, slots)
+    if restricted is None or not is_integrable(restricted.form, restricted.slots):
         return None
-    found = integrating_factor(there.form, there.variables, there.slots, [a.symbol for a in there.angles])
-    return None if found is None else FiniteForm(found, there)
+    factor = integrating_factor(
+        restricted.form, restricted.variables, restricted.slots, [a.symbol for a in restricted.angles]
+    )
+    return None if factor is None else FiniteForm(factor, restricted)
 
 
-def _is_valid(found: IntegratingFactor, surface: Surface) -> bool:
+def _is_valid(factor: IntegratingFactor, surface: Surface) -> bool:
     """Whether the factor is finite and not 0 on the surface: with z = 0, 1/z is not."""
-    return all(surface.is_zero(g) is False for g in (*found.nonzero, *found.positive))
+    return all(surface.is_zero(g) is False for g in (*factor.nonzero, *factor.positive))
 
 
-Solved = tuple[Mapping[sp.Symbol, sp.Expr], Angle | None]
+Solved = tuple[Mapping[sp.Symbol, sp.Expr], PolarAngle | None]
 
 
 def _linear(f: sp.Expr, slots: Slots) -> Solved | None:
@@ -166,9 +169,10 @@ def _linear(f: sp.Expr, slots: Slots) -> Solved | None:
     best: tuple[tuple[bool, int], sp.Symbol, sp.Expr] | None = None
     for q in slots.coordinates:
         slope = sp.diff(f, q)
-        if q in slope.free_symbols or slope == 0 or sp.count_ops(f) > LARGEST:
+        if q in slope.free_symbols or slope == 0 or sp.count_ops(f) > LARGEST_SOLVED_CONSTRAINT:
             continue
         moving = bool(slope.free_symbols & {*slots.coordinates, t, *slots.prescribed})
+        # A slope of parameters alone excludes no configuration; one that moves excludes where it vanishes.
         rank = (moving, sp.count_ops(slope))
         if (best is None or rank < best[0]) and _is_nonzero(slope):
             best = rank, q, slope
@@ -197,7 +201,7 @@ def _circle(f: sp.Expr, slots: Slots, taken: set[str]) -> Solved | None:
         psi = sp.Symbol(name, real=True)
         rho = sp.sqrt(square)
         solved = {p: alpha + rho * sp.cos(psi), q: beta + rho * sp.sin(psi)}
-        return solved, Angle(psi, p - alpha, q - beta, rho)
+        return solved, PolarAngle(psi, p - alpha, q - beta, rho)
     return None
 
 

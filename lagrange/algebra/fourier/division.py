@@ -1,10 +1,13 @@
 """Exact division in the ring, and fractions brought over one denominator where that is shorter.
 
-With z = e^{iθ} an element is a Laurent polynomial with coefficients in Q(i), so that long division decides
-whether one element divides another: (M² - m² cos²θ) / (M - m cos θ) = M + m cos θ. A denominator is a
-negative power of a generator g with g^n = base, and powers that differ by multiples of n belong together:
+With z = e^{iθ} an element is a Laurent polynomial with coefficients in Q(i), so that long division decides whether one
+element divides another: (M² − m² cos²θ)/(M − m cos θ) = M + m cos θ. A denominator is a negative power of a generator g
+with g^n = base, and powers that differ by multiples of n belong together:
 
-    y'' + y² y''/(l² - y²)  =  l² y''/(l² - y²) .
+    y'' + y² y''/(l² − y²)  =  l² y''/(l² − y²) .
+
+Division by a single sine or cosine needs no polynomials: the frequencies v, v + 2w, v + 4w, ... form chains, and on
+each chain the divisor is z ± 1/z with z = e^{iw}, which synthetic division removes.
 """
 
 from __future__ import annotations
@@ -15,12 +18,9 @@ from typing import Any
 from sympy import QQ, QQ_I
 from sympy.polys.rings import PolyRing
 
-from lagrange.algebra.fourier.fourier import Element, Terms
-from lagrange.algebra.fourier.generators import Basis
-from lagrange.algebra.fourier.packing import lowest, pack, place, unpack
-
-LONGEST = 400  # products of terms: what is longer is not divided
-LONGEST_CHAIN = 64
+from lagrange.algebra.fourier.elements import Basis, Element, Terms
+from lagrange.algebra.fourier.limits import LARGEST_DIVISION, LONGEST_CHAIN
+from lagrange.algebra.fourier.polynomials import lowest, pack, place, unpack
 
 Complex = tuple[int, int]
 
@@ -29,9 +29,10 @@ def exact_quotient(dividend: Element, divisor: Element) -> Element | None:
     """dividend/divisor, or None if that is not in the ring (or too long to be tried)."""
     if divisor.is_monomial:
         return dividend / divisor
-    if not dividend or len(dividend) * len(divisor) > LONGEST:
+    if not dividend or len(dividend) * len(divisor) > LARGEST_DIVISION:
         return None
-    variables = _Variables(dividend, divisor)
+    # In e^{iθ} and not in sin θ, cos θ: these obey sin² + cos² = 1, and division with remainder would not be unique.
+    variables = _LaurentVariables(dividend, divisor)
     low, p = variables.polynomial(dividend)
     lower, q = variables.polynomial(divisor)
     quotient, remainder = p.div(q)
@@ -121,11 +122,12 @@ def over_one_denominator(element: Element) -> Element:
         base = element.basis.generators[index].base
         if base is not None and not base.is_monomial and any(place(m, index) < 0 for m, _ in joined.terms):
             joined = _joined(joined, index, base, element.basis.generators[index].order)
+    # Joining over one denominator may expose a common one with another: until nothing changes.
     return element if joined == element else over_one_denominator(joined)
 
 
 def as_fraction(element: Element) -> tuple[Element, int]:
-    """Numerator and (packed) denominator: symbols, sines and cosines, and what else does not make it longer.
+    """Numerator and (packed) denominator: symbols, sines, cosines, and anything else that does not lengthen it.
 
     R²/h² + 1 is (R² + h²)/h², but 1/(l² - y²) + 1 stays.
     """
@@ -170,6 +172,7 @@ def _joined(element: Element, index: int, base: Element, order: int) -> Element:
 def _class_joined(parts: dict[int, Element], index: int, base: Element, order: int) -> Element:
     """Σ part · g^exponent, the exponents equal modulo the order."""
     basis, least = base.basis, min(parts)
+    # Over the common denominator only if it cancels against the numerator or is no longer than the parts were.
     if least < 0:
         numerator = basis.total(part * base ** ((e - least) // order) for e, part in parts.items())
         numerator, joined = _shortened(numerator, base, least, order)
@@ -178,7 +181,7 @@ def _class_joined(parts: dict[int, Element], index: int, base: Element, order: i
     return basis.total(part * basis.power_of(index, e) for e, part in parts.items())
 
 
-class _Variables:
+class _LaurentVariables:
     """The generators and the exponentials e^{iθ} of two elements, as variables of a polynomial ring."""
 
     def __init__(self, *elements: Element) -> None:
@@ -195,6 +198,7 @@ class _Variables:
         for m, w, a, b in element.items():
             values[self._exponents(m, w)] = (a, -b)
             values[self._exponents(m, -w)] = (a, b) if w else (2 * a, b)
+        # A Laurent polynomial is a polynomial times its lowest monomial, which is a unit.
         low = [min(column) for column in zip(*values, strict=True)]
         shifted = {
             tuple(e - d for e, d in zip(exponents, low, strict=True)): QQ_I(
@@ -212,7 +216,7 @@ class _Variables:
         )
 
     def element(self, polynomial: Any, low: list[int]) -> Element:
-        """The real part of what a polynomial times the monomial of `low` stands for."""
+        """The real part of a polynomial times the monomial of `low`, as an element."""
         basis, cut = self._basis, len(self._generators)
         summands = []
         for exponents, z in polynomial.terms():

@@ -4,9 +4,9 @@ With u = tan(θ/2) a Fourier sum is a polynomial in u over a power of 1 + u²:
 
     cos θ = (1 − u²)/(1 + u²) ,    sin θ = 2u/(1 + u²) ,
 
-so that the greatest common divisor of two sums is one of polynomials with whole coefficients. What is left of each
-goes back by u²/(1 + u²) = ½ (1 − cos θ), u/(1 + u²) = ½ sin θ and 1/(1 + u²) = ½ (1 + cos θ). SymPy's `cancel`
-takes sin θ and cos θ for independent and does not see that C + m R² − m R² sin²θ divides by C + m R² cos²θ.
+so that the greatest common divisor of two sums is one of polynomials with whole coefficients. The cofactors are
+translated back by u²/(1 + u²) = ½ (1 − cos θ), u/(1 + u²) = ½ sin θ and 1/(1 + u²) = ½ (1 + cos θ). SymPy's `cancel`
+treats sin θ and cos θ as independent and does not see that C + m R² − m R² sin²θ divides by C + m R² cos²θ.
 """
 
 from __future__ import annotations
@@ -17,35 +17,31 @@ from typing import Any
 import sympy as sp
 from sympy.polys.rings import PolyRing
 
-from lagrange.algebra.fourier.common_factor import common_factor
-from lagrange.algebra.fourier.fourier import Element
-from lagrange.algebra.fourier.generators import Basis
-from lagrange.algebra.fourier.packing import lowest, pack, unpack
-from lagrange.algebra.fourier.terms import Term
-from lagrange.algebra.fourier.textbook import Textbook
-from lagrange.algebra.fourier.trigonometry import Ring
-
-LONGEST = 120
-"""Terms of a numerator or denominator that is still looked at."""
-HIGHEST = 8
-"""The highest multiple of an angle in them."""
-MOST_EXPANDED = 600
-"""Terms of them as polynomials in u: four links of a chain have thousands."""
-MOST_OPERATIONS = 800
-"""Operations of a quotient of which common factors are still looked for."""
+from lagrange.algebra.fourier.elements import Basis, Element
+from lagrange.algebra.fourier.limits import (
+    HIGHEST_HALF_ANGLE,
+    LONGEST_CANCELLED,
+    MOST_HALF_ANGLE_TERMS,
+    MOST_QUOTIENT_OPERATIONS,
+)
+from lagrange.algebra.fourier.polynomials import lowest, pack, unpack
+from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.algebra.fourier.terms import PowerProduct, common_factor
+from lagrange.algebra.fourier.textbook_form import Textbook
 
 
 def lowest_terms(numerator: Element, denominator: Element) -> tuple[Element, Element] | None:
     """Two elements with the same quotient and nothing in common; None where nothing is, or where they are too long."""
-    if not numerator or max(len(numerator), len(denominator)) > LONGEST:
+    if not numerator or max(len(numerator), len(denominator)) > LONGEST_CANCELLED:
         return None
+    # Without the monomials no negative power is left for the polynomials; they are put back at the end.
     low = [lowest(m for m, _ in e.terms) for e in (numerator, denominator)]
     pair = [e.over_monomial(m) for e, m in zip((numerator, denominator), low, strict=True)]
     tangents = _HalfAngles(pair)
-    if max(tangents.highest, default=0) > HIGHEST:
+    if max(tangents.highest, default=0) > HIGHEST_HALF_ANGLE:
         return None
     left = [tangents.polynomial(e) for e in pair]
-    if max(map(len, left)) > MOST_EXPANDED:
+    if max(map(len, left)) > MOST_HALF_ANGLE_TERMS:
         return None
     common, *left = left[0].cofactors(left[1])
     if common.is_ground and not tangents.is_lower(left):
@@ -61,7 +57,7 @@ def in_lowest_terms(value: sp.Expr) -> sp.Expr:
     """
     if not any(e.has(sp.sin, sp.cos) for e in _denominators(value)):
         return value
-    ring = Ring()
+    ring = FourierRing()
     above, below = _fraction(value, ring)
     reduced = None if below is None else lowest_terms(above, below)
     if reduced is None:
@@ -76,7 +72,7 @@ def as_one_quotient(value: sp.Expr) -> sp.Expr:
     """A value with sums below the line as one quotient of two sums; itself where that were no shorter."""
     if not _denominators(value):
         return value
-    ring = Ring()
+    ring = FourierRing()
     above, below = _fraction(value, ring)
     if below is None:
         return value
@@ -91,23 +87,23 @@ def as_one_quotient(value: sp.Expr) -> sp.Expr:
     denominator = textbook.product(below)
     if reduced is None:
         denominator = _with_its_sign(denominator)
-    front = Term(sign * Fraction(factor.number.p, factor.number.q), dict(factor.powers)) / denominator
+    front = PowerProduct(sign * Fraction(factor.number.p, factor.number.q), dict(factor.powers)) / denominator
     shorter: sp.Expr = front.to_sympy() * sp.Add(*(sign * term for term in terms))
     return shorter if shorter.count_ops() < value.count_ops() else value
 
 
-def _with_its_sign(product: Term) -> Term:
+def _with_its_sign(product: PowerProduct) -> PowerProduct:
     """−(a − b − c) as b + c − a: a determinant has the sign that it came with, which often is that of its value."""
     turned = next((f for f, e in product.factors.items() if f.is_Add and e == 1), None)
     if product.number > 0 or turned is None:
         return product
     factors = {sp.Add(*(-term for term in f.args)) if f is turned else f: e for f, e in product.factors.items()}
-    return Term(-product.number, factors)
+    return PowerProduct(-product.number, factors)
 
 
-def _fraction(value: sp.Expr, ring: Ring) -> tuple[Element, Element | None]:
+def _fraction(value: sp.Expr, ring: FourierRing) -> tuple[Element, Element | None]:
     """Numerator and denominator as elements; the latter None where there are roots, or where they are too long."""
-    if value.count_ops() > MOST_OPERATIONS:
+    if value.count_ops() > MOST_QUOTIENT_OPERATIONS:
         return ring.zero, None
     above, below = (ring.from_sympy(e) for e in sp.fraction(sp.together(value)))
     related = (e for m, _ in (*above.terms, *below.terms) for i, e in unpack(m) if i in ring.related)

@@ -1,9 +1,12 @@
-"""Linear equations with symbols in them, solved within bounds.
+"""Linear equations A x = b with symbolic coefficients, solved within bounds.
 
-Gauss–Jordan elimination: A x = b, the pivot each time the entry that is cheapest to divide by (a number, then what
-cannot vanish, such as a mass, then short expressions in sparse rows). Every entry is brought to its textbook form as
-it arises. An entry that is a pivot is not zero at generic points of the constraint surface. The work is given up where
-an entry grows beyond `MOST_OPERATIONS`: a result that fills pages is of no use.
+Gauss–Jordan elimination; the pivot is always the entry that is cheapest to divide by: a number, then what cannot
+vanish, such as a mass, then short expressions in sparse rows. Every entry is brought to its textbook form as it arises.
+A pivot is not zero at generic points of the constraint surface. The computation is abandoned where an entry grows
+beyond `MOST_ENTRY_OPERATIONS`: a result that fills pages is of no use.
+
+With a constant block M, as the masses in M y + B x = h, A y + C x = c, the other unknowns come first, from
+(C − A M⁻¹ B) x = c − A M⁻¹ h; one or two of them by Cramer's rule in the ring of Fourier sums.
 
 Shapes: A (m, n), b (m,), x (n,).
 """
@@ -16,36 +19,31 @@ from typing import Protocol
 import sympy as sp
 
 from lagrange.algebra.fourier.division import exact_quotient
-from lagrange.algebra.fourier.fourier import Element
+from lagrange.algebra.fourier.elements import Element
 from lagrange.algebra.fourier.fractions import in_lowest_terms, lowest_terms
-from lagrange.algebra.fourier.textbook import Textbook, common_factor, textbook_form
-from lagrange.algebra.fourier.trigonometry import Ring
+from lagrange.algebra.fourier.limits import (
+    MOST_BY_DETERMINANTS,
+    MOST_CANCELLED,
+    MOST_COUPLED,
+    MOST_ENTRY_OPERATIONS,
+    MOST_WORK,
+)
+from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.algebra.fourier.textbook_form import Textbook, common_factor, textbook_form
 from lagrange.core.records import record
-
-MOST_OPERATIONS = 400
-"""Operations of an entry, before it is tidied, beyond which the equations are not solved."""
-MOST_WORK = 2500
-"""Operations of all entries together, each counted whenever it is tidied."""
-MOST_CANCELLED = 120
-"""Operations of a quotient that is still brought to lowest terms with its sines as they are."""
-MOST_COUPLED = 5
-"""Unknowns that hang together by entries that vary, of equations that are still solved: of a chain of six links no
-tension fits on a page."""
-MOST_BY_DETERMINANTS = 2
-"""Unknowns that are found by Cramer's rule."""
 
 Tidy = Callable[[sp.Expr], sp.Expr]
 
 
 class Decides(Protocol):
-    """What says of an expression whether it is zero, such as `exact.Surface`."""
+    """Anything that decides whether an expression is zero, such as `zero_test.Surface`."""
 
     def is_zero(self, expression: sp.Expr) -> bool | None:
         """Whether an expression is zero; None: undecided."""
 
 
 class TooLargeError(Exception):
-    """The equations are beyond `MOST_OPERATIONS` or `MOST_WORK`."""
+    """The equations are beyond `MOST_ENTRY_OPERATIONS` or `MOST_WORK`."""
 
 
 class _Bounded:
@@ -58,7 +56,7 @@ class _Bounded:
     def __call__(self, entry: sp.Expr) -> sp.Expr:
         operations = int(entry.count_ops())
         self.work += operations
-        if operations > MOST_OPERATIONS or self.work > MOST_WORK:
+        if operations > MOST_ENTRY_OPERATIONS or self.work > MOST_WORK:
             raise TooLargeError
         return self.tidy(entry)
 
@@ -66,12 +64,12 @@ class _Bounded:
 def solved_linear(
     rows: Sequence[Sequence[sp.Expr]], right: Sequence[sp.Expr], surface: Decides, tidy: Tidy | None = None
 ) -> list[sp.Expr | None] | None:
-    """The x with A x = b. An entry of x is None where the equations leave it open; None where they are too large.
+    """The x with A x = b. An entry of x is None where the equations do not determine it; None where they are too large.
 
     The equations must not contradict one another.
     """
     tidied = _Bounded(tidy or tidy_quotient)
-    found: list[sp.Expr | None] = [None] * (len(rows[0]) if rows else 0)
+    x: list[sp.Expr | None] = [None] * (len(rows[0]) if rows else 0)
     try:
         work = [[tidied(e) for e in row] for row in rows]
         for block in _blocks(work):
@@ -79,10 +77,10 @@ def solved_linear(
             width = len(block.columns)
             for r, c in _reduce(part, width, surface, tidied).items():
                 if all(part[r][k] == 0 for k in range(width) if k != c):
-                    found[block.columns[c]] = part[r][width]
+                    x[block.columns[c]] = part[r][width]
     except TooLargeError:
         return None
-    return found
+    return x
 
 
 @record
@@ -113,15 +111,17 @@ def solved_in_blocks(
     constant: Callable[[sp.Expr], bool],
     leading: bool,
 ) -> list[sp.Expr | None] | None:
-    """The same, where the first `size` equations have a constant block M in the first `size` unknowns,
+    """As `solved_linear`, where the first `size` equations have a constant block M in the first `size` unknowns,
 
         M y + B x = h ,   A y + C x = c ,     that is   (C − A M⁻¹ B) x = c − A M⁻¹ h ,   y = M⁻¹ (h − B x) .
 
-    constant  says of an entry whether it is constant
-    leading   whether y is wanted too; else it is left open
+    constant  whether an entry is constant
+    leading   whether y is needed too; else it is None
 
-    Far fewer entries arise than by elimination of all unknowns. What `solved_linear` gives where M is not constant.
+    Far fewer entries arise than by elimination of all unknowns. Where M is not constant, `solved_linear` is used.
     """
+    # A constant M, diagonal for particles in Cartesian coordinates, costs next to nothing to invert, and what remains
+    # has one row a constraint. Elimination of all unknowns at once would spread the angles of A and B over every row.
     block = [list(row[:size]) for row in rows[:size]]
     inverse = _inverse(block, surface) if all(constant(e) for row in block for e in row) else None
     if not inverse:
@@ -134,20 +134,21 @@ def solved_in_blocks(
     try:
         moved = [[tidied(_dot(row, column)) for column in zip(*others, strict=True)] for row in inverse]
         columns = list(zip(*moved, strict=True))
-        whole = [(*row[size:], b) for row, b in zip(rows[size:], right[size:], strict=True)]
+        lower = [(*row[size:], b) for row, b in zip(rows[size:], right[size:], strict=True)]
         left = [
             [e - _dot(row[:size], column) for e, column in zip(entries, columns, strict=True)]
-            for row, entries in zip(rows[size:], whole, strict=True)
+            for row, entries in zip(rows[size:], lower, strict=True)
         ]
+        # Counted before the entries are tidied, which is what takes the time.
         if _most_coupled([row[:-1] for row in left], constant, surface) > MOST_COUPLED:
             return None
         reduced = [[tidied(e) for e in row] for row in left]
     except TooLargeError:
         return None
-    found = solved_linear([row[:-1] for row in reduced], [row[-1] for row in reduced], surface, tidy)
-    if found is None:
+    x = solved_linear([row[:-1] for row in reduced], [row[-1] for row in reduced], surface, tidy)
+    if x is None:
         return None
-    return [*(_leading(row, found, tidied) if leading else None for row in moved), *found]
+    return [*(_leading(row, x, tidied) if leading else None for row in moved), *x]
 
 
 def _most_coupled(rows: Sequence[Sequence[sp.Expr]], constant: Callable[[sp.Expr], bool], surface: Decides) -> int:
@@ -168,11 +169,12 @@ def _by_determinants(
     inverse: Sequence[Sequence[sp.Expr]],
     surface: Decides,
 ) -> list[sp.Expr | None] | None:
-    """One or two x by Cramer's rule in the ring of Fourier sums; y is left open. None where the determinant is zero."""
+    """One or two x by Cramer's rule in the ring of Fourier sums, y being None. None where the determinant is zero."""
     size = len(inverse)
     if sum(e.count_ops() for row in rows for e in row) + sum(b.count_ops() for b in right) > MOST_WORK:
         return None
-    ring = Ring()
+    # In the ring nothing has to be tidied on the way: a tenth of the time of an elimination with quotients.
+    ring = FourierRing()
     read = ring.from_sympy
     others = [[read(e) for e in (*row[size:], b)] for row, b in zip(rows[:size], right, strict=False)]
     moved = [[ring.dot([read(e) for e in row], column) for column in zip(*others, strict=True)] for row in inverse]
@@ -213,10 +215,10 @@ def _quotient(numerator: Element, denominator: Element, below: sp.Expr, textbook
     return textbook_form(over.expression / under.expression * rest)
 
 
-def _leading(row: Sequence[sp.Expr], found: Sequence[sp.Expr | None], tidied: Tidy) -> sp.Expr | None:
+def _leading(row: Sequence[sp.Expr], x_found: Sequence[sp.Expr | None], tidied: Tidy) -> sp.Expr | None:
     """b − Σ row_j x_j; None where an x_j that it needs is open, or where it is too large."""
     total = row[-1]
-    for e, x in zip(row, found, strict=False):
+    for e, x in zip(row, x_found, strict=False):
         if e != 0:
             if x is None:
                 return None
@@ -295,6 +297,7 @@ def _pivot(
         for c in columns:
             entry = work[r][c]
             if entry != 0:
+                # Markowitz: a pivot fills in at most (entries in its row − 1)(entries in its column − 1) places.
                 below = sum(work[k][c] != 0 for k in rows)
                 cheap = 0 if entry.is_number else 1 if entry.is_nonzero else 2
                 ranked.append((cheap, (filled - 1) * (below - 1), entry.count_ops(), r, c))

@@ -1,13 +1,19 @@
-"""Polynomials with packed monomials: content, factors, the effort of writing them.
+"""Polynomials with packed monomials: content, factors, and how many operations it takes to write them.
 
-Factors are worth having only if they take fewer operations than the sum: (l + x)² does, (l - y) (l + y) does
-not, being l² - y². Monomials are packed (`packing.py`).
+A monomial, or a frequency, is one whole number: the value at place i is counted in units of 2^(32 i), so that
+multiplying monomials and adding frequencies is adding whole numbers, and the sign of a frequency is the sign of its
+last place. Values may be negative. A polynomial is a dictionary from packed monomials to rational coefficients.
+
+Factors are worth having only if they take fewer operations than the sum: (l + x)² does, (l − y) (l + y) does not, being
+l² − y². Reference: Monagan and Pearce, *Polynomial division using dynamic arrays, heaps, and packed exponent vectors*
+(2007).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import lru_cache
 from itertools import combinations
 from math import gcd, isqrt, lcm
 from typing import Any
@@ -15,7 +21,78 @@ from typing import Any
 import sympy as sp
 from sympy.polys.rings import PolyRing
 
-from lagrange.algebra.fourier.packing import pack, unpack
+WIDTH = 32
+# Larger values are not packed, so that sums of thousands of them stay within their 32 bits.
+LARGEST = 1 << 16
+_MASK = (1 << WIDTH) - 1
+_HALF = 1 << (WIDTH - 1)
+
+
+@lru_cache(maxsize=1 << 14)
+def unpack(packed: int) -> tuple[tuple[int, int], ...]:
+    """The places that are not zero: (index, value), in the order of the index."""
+    places = []
+    index = 0
+    while packed:
+        skip = ((packed & -packed).bit_length() - 1) // WIDTH
+        packed >>= skip * WIDTH
+        index += skip
+        value = packed & _MASK
+        # A negative value borrows from the place above it: given back by the subtraction below.
+        if value >= _HALF:
+            value -= 1 << WIDTH
+        places.append((index, value))
+        packed = (packed - value) >> WIDTH
+        index += 1
+    return tuple(places)
+
+
+def pack(places: Iterable[tuple[int, int]]) -> int:
+    """The whole number with these values at these places."""
+    return sum(value << (WIDTH * index) for index, value in places)
+
+
+def place(packed: int, index: int) -> int:
+    """The value at one place."""
+    return next((value for i, value in unpack(packed) if i == index), 0)
+
+
+def lowest(monomials: Iterable[int]) -> int:
+    """The largest monomial that leaves no negative exponent: 1/r of a/r + b, r of a r + b r²."""
+    least: dict[int, int] | None = None
+    for monomial in monomials:
+        powers = dict(unpack(monomial))
+        if least is None:
+            least = powers
+        else:
+            minima = {i: min(powers.get(i, 0), least.get(i, 0)) for i in powers.keys() | least.keys()}
+            least = {i: e for i, e in minima.items() if e}
+    return pack(least.items()) if least else 0
+
+
+def common(monomials: Iterable[int]) -> int:
+    """The monomial in front of a bracket: 1/r of a/r + b/r², but 1 of a/r + b."""
+    powers = [dict(unpack(m)) for m in monomials]
+    exponents_of = {}
+    for i in powers[0]:
+        exponents = [p.get(i, 0) for p in powers]
+        if exponents[0] > 0:
+            exponents_of[i] = max(min(exponents), 0)
+        else:
+            exponents_of[i] = min(max(exponents), 0)
+    return pack(exponents_of.items())
+
+
+def shared(a: int, b: int) -> int:
+    """The greatest common divisor of two monomials, without negative powers."""
+    return pack((i, e) for i, e in unpack(common((a, b))) if e > 0)
+
+
+def divides(factor: int, monomial: int) -> bool:
+    """Whether a monomial with positive exponents divides another."""
+    powers = dict(unpack(monomial))
+    return all(powers.get(i, 0) >= e for i, e in unpack(factor))
+
 
 Polynomial = dict[int, Fraction]  # (packed) monomial -> coefficient
 Factorization = list[tuple[Polynomial, int]]  # factors and their exponents
@@ -48,11 +125,11 @@ def is_irreducible(polynomial: Polynomial) -> bool:
 
     A factor would divide the monomial c and the rest, but nothing divides all terms. False is unsure.
     """
-    found: dict[int, list[int]] = {}
+    exponents_of: dict[int, list[int]] = {}
     for m in polynomial:
         for i, e in unpack(m):
-            found.setdefault(i, []).append(e)
-    return any(exponents == [1] for exponents in found.values())
+            exponents_of.setdefault(i, []).append(e)
+    return any(exponents == [1] for exponents in exponents_of.values())
 
 
 def factorization(polynomial: Polynomial, known: Iterable[Polynomial] = ()) -> tuple[int, Factorization]:
@@ -61,18 +138,18 @@ def factorization(polynomial: Polynomial, known: Iterable[Polynomial] = ()) -> t
     Known factors are taken out first, as they are; of the rest the whole, the square-free or the irreducible
     factors, whichever are shortest.
     """
-    whole = [(polynomial, 1)]
+    unfactored = [(polynomial, 1)]
     if is_irreducible(polynomial) or any(e < 0 for m in polynomial for _, e in unpack(m)):
-        return 1, whole
-    variables = _Variables(polynomial)
-    rest, found = variables.outside(polynomial), []
+        return 1, unfactored
+    variables = _PolynomialVariables(polynomial)
+    rest, known_factors = variables.outside(polynomial), []
     for base in known:
         divisor, exponent = variables.outside(base), 0
         while divisor and not (division := rest.div(divisor))[1]:
             rest, exponent = division[0], exponent + 1
         if exponent:
-            found.append((base, exponent))
-    candidates = [(1, whole), *((sign, [*found, *factors]) for sign, factors in variables.factored(rest))]
+            known_factors.append((base, exponent))
+    candidates = [(1, unfactored), *((sign, [*known_factors, *factors]) for sign, factors in variables.factored(rest))]
     return min(candidates, key=lambda c: _effort(c[1]))
 
 
@@ -83,9 +160,10 @@ def _effort(factors: Factorization) -> int:
 def irreducible_factors(polynomial: Any) -> tuple[int, list[tuple[Any, int]]]:
     """Number and irreducible factors, with exponents, of one of SymPy's sparse polynomials with whole coefficients.
 
-    Masses, spring constants and weights occur to the first power. In such a variable p = a x + b is g times a factor
-    that cannot be divided, g = gcd(a, b): only g, which knows nothing of x, is left to be factored.
+    Masses, spring constants and weights occur to the first power. In such a variable p = a x + b is g times an
+    irreducible factor, g = gcd(a, b): only g, which does not contain x, remains to be factored.
     """
+    # A greatest common divisor in place of a multivariate factorization, whose time grows exponentially.
     linear = _linear_variable(polynomial)
     if linear is None:
         number, factors = polynomial.factor_list()
@@ -130,7 +208,7 @@ def _root(monomial: int, number: Fraction) -> Fraction | None:
     return Fraction(above, below) if square else None
 
 
-class _Variables:
+class _PolynomialVariables:
     """The generators of a polynomial as variables of SymPy's sparse polynomials."""
 
     def __init__(self, polynomial: Polynomial) -> None:
@@ -155,10 +233,10 @@ class _Variables:
         squarefree: dict[int, Any] = {}
         for f, e in factors:
             squarefree[e] = squarefree.get(e, 1) * f
-        found = [(1, [(self._inside(polynomial), 1)])]
+        factorizations = [(1, [(self._inside(polynomial), 1)])]
         for several in ([(f, e) for e, f in squarefree.items()], factors):
-            found.append((number, [(self._inside(f), e) for f, e in several]))
-        return found
+            factorizations.append((number, [(self._inside(f), e) for f, e in several]))
+        return factorizations
 
     def _inside(self, polynomial: Any) -> Polynomial:
         places = self._places

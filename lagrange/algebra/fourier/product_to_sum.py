@@ -1,11 +1,11 @@
 """From sums of cosines and sines to products of them, the way they are written by hand.
 
-    cos a + cos b = 2 cos (a + b)/2 cos (a - b)/2,      1 - cos 2θ = 2 sin²θ,      sin 2θ = 2 sin θ cos θ,
+    cos a + cos b = 2 cos (a + b)/2 cos (a − b)/2,      1 − cos 2θ = 2 sin²θ,      sin 2θ = 2 sin θ cos θ,
 
-wherever the halves are whole. A sum is written as the fewest products: it is divided by the sines and
-cosines that divide it (`division.py`), then the best is taken of: the sum as it is; pairs of terms joined;
-a polynomial in the sines and cosines of single angles, as in 2 + 2 cos²θ for 3 + cos 2θ. What is best does
-not depend on the order in which symbols turned up.
+wherever the halves are whole. A sum is written as the fewest products: it is divided by the sines and cosines that
+divide it (`division`); then the best is chosen of the sum as it is, pairs of terms joined, and a polynomial in the
+sines and cosines of single angles, as in 2 + 2 cos²θ for 3 + cos 2θ. The choice does not depend on the order in which
+symbols turned up.
 """
 
 from __future__ import annotations
@@ -19,14 +19,10 @@ from math import comb, prod
 import sympy as sp
 
 from lagrange.algebra.fourier.division import Complex, over_wave
-from lagrange.algebra.fourier.fourier import Element
-from lagrange.algebra.fourier.generators import UNIT, Basis
-from lagrange.algebra.fourier.packing import WIDTH, unpack
+from lagrange.algebra.fourier.elements import UNIT, Basis, Element
+from lagrange.algebra.fourier.limits import HIGHEST_SEPARATED, LONGEST_SEARCHED, MOST_SEPARATED_ANGLES
+from lagrange.algebra.fourier.polynomials import WIDTH, unpack
 from lagrange.core.records import record
-
-SEARCHED = 4  # in a longer sum only the first pair is joined
-MOST_ANGLES = 3
-HIGHEST_POWER = 12
 
 Part = tuple[int, Fraction, bool]  # frequency, coefficient, whether it is a sine
 Powers = tuple[tuple[int, int], ...]  # (exponent of cos, exponent of sin) of each angle
@@ -41,7 +37,7 @@ class Atom:
 
 
 @record
-class Product:
+class TrigProduct:
     """A number times powers of atoms, sorted by the names of their angles."""
 
     number: Fraction
@@ -53,11 +49,11 @@ class Factoring:
 
     def __init__(self, basis: Basis) -> None:
         self._basis = basis
-        self._found: dict[object, tuple[Product, ...]] = {}
+        self._found: dict[object, tuple[TrigProduct, ...]] = {}
         self._angles: dict[int, tuple[int, sp.Expr]] = {}
         self._names: dict[int, str] = {}
 
-    def products(self, element: Element) -> tuple[Product, ...]:
+    def products(self, element: Element) -> tuple[TrigProduct, ...]:
         """The sum of products that equals an element without generators."""
         if len(element) < 2:
             parts = list(_parts(element))
@@ -65,22 +61,22 @@ class Factoring:
                 return tuple(self._single(*part) for part in parts)
         number = element.content()[0]
         primitive = element / number
-        found = self._found.get(primitive.key)
-        if found is None:
-            found = self._found[primitive.key] = self._best(primitive)
-        return tuple(Product(p.number * number, p.powers) for p in found)
+        products = self._found.get(primitive.key)
+        if products is None:
+            products = self._found[primitive.key] = self._best(primitive)
+        return tuple(TrigProduct(p.number * number, p.powers) for p in products)
 
     def angle(self, frequency: int) -> tuple[int, sp.Expr]:
         """The sign that SymPy takes out of a sine of the angle, and the angle without it."""
-        found = self._angles.get(frequency)
-        if found is None:
+        signed = self._angles.get(frequency)
+        if signed is None:
             angle = self._basis.angle_expression(frequency)
-            found = (-1, -angle) if angle.could_extract_minus_sign() else (1, angle)
-            self._angles[frequency] = found
-        return found
+            signed = (-1, -angle) if angle.could_extract_minus_sign() else (1, angle)
+            self._angles[frequency] = signed
+        return signed
 
     def _name(self, frequency: int) -> str:
-        """What angles are sorted by: the same in every ring."""
+        """The sort key of an angle: the same in every ring."""
         name = self._names.get(frequency)
         if name is None:
             name = self._names[frequency] = str(self.angle(frequency)[1])
@@ -89,34 +85,35 @@ class Factoring:
     def _key(self, atom: Atom) -> tuple[str, bool]:
         return self._name(atom.frequency), atom.sine
 
-    def _best(self, element: Element) -> tuple[Product, ...]:
+    def _best(self, element: Element) -> tuple[TrigProduct, ...]:
         parts = sorted(_parts(element), key=lambda part: (self._name(part[0]), part[2]))
         plain = tuple(self._single(*part) for part in parts)
         if len(plain) < 2:
             return plain
+        # A factor of the whole sum is better than any way to write its terms.
         divided = self._divided(element)
         if divided is not None:
             return divided
         forms = (*self._joined(element, parts), *self._apart(parts), *self._separated(element))
         return min((plain, *map(gathered, forms)), key=self._cost)
 
-    def _single(self, w: int, number: Fraction, sine: bool) -> Product:
+    def _single(self, w: int, number: Fraction, sine: bool) -> TrigProduct:
         """One term; sin 2u is 2 sin u cos u."""
         if not w:
-            return Product(number)
+            return TrigProduct(number)
         half = self._basis.half(w) if sine else None
         if half is None:
-            return Product(number, ((Atom(w, sine), 1),))
+            return TrigProduct(number, ((Atom(w, sine), 1),))
         return self._sorted(2 * number, {Atom(half, True): 1, Atom(half, False): 1})
 
-    def _sorted(self, number: Fraction, powers: dict[Atom, int]) -> Product:
-        return Product(number, tuple(sorted(powers.items(), key=lambda p: self._key(p[0]))))
+    def _sorted(self, number: Fraction, powers: dict[Atom, int]) -> TrigProduct:
+        return TrigProduct(number, tuple(sorted(powers.items(), key=lambda p: self._key(p[0]))))
 
     def atoms(self, element: Element) -> tuple[list[Atom], Element]:
-        """The sines and cosines that divide an element without making it longer, and what is left."""
+        """The sines and cosines that divide an element without making it longer, and the quotient."""
         atoms = []
-        while (found := self._division(element)) is not None:
-            atom, quotient = found
+        while (division := self._division(element)) is not None:
+            atom, quotient = division
             atoms.append(atom)
             element = quotient * self._sign(atom)
         return atoms, element
@@ -134,16 +131,16 @@ class Factoring:
                     return atom, quotient * self._sign(atom)
         return None
 
-    def _divided(self, element: Element) -> tuple[Product, ...] | None:
+    def _divided(self, element: Element) -> tuple[TrigProduct, ...] | None:
         """The element as the product of an atom that divides it and the quotient."""
-        found = self._division(element)
-        if found is None:
+        division = self._division(element)
+        if division is None:
             return None
-        atom, quotient = found
+        atom, quotient = division
         front = self._single(atom.frequency, Fraction(self._sign(atom)), atom.sine)
         return gathered(self._product(front, p) for p in self.products(quotient))
 
-    def _product(self, p: Product, q: Product) -> Product:
+    def _product(self, p: TrigProduct, q: TrigProduct) -> TrigProduct:
         powers = dict(p.powers)
         for atom, e in q.powers:
             powers[atom] = powers.get(atom, 0) + e
@@ -151,15 +148,17 @@ class Factoring:
 
     def _halves(self, element: Element) -> list[int]:
         """Half sums and half differences of the frequencies, the simplest first."""
+        # cos u divides Σ of waves only if these pair up into frequencies v ± u: u is half a sum or half a difference.
         frequencies = sorted({w for _, w in element.terms})
         fine = not all(map(self._basis.is_whole, frequencies))
         sums = {abs(a + b) for a in frequencies for b in (0, *frequencies, *(-w for w in frequencies))}
         halves = {self._basis.half(w, fine) for w in sums if w}
         return sorted((w for w in halves if w), key=lambda w: (self._weight(w), self._name(w)))
 
-    def _joined(self, element: Element, parts: list[Part]) -> Iterator[tuple[Product, ...]]:
+    def _joined(self, element: Element, parts: list[Part]) -> Iterator[tuple[TrigProduct, ...]]:
         """The element as a joined pair of terms and the rest; if long, one pair of equal coefficient."""
-        searched = len(parts) <= SEARCHED
+        # All pairs in all orders would take exponential time: a long sum is joined pair by pair, as they come.
+        searched = len(parts) <= LONGEST_SEARCHED
         for one, two in combinations(parts, 2):
             alike = abs(one[1]) == abs(two[1])
             constant = not (one[0] and two[0])
@@ -172,7 +171,7 @@ class Factoring:
                     if not searched:
                         return
 
-    def _apart(self, parts: list[Part]) -> Iterator[tuple[Product, ...]]:
+    def _apart(self, parts: list[Part]) -> Iterator[tuple[TrigProduct, ...]]:
         """The terms of equal coefficient each for themselves, or those of the same angles."""
         for kind in (_size, _support):
             classes: dict[object, list[Part]] = {}
@@ -195,32 +194,33 @@ class Factoring:
             first, second = (size if a > 0 else -size), (size if b > 0 else -size)
             yield self._wave(w1, first, sine) + self._wave(w2, second, sine)
 
-    def _separated(self, element: Element) -> Iterator[tuple[Product, ...]]:
+    def _separated(self, element: Element) -> Iterator[tuple[TrigProduct, ...]]:
         """The element as a polynomial in sines and cosines of single angles, reduced by sin² + cos² = 1."""
         frequencies = {w for _, w in element.terms}
         angles = sorted({i for w in frequencies for i, _ in unpack(w)})
         steps = [self._step(i, frequencies) for i in angles]
         degree = dict(zip(angles, steps, strict=True))
         highest = max(sum(abs(f) // degree[i] for i, f in unpack(w)) for w in frequencies)
-        if len(angles) > MOST_ANGLES or highest > HIGHEST_POWER:
+        if len(angles) > MOST_SEPARATED_ANGLES or highest > HIGHEST_SEPARATED:
             return
         units = [step << (WIDTH * i) for i, step in degree.items()]
+        # sin² or cos² may be the one to keep, for each angle: 2 + 2 cos²θ, but 1 + sin²φ.
         for kept in product((False, True), repeat=len(angles)):
             sums = separated(element, angles, steps, kept)
             yield tuple(self._monomial(Fraction(n, element.denominator), units, p) for p, n in sums.items())
 
     def _step(self, angle: int, frequencies: Iterable[int]) -> int:
         """The frequency that the others of this angle are whole multiples of."""
-        whole = all(f % UNIT == 0 for w in frequencies for i, f in unpack(w) if i == angle)
-        return UNIT if whole else self._basis.steps[angle]
+        is_whole = all(f % UNIT == 0 for w in frequencies for i, f in unpack(w) if i == angle)
+        return UNIT if is_whole else self._basis.steps[angle]
 
-    def _monomial(self, number: Fraction, units: Sequence[int], powers: Powers) -> Product:
+    def _monomial(self, number: Fraction, units: Sequence[int], powers: Powers) -> TrigProduct:
         atoms = {}
         for unit, (cosines, sines) in zip(units, powers, strict=True):
             atoms.update({Atom(unit, False): cosines, Atom(unit, True): sines})
         return self._sorted(number, {atom: e for atom, e in atoms.items() if e})
 
-    def _cost(self, form: tuple[Product, ...]) -> tuple[object, ...]:
+    def _cost(self, form: tuple[TrigProduct, ...]) -> tuple[object, ...]:
         """Few products of few atoms first, then plus signs, small numbers, names."""
         heavy = sum(self._weight(atom.frequency) + (e > 1) for p in form for atom, e in p.powers)
         numbers = [p.number * prod(self._sign(atom) ** e for atom, e in p.powers) for p in form]
@@ -247,12 +247,12 @@ def _support(part: Part) -> tuple[int, ...]:
     return tuple(i for i, _ in unpack(part[0]))
 
 
-def gathered(form: Iterable[Product]) -> tuple[Product, ...]:
+def gathered(form: Iterable[TrigProduct]) -> tuple[TrigProduct, ...]:
     """The sum with products of the same powers added up."""
     numbers: dict[tuple[tuple[Atom, int], ...], Fraction] = {}
     for p in form:
         numbers[p.powers] = numbers.get(p.powers, Fraction(0)) + p.number
-    return tuple(Product(number, powers) for powers, number in numbers.items() if number)
+    return tuple(TrigProduct(number, powers) for powers, number in numbers.items() if number)
 
 
 def _parts(element: Element) -> Iterator[Part]:
@@ -269,7 +269,7 @@ def separated(
 ) -> dict[Powers, int]:
     """The numerators of a polynomial in cos and sin of single angles.
 
-    Even powers of the cosine are eliminated where `sines` says so, of the sine elsewhere.
+    Even powers of the cosine are eliminated where `sines` is True, of the sine elsewhere.
     """
     total: dict[Powers, int] = {}
     for (_, w), (a, b) in element.terms.items():

@@ -1,14 +1,12 @@
-"""What multiplying out has spoilt: sin² + cos², and differences of coordinates.
+"""Cleaning up after vector products: sin² + cos² = 1, and differences of coordinates.
 
 A file says `cross(omega, r)` or `dot(r', n)`; the components come out with sin²φ sin θ + cos²φ sin θ, or with
-sin θ sin(θ + φ) + cos θ cos(θ + φ), which nobody would write. An expression with such products is put into textbook
-form, and that is kept where it is shorter. What has no such products stays as the file has it.
+sin θ sin(θ + φ) + cos θ cos(θ + φ), which nobody would write. An expression with such products is brought to textbook
+form, which is kept where it is shorter; any other stays as the file has it.
 
 A function of x₂ − x₁ alone does not change when both grow alike, ∂e/∂x₁ + ∂e/∂x₂ = 0; then e is e(0, x₂ − x₁).
-
-And cos w/sin w is written cot w, where it is to be read and not worked with.
-
-Only short expressions are tidied: multiplied out, (x + y + z)^20 has 231 terms, and a file can write much longer ones.
+cos w/sin w is written cot w, where it is to be read and not computed with. Only short expressions are treated:
+multiplied out, (x + y + z)^20 has 231 terms, and a file can write much longer ones.
 """
 
 from __future__ import annotations
@@ -18,21 +16,16 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import is_zero
-from lagrange.algebra.fourier.textbook import textbook_form
-from lagrange.core.expression_size import Measures
-
-LARGEST = 600
-"""Nodes of an expression that is still tidied."""
-
-MOST_TERMS = 60
-"""Terms that any part of it has when it is multiplied out."""
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.limits import LARGEST_CLEANED, MOST_CLEANED_TERMS
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.expression_size import Sizes
 
 
 def is_short(expression: sp.Expr) -> bool:
     """Whether multiplying out and factoring take little time."""
-    measure = Measures().of(expression)
-    return measure.size <= LARGEST and measure.widest <= MOST_TERMS
+    measure = Sizes().of(expression)
+    return measure.size <= LARGEST_CLEANED and measure.widest <= MOST_CLEANED_TERMS
 
 
 def tidied(expression: sp.Expr) -> sp.Expr:
@@ -69,16 +62,16 @@ def in_differences(expression: sp.Expr, coordinates: Iterable[sp.Symbol]) -> sp.
             difference = sp.Dummy(real=True)
             rest = rest.xreplace({a: sp.S.Zero, b: difference})
             differences[difference] = b - a
-    found = sp.factor(rest).xreplace(differences) if differences else expression
-    return found if found.count_ops() < expression.count_ops() else expression
+    result = sp.factor(rest).xreplace(differences) if differences else expression
+    return result if result.count_ops() < expression.count_ops() else expression
 
 
 def with_cotangents(expression: sp.Expr) -> sp.Expr:
     """cos w/sin w written as cot w, in every product."""
     if not expression.args or not expression.has(sp.sin):
         return expression
-    found = [with_cotangents(a) for a in expression.args]
-    rebuilt = expression if found == list(expression.args) else expression.func(*found)
+    arguments = [with_cotangents(a) for a in expression.args]
+    rebuilt = expression if arguments == list(expression.args) else expression.func(*arguments)
     if not rebuilt.is_Mul:
         return rebuilt
     powers = dict(f.as_base_exp() for f in rebuilt.args)

@@ -1,1 +1,1 @@
-""""""
+"""Kinematics, constraints one by one and together, virtual displacements, generalized coordinates."""

@@ -1,13 +1,13 @@
 """Choices of generalized coordinates.
 
-A choice gives the old coordinates in terms of new ones, q = q(s, t). It is verified, not believed: the geometric
-constraints must hold identically in s, and the columns of ∂q/∂s must be independent, as many as the constraints that
-the substitution satisfies leave over. Constraints on velocities that it does not satisfy stay, rewritten in s:
-a' = a ∂q/∂s, a_t' = a_t + a ∂q/∂t.
+A choice expresses the old coordinates by new ones, q = q(s, t). It is verified, not believed: the geometric constraints
+must hold identically in s, and the columns of ∂q/∂s must be independent, as many as there are degrees of freedom under
+the constraints that the substitution satisfies. The kinematic constraints that it does not satisfy remain, rewritten in
+s: a' = a ∂q/∂s, a_t' = a_t + a ∂q/∂t.
 
-A choice may also name some of the old coordinates. The rest is then solved from the geometric constraints, with a sign
-±1 for each square root, so that all branches are carried at once; what only a constraint on velocities gives
-(φ' = y'/R) is eliminated through it.
+A choice may also name some of the old coordinates. The geometric constraints are then solved for the others, with a
+sign ±1 for each square root, so that all branches are kept at once; coordinates known only through a constraint on
+velocities (φ' = y'/R) are eliminated through it.
 """
 
 from __future__ import annotations
@@ -17,32 +17,27 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import is_zero
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
-from lagrange.core.expression_size import Measures
+from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, prime
-from lagrange.mechanics.constraints.kinematics import Configuration, Row, substituted_configuration
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.kinematics import Configuration, substituted_configuration
+from lagrange.mechanics.constraints.limits import LONGEST_EXPANDED, LONGEST_SOLVED, MOST_SOLVED_TERMS
 from lagrange.problem.model import Choice
-
-LONGEST_SOLVED = 3000
-"""Nodes of an equation that is solved for a coordinate."""
-MOST_TERMS = 1000
-"""Terms that it may have, or what stands under its root, multiplied out."""
-MULTIPLIED_OUT = 60
-"""Nodes of an equation that is multiplied out to see whether it is a polynomial."""
 
 
 @record
 class GeneralizedCoordinates:
-    """A verified choice.
+    """A verified choice; the file's own coordinates are the choice without a name.
 
     configuration  the system in its coordinates
     satisfied      names of the constraints that it satisfies identically
     signs          the signs ±1 of square roots; there are 2^len(signs) branches
-    through_rates  old coordinates that are known only through their velocities
-    radicands      what stands under the roots: not negative
+    through_rates  old coordinates known only through their velocities
+    radicands      the radicands of the roots: not negative
     jacobian       ∂q/∂s, shape (number of old coordinates, number of chosen ones)
     """
 
@@ -60,11 +55,18 @@ class GeneralizedCoordinates:
         return 1 << len(self.signs)
 
 
-def generalized_coordinates(choice: Choice, original: Configuration) -> GeneralizedCoordinates:
-    """Verifies a choice and rewrites the system in it.
+def own_coordinates(configuration: Configuration) -> GeneralizedCoordinates:
+    """The file's own coordinates as the choice without a name: nothing is replaced, and no constraint is satisfied."""
+    coordinates = configuration.slots.coordinates
+    identity = sp.ImmutableMatrix(sp.eye(len(coordinates)))
+    return GeneralizedCoordinates(Choice("", coordinates, {}), configuration, (), (), (), (), identity)
 
-    Raises ProblemError where the substitution does not satisfy a constraint, the coordinates are not independent or
-    too few; UndecidedError where that could not be settled.
+
+def generalized_coordinates(choice: Choice, original: Configuration) -> GeneralizedCoordinates:
+    """Verify a choice and rewrite the system in it.
+
+    Raises ProblemError if the substitution violates a constraint, or the coordinates are dependent or too few;
+    UndecidedError if this could not be decided.
     """
     old = original.slots.coordinates
     if choice.substitute is None:
@@ -93,7 +95,7 @@ def generalized_coordinates(choice: Choice, original: Configuration) -> Generali
 
 
 def _radicands(expressions: Iterable[sp.Expr]) -> tuple[sp.Expr, ...]:
-    """What stands under the square roots, each once."""
+    """The radicands of the square roots, each once."""
     roots = (p for e in expressions for p in e.atoms(sp.Pow) if p.exp == sp.S.Half and p.base.free_symbols)
     return tuple(dict.fromkeys(p.base for p in sorted(roots, key=lambda p: p.sort_key())))
 
@@ -105,7 +107,7 @@ def _pulled_back(
     jacobian: sp.Matrix,
     slots: Slots,
 ) -> Row:
-    """The row in the new coordinates."""
+    """The row in the new coordinates: a' = a ∂q/∂s, a_t' = a_t + a ∂q/∂t."""
     rule: dict[sp.Basic, sp.Basic] = dict(expressed)
     if row.nonlinear is not None:
         rates = {prime(q): slots.time_derivative(e) for q, e in expressed.items()}
@@ -115,13 +117,13 @@ def _pulled_back(
         textbook_form(sp.Add(*(a[k] * jacobian[k, s] for k in range(len(old)) if jacobian[k, s] != 0)))
         for s in range(len(slots.coordinates))
     )
-    moved = sp.Add(*(a[k] * slots.frozen_derivative(expressed[q]) for k, q in enumerate(old) if q in expressed))
+    transport = sp.Add(*(a[k] * slots.frozen_derivative(expressed[q]) for k, q in enumerate(old) if q in expressed))
     finite = None if row.finite is None else row.finite.xreplace(rule)
-    return Row(row.name, coefficients, textbook_form(row.drift.xreplace(rule) + moved), finite)
+    return Row(row.name, coefficients, textbook_form(row.drift.xreplace(rule) + transport), finite)
 
 
 def _holds(choice: Choice, row: Row, pulled: Row, through_rates: Sequence[sp.Symbol]) -> bool:
-    """Whether the choice satisfies a constraint identically; a geometric one must be."""
+    """Whether the choice satisfies a constraint identically; a geometric one must be satisfied."""
     if row.finite is not None:
         if any(q in pulled.finite.free_symbols for q in through_rates):  # type: ignore[union-attr]
             return False
@@ -155,14 +157,14 @@ def _holds_for_positive(row: Row) -> bool:
 def _check_independent(result: GeneralizedCoordinates, original: Configuration) -> None:
     choice = result.choice
     chosen = len(choice.coordinates) + len(result.through_rates)
-    found = result.configuration.surface.rank(result.jacobian)
+    rank = result.configuration.surface.rank(result.jacobian)
     names = ", ".join(f"`{q}`" for q in choice.coordinates)
-    if found is None:
+    if rank is None:
         raise UndecidedError(f"whether the coordinates {names} of `{choice.name}` are independent", choice.span)
-    if found < chosen:
+    if rank < chosen:
         message = f"the coordinates {names} of `{choice.name}` are not independent"
-        spare = chosen - found
-        help_ = f"when these {chosen} change, the old coordinates change in {found} directions only; leave {spare} out"
+        spare = chosen - rank
+        help_ = f"when these {chosen} change, the old coordinates change in {rank} directions only; leave {spare} out"
         raise ProblemError(Diagnostic("dependent-coordinates", message, choice.span, help=help_))
     rows = [list(r.coefficients) for r in original.rows if r.name in result.satisfied]
     satisfied = original.states.rank(rows)
@@ -186,16 +188,16 @@ class SolvedConstraints:
 
 
 def solved_constraints(rows: Sequence[Row], unknown: Sequence[sp.Symbol]) -> SolvedConstraints:
-    """Solves the geometric constraints for the unknown coordinates, one after the other, linear ones first.
+    """Solve the geometric constraints for the unknown coordinates, one after the other, linear ones first.
 
-    A linear difference of two constraints is tried before their roots. Where it leads to an equation that is not
-    solved (of a crank and a slider it gives x by s, and s by y is a root of degree four), the constraints are solved
-    as they stand. What roots of roots have made too long to be solved once more stays unsolved.
+    A linear difference of two constraints is tried before their roots. If it leads to an equation that cannot be
+    solved (for a crank and slider it gives x in terms of s, and s in terms of y is of degree four), the constraints are
+    solved as they are written. An equation that nested roots have made too long stays unsolved.
     """
     finite = [r.finite for r in rows if r.finite is not None]
-    solution, left = _solved_in_turn(finite, unknown, differences=True)
+    solution, remaining = _solved_in_turn(finite, unknown, differences=True)
     unsolved = [q for q in unknown if q not in solution.expressed]
-    if any(not f.free_symbols.isdisjoint(unsolved) for f in left):
+    if any(not f.free_symbols.isdisjoint(unsolved) for f in remaining):
         return _solved_in_turn(finite, unknown, differences=False)[0]
     return solution
 
@@ -203,7 +205,7 @@ def solved_constraints(rows: Sequence[Row], unknown: Sequence[sp.Symbol]) -> Sol
 def _solved_in_turn(
     finite: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], differences: bool
 ) -> tuple[SolvedConstraints, list[sp.Expr]]:
-    """What can be solved, with or without differences of two constraints, and the constraints that are left."""
+    """The coordinates that can be solved for, with or without differences of constraints, and the constraints left."""
     waiting, expressed = list(finite), dict[sp.Symbol, sp.Expr]()
     roots: list[Sign] = []
     solving = True
@@ -227,7 +229,7 @@ def _solved_in_turn(
 def _candidates(
     waiting: Sequence[sp.Expr], unknown: Sequence[sp.Symbol], differences: bool
 ) -> Iterator[tuple[int, sp.Expr]]:
-    """What may be solved next, with the place of the constraint that it uses up.
+    """Equations that may be solved next, each with the index of the constraint that it uses up.
 
     Two circles or spheres have a linear difference: x² + y² = a² and (x − b)² + y² = c² give x.
     """
@@ -242,12 +244,12 @@ def _candidates(
 
 
 def _squares(f: sp.Expr, unknown: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
-    """The unknowns of which f has the square times a number, and the number; none where f is long."""
+    """The unknowns whose squares occur in f with numerical coefficients, and these; none if f is long."""
     if _is_long(f):
         return {}
     expanded, symbols = sp.expand(f), f.free_symbols
-    found = {q: expanded.coeff(q, 2) for q in unknown if q in symbols}
-    return {q: a for q, a in found.items() if a.is_number and a != 0}
+    coefficients = {q: expanded.coeff(q, 2) for q in unknown if q in symbols}
+    return {q: a for q, a in coefficients.items() if a.is_number and a != 0}
 
 
 def solved_for_one(
@@ -255,7 +257,7 @@ def solved_for_one(
 ) -> tuple[sp.Symbol, sp.Expr, tuple[Sign, ...]] | None:
     """q, its value and the sign of its root, for the first unknown in which f = 0 has the given degree.
 
-    None where there is none, or the equation is too long.
+    None if there is none, or the equation is too long.
     """
     if _is_long(f):
         return None
@@ -272,24 +274,24 @@ def solved_for_one(
         sign = Sign(f"sigma_{number}")
         half = sp.expand(b / (2 * a))
         radicand = half**2 - c / a
-        if Measures().of(radicand).widest > MOST_TERMS:
+        if Sizes().of(radicand).widest > MOST_SOLVED_TERMS:
             continue
         return q, sign * sp.sqrt(sp.expand(radicand)) - half, (sign,)
     return None
 
 
 def _is_long(f: sp.Expr) -> bool:
-    """Whether an equation is too long to be solved: differentiating and multiplying out would not end soon."""
-    found = Measures().of(f)
-    return found.size > LONGEST_SOLVED or found.widest > MOST_TERMS
+    """Whether an equation is too long to be differentiated and multiplied out in reasonable time."""
+    sizes = Sizes().of(f)
+    return sizes.size > LONGEST_SOLVED or sizes.widest > MOST_SOLVED_TERMS
 
 
 def _polynomial(f: sp.Expr, q: sp.Symbol, degree: int) -> list[sp.Expr] | None:
-    """The coefficients of f as a polynomial of exactly this degree in q, lowest first; None where it is none.
+    """The coefficients of f as a polynomial of exactly this degree in q, lowest first; None if it is not one.
 
-    What is short may be a polynomial once it is multiplied out; of what is long it is asked to be one as it stands.
+    A short expression may become a polynomial when multiplied out; a long one must be a polynomial as it is written.
     """
-    if Measures().of(f).size > MULTIPLIED_OUT and not f.is_polynomial(q):
+    if Sizes().of(f).size > LONGEST_EXPANDED and not f.is_polynomial(q):
         return None
     coefficients = []
     derivative = f

@@ -1,15 +1,14 @@
 """Possible and virtual displacements.
 
-The constraints in differential form, A dq + a_t dt = 0, are what a possible displacement satisfies. Two of them in the
-same dt differ by a virtual displacement, A δq = 0: time is frozen and a_t has dropped out. So with any w for which
-A w + a_t = 0, the possible displacements are
+A possible displacement satisfies the constraints in differential form, A dq + a_t dt = 0. Two of them in the same dt
+differ by a virtual displacement, A δq = 0: time is frozen, and a_t drops out. So with any w for which A w + a_t = 0,
 
-    dq = δq + w dt ,     dr = δr + (Σ (∂r/∂q_k) w_k + ∂r/∂t) dt :
+    dq = δq + w dt ,     dr = δr + (Σ (∂r/∂q_k) w_k + ∂r/∂t) dt ,
 
-w dt is what the moving constraints force on the system. Solving A δq = 0 for m of the δq leaves n − m independent
-ones; each pivot that is divided by must not vanish, and is stated. Where a constraint φ = 0 is not linear in the
-velocities, the difference of two possible displacements satisfies nothing linear, and Σ ∂φ/∂q' δq = 0 is Chetaev's
-rule, a postulate (N. G. Chetaev, On Gauss's principle, 1932).
+where w dt is the displacement imposed by the moving constraints. Solving A δq = 0 for m of the δq leaves n − m
+independent ones; each pivot that is divided by must not vanish, and is reported. Where a constraint φ = 0 is not linear
+in the velocities, the difference of two possible displacements satisfies no linear condition, and Σ ∂φ/∂q' δq = 0 is
+Chetaev's rule, a postulate (N. G. Chetaev, On Gauss's principle, 1932).
 
 Shapes: A (m, n), a_t (m,), w (n,).
 """
@@ -21,24 +20,21 @@ from functools import lru_cache
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import Surface
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short
-from lagrange.core.expression_size import Measures
+from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, differential, t, variation
 from lagrange.core.vectors import Vector
-from lagrange.mechanics.constraints.kinematics import Load, MassPoint, Row, is_pfaffian
-
-MOST_FACTORED = 8
-"""Symbols of a minor that is still factored."""
-MOST_DRIFTS = 8
-"""Eliminations that are tried for a simple drift."""
-LONGEST_FACTORED = 20
-"""Operations of a quotient that is still factored."""
-
-MOST_TERMS = 200
-"""Terms, all multiplied out, of an expression that is still reduced or factored."""
+from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
+from lagrange.mechanics.constraints.kinematics import Load, MassPoint
+from lagrange.mechanics.constraints.limits import (
+    LONGEST_FACTORED,
+    MOST_CANCELLED_TERMS,
+    MOST_DRIFTS,
+    MOST_FACTORED_SYMBOLS,
+)
 
 
 @record
@@ -46,11 +42,11 @@ class Elimination:
     """A δq = 0 solved for the dependent ones.
 
     independent  indices of the coordinates whose δq are free
-    dependent    indices of the coordinates whose δq are given, in the order of the rows used
+    dependent    indices of the coordinates whose δq are solved for, in the order of the rows used
     solution     shape (number dependent, number independent): δq_D = solution · δq_I
     drift        shape (number dependent,): dq_D = solution · dq_I + drift dt
-    pivots       the factors of the minor that was divided by, constants left out: must not vanish
-    unused       indices of rows that follow from the others
+    pivots       the factors of the minor divided by, without constants: must not vanish
+    unused       indices of redundant rows
     """
 
     independent: tuple[int, ...]
@@ -76,7 +72,7 @@ class Elimination:
 
 
 def possible_displacement(row: Row, slots: Slots) -> sp.Expr:
-    """Σ a_i dq_i + a_t dt; of a constraint that is not linear in the velocities φ, with dq_i = q_i' dt."""
+    """Σ a_i dq_i + a_t dt; φ of a constraint that is not linear in the velocities, where dq_i = q_i' dt."""
     if row.nonlinear is not None:
         return row.nonlinear
     terms = (a * differential(q) for a, q in zip(row.coefficients, slots.coordinates, strict=True))
@@ -93,8 +89,8 @@ def displaced(point: MassPoint, slots: Slots) -> Vector:
     return _moved(point, [variation(q) for q in slots.coordinates])
 
 
-def carried_along(point: MassPoint, slots: Slots, rates: Sequence[sp.Expr]) -> Vector:
-    """What the moving constraints force on a particle: Σ (∂r/∂q_k) w_k + ∂r/∂t."""
+def transport_velocity(point: MassPoint, slots: Slots, rates: Sequence[sp.Expr]) -> Vector:
+    """The velocity that the moving constraints impose on a particle: Σ (∂r/∂q_k) w_k + ∂r/∂t."""
     return (_moved(point, rates) + point.position.frozen_derivative(slots)).map(textbook_form)
 
 
@@ -108,25 +104,31 @@ def _moved(point: MassPoint, by: Sequence[sp.Expr]) -> Vector:
 
 
 def displaced_force(load: Load, slots: Slots) -> Vector:
-    """δr of the point where a force acts."""
+    """δr of the point of application of a force."""
     total = Vector.zero(load.point.triad)
     for q in slots.coordinates:
         total = total + load.point.partial(q) * variation(q)
     return total
 
 
-def carrying_rates(rows: Sequence[Row], elimination: Elimination, size: int, surface: Surface) -> tuple[sp.Expr, ...]:
-    """The simplest w found with A w + a_t = 0, shape (n,): all zero where no constraint moves.
+def virtual_displacements(system: ConstrainedSystem, first: Collection[int] = ()) -> Elimination:
+    """The virtual displacements A δq = 0, the dependent ones solved for; `first` are eliminated before any others."""
+    return eliminate(system.rows, system.size, system.states, first)
 
-    w is not unique; of those that set all coordinates but m to rest, the one written most simply is taken. There is no
-    w where a constraint is not linear in the velocities.
+
+def transport_rates(system: ConstrainedSystem, elimination: Elimination) -> tuple[sp.Expr, ...]:
+    """The simplest w found with A w + a_t = 0, shape (n,): all zero if no constraint moves.
+
+    w is not unique: any virtual displacement can be added. Of those with n − m coordinates at rest, the shortest is
+    taken. There is no w if a constraint is not linear in the velocities.
     """
-    if not is_pfaffian(rows) or not any(elimination.drift):
+    rows, size = system.rows, system.size
+    if not system.is_pfaffian or not any(elimination.drift):
         return (sp.S.Zero,) * size
     moving = {k for row in rows if row.drift != 0 for k, a in enumerate(row.coefficients) if a != 0}
     others = sorted(moving - set(elimination.dependent))[:MOST_DRIFTS]
-    found = [elimination, *(eliminate(rows, size, surface, (k,)) for k in others)]
-    return min((_rates(e, size) for e in found), key=lambda w: sum(1 + r.count_ops() for r in w if r != 0))
+    eliminations = [elimination, *(virtual_displacements(system, (k,)) for k in others)]
+    return min((_rates(e, size) for e in eliminations), key=lambda w: sum(1 + r.count_ops() for r in w if r != 0))
 
 
 def _rates(elimination: Elimination, size: int) -> tuple[sp.Expr, ...]:
@@ -137,19 +139,20 @@ def _rates(elimination: Elimination, size: int) -> tuple[sp.Expr, ...]:
 
 
 class TooLongError(Exception):
-    """The elimination has more operations in it than were allowed."""
+    """The elimination has more operations than allowed."""
 
 
 def eliminate(
     rows: Sequence[Row], size: int, surface: Surface, first: Collection[int] = (), most: int | None = None
 ) -> Elimination:
-    """Solves A δq = 0, and with it A dq + a_t dt = 0, by Gauss-Jordan elimination.
+    """Solve A δq = 0, and with it A dq + a_t dt = 0, by Gauss-Jordan elimination.
 
     rows   the forms, m of them, with `size` coefficients each
     first  indices of coordinates to be eliminated before any others
-    most   operations that all entries together may have on the way; beyond them it raises TooLongError
+    most   operations allowed for all entries together on the way; beyond that it raises TooLongError
 
-    A pivot is nonzero at generic points of the constraint surface; constants are preferred, then short expressions.
+    A pivot is nonzero at generic points of the constraint surface. Constants are preferred, then short expressions,
+    because each pivot is a condition on the result and a denominator in it.
     """
     matrix = [[*row.coefficients, row.drift] for row in rows]
     pivot_of: dict[int, int] = {}
@@ -189,7 +192,9 @@ def _pivot_column(row: Sequence[sp.Expr], surface: Surface, first: Collection[in
 
 
 def _minor(pivots: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """Factors of the minor that was divided by: the pivots themselves, where none has a denominator to cancel."""
+    """Factors of the minor divided by: the pivots themselves, if none has a denominator to cancel."""
+    # The minor is the product of the pivots. The denominators of later pivots are earlier pivots, which cancel in it;
+    # without denominators the product need not be multiplied out, and stays in factors.
     if all(sp.fraction(p)[1].is_number for p in pivots):
         return [_tidy(p) for p in pivots]
     minor = sp.S.One
@@ -199,9 +204,9 @@ def _minor(pivots: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 
 def _varying_factors(minor: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
-    """What can vanish of the factors of a minor, each once, constants dropped: of 2 l x² it is x."""
+    """The factors of a minor that can vanish, each once, without constants: x in 2 l x²."""
     numerators = (sp.fraction(p)[0] for p in minor)
-    parts = (sp.factor(p) if len(p.free_symbols) <= MOST_FACTORED and _is_short(p) else p for p in numerators)
+    parts = (sp.factor(p) if len(p.free_symbols) <= MOST_FACTORED_SYMBOLS and _is_short(p) else p for p in numerators)
     bases = (f.as_base_exp()[0] for p in parts for f in sp.Mul.make_args(p))
     varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
     return tuple(dict.fromkeys(varying))
@@ -209,8 +214,8 @@ def _varying_factors(minor: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
 
 @lru_cache(maxsize=256)
 def _factored(quotient: sp.Expr) -> sp.Expr:
-    """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], where factors make a quotient shorter."""
-    if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED:
+    """−(y² + 3x y)/(x² + x y) as −y (3x + y)/[x (x + y)], if factors make a quotient shorter."""
+    if quotient.is_Atom or len(quotient.free_symbols) > MOST_FACTORED_SYMBOLS:
         return quotient
     if not is_short(quotient) or quotient.count_ops() > LONGEST_FACTORED or quotient.atoms(sp.Function):
         return quotient
@@ -221,7 +226,7 @@ def _factored(quotient: sp.Expr) -> sp.Expr:
 
 def _is_short(expression: sp.Expr) -> bool:
     """Whether multiplying out takes little time: (x + y + z + w)^20 has 1771 terms."""
-    return Measures().of(expression).widest <= MOST_TERMS
+    return Sizes().of(expression).widest <= MOST_CANCELLED_TERMS
 
 
 def _cancelled(expression: sp.Expr) -> sp.Expr:
@@ -230,7 +235,7 @@ def _cancelled(expression: sp.Expr) -> sp.Expr:
 
 @lru_cache(maxsize=256)
 def _tidy(entry: sp.Expr) -> sp.Expr:
-    """A quotient in lowest terms, and with sin² + cos² put together."""
+    """A quotient in lowest terms, with sin² + cos² = 1."""
     if entry.is_number or entry.is_Symbol:
         return entry
     reduced = _cancelled(entry)

@@ -1,32 +1,33 @@
-"""A configuration, and how it moves: r(q, t), v = dr/dt, a = dv/dt, and the virtual displacements δr.
+"""The system in one set of coordinates: r(q, t), v = dr/dt, a = dv/dt, and the virtual displacements δr.
 
 With the coordinates q of a configuration,
 
     v = Σ (∂r/∂q_k) q_k' + ∂r/∂t ,     δr = Σ (∂r/∂q_k) δq_k   (time frozen) .
 
-A rigid body is its mass centre, a point with the mass, and a rotation (`rigid_bodies.py`). A force at another of its
-points r_A acts at the mass centre too, and has the moment (r_A − r_G) × F.
+A rigid body is its mass centre, a point with the mass, and a rotation (`rigid_bodies.py`). A force at another point r_A
+of the body acts at the mass centre as well, with the moment (r_A − r_G) × F.
 
 The same functions serve the file's own coordinates and every choice of generalized coordinates: a choice is another
-configuration, with the positions, forces and remaining constraints written in its coordinates.
+configuration, with the positions, forces and remaining constraints rewritten in its coordinates.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import field, replace
 from functools import cached_property
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import Surface
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, multiplier, prime
+from lagrange.core.symbols import Slots, prime
 from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.rigid_bodies import Rotation, rotation_in, rotation_of
 from lagrange.mechanics.constraints.springs_dampers import (
-    Damped,
+    DamperForce,
     Stretched,
     damper_in,
     dampers_in,
@@ -37,75 +38,10 @@ from lagrange.problem.model import AppliedForce, AppliedMoment, Potential, Probl
 
 
 @record
-class Row:
-    """One constraint in the coordinates of a configuration: what it asks of displacements.
-
-    A Pfaffian form Σ a_i dq_i + a_t dt = 0 has a_i and a_t that depend on q and t. Where a constraint φ(q, q', t) = 0
-    is not linear in the velocities, a_i = ∂φ/∂q_i' depend on them too, Σ a_i δq_i = 0 is Chetaev's rule, and
-
-        a_t = φ − Σ a_i q_i'        so that Σ a_i q_i' + a_t = φ, as in a Pfaffian form.
-
-    coefficients  shape (n,)
-    drift         a_t
-    finite        f(q, t), where the constraint is the finite relation f = 0; None for a constraint on velocities
-    nonlinear     φ, where it is not linear in the velocities
-    """
-
-    name: str
-    coefficients: tuple[sp.Expr, ...]
-    drift: sp.Expr
-    finite: sp.Expr | None = None
-    nonlinear: sp.Expr | None = None
-
-    @classmethod
-    def by_chetaev(cls, name: str, function: sp.Expr, slots: Slots) -> Row:
-        """The row of a constraint φ(q, q', t) = 0 that is not linear in the velocities."""
-        coefficients = tuple(function.diff(v) for v in slots.velocities)
-        powers = (a * v for a, v in zip(coefficients, slots.velocities, strict=True))
-        return cls(name, coefficients, sp.Add(function, *(-p for p in powers)), nonlinear=function)
-
-    @property
-    def form(self) -> tuple[sp.Expr, ...]:
-        """The coefficients of all differentials, dt among them, shape (n + 1,)."""
-        return (*self.coefficients, self.drift)
-
-    @property
-    def multiplier(self) -> sp.Symbol:
-        """λ with the constraint's name, that of the component C.x without its point."""
-        return multiplier(self.name.replace(".", "_"))
-
-    @property
-    def is_identity(self) -> bool:
-        """Whether it is written 0 = 0."""
-        return self.drift == 0 and all(a == 0 for a in self.coefficients)
-
-    def velocity_form(self, slots: Slots) -> sp.Expr:
-        """Σ a_i q_i' + a_t, or φ."""
-        if self.nonlinear is not None:
-            return self.nonlinear
-        terms = (a * v for a, v in zip(self.coefficients, slots.velocities, strict=True))
-        return sp.Add(*terms, self.drift)
-
-
-def is_pfaffian(rows: Iterable[Row]) -> bool:
-    """Whether all constraints are linear in the velocities."""
-    return all(r.nonlinear is None for r in rows)
-
-
-def admitted_states(rows: Sequence[Row], slots: Slots) -> Surface:
-    """The generic points (q, q', t) where the finite relations hold and the velocities satisfy all rows.
-
-    Forms that depend on velocities have their ranks there.
-    """
-    finite = [r.finite for r in rows if r.finite is not None]
-    return Surface([*finite, *(r.velocity_form(slots) for r in rows)], (*slots.coordinates, *slots.velocities))
-
-
-@record
 class Load:
-    """An applied force and the point that it acts at; `elsewhere`: that is not where the particle is that it acts on.
+    """An applied force and its point of application; `elsewhere`: not at the position of the particle it acts on.
 
-    On a body it acts anywhere: the arm from the mass centre gives it a moment.
+    On a body any point is allowed: the arm from the mass centre gives the force a moment.
     """
 
     name: str
@@ -141,11 +77,10 @@ class Configuration:
     """The system in one set of coordinates.
 
     name        of the choice of generalized coordinates; empty for the file's own coordinates
-    slots       the coordinates and the prescribed motions
+    constrained  the coordinates, and the constraints that they still have to satisfy
     points      the particles, and the mass centres of the bodies
     loads       the applied forces, weights included
-    potential   the potential energy of what is given by a potential, and of the springs
-    rows        the constraints that these coordinates still have to satisfy
+    potential   the potential energy of the given potentials and of the springs
     expressed   each old coordinate that is replaced, in the present coordinates
     springs     the springs
     dampers     the dampers
@@ -154,21 +89,55 @@ class Configuration:
     """
 
     name: str
-    slots: Slots
+    constrained: ConstrainedSystem
     points: tuple[MassPoint, ...]
     loads: tuple[Load, ...]
     potential: sp.Expr
-    rows: tuple[Row, ...]
     expressed: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     springs: tuple[Stretched, ...] = ()
-    dampers: tuple[Damped, ...] = ()
+    dampers: tuple[DamperForce, ...] = ()
     rotations: tuple[Rotation, ...] = ()
     torques: tuple[Torque, ...] = ()
 
     @property
-    def links(self) -> tuple[Stretched | Damped, ...]:
+    def slots(self) -> Slots:
+        """The coordinates and the prescribed motions."""
+        return self.constrained.slots
+
+    @property
+    def rows(self) -> tuple[Row, ...]:
+        """The constraints that these coordinates still have to satisfy."""
+        return self.constrained.rows
+
+    @property
+    def finite_constraints(self) -> tuple[sp.Expr, ...]:
+        """The finite relations f(q, t) = 0 among the rows."""
+        return self.constrained.finite_constraints
+
+    @property
+    def surface(self) -> Surface:
+        """The generic points where the finite relations hold."""
+        return self.constrained.surface
+
+    @property
+    def states(self) -> Surface:
+        """Where forms have their ranks: `ConstrainedSystem.states`."""
+        return self.constrained.states
+
+    @property
+    def accelerated_constraints(self) -> tuple[sp.Expr, ...]:
+        """d/dt of the velocity form of each row."""
+        return self.constrained.accelerated_constraints
+
+    @property
+    def links(self) -> tuple[Stretched | DamperForce, ...]:
         """The springs and the dampers."""
         return (*self.springs, *self.dampers)
+
+    @property
+    def has_field(self) -> bool:
+        """Whether the potential energy is more than that of the springs."""
+        return bool(self.potential - sp.Add(*(s.energy for s in self.springs)) != 0)
 
     @property
     def particles(self) -> tuple[MassPoint, ...]:
@@ -182,42 +151,22 @@ class Configuration:
         return tuple(f for f in self.loads if f.on == body and not (f.point - centre).is_zero)
 
     def moments_on(self, body: str) -> tuple[Vector, ...]:
-        """The applied moments on a body, and those of the forces that do not act at its mass centre, about that."""
+        """The applied moments on a body, and the moments about its mass centre of forces that act elsewhere on it."""
         [centre] = (p.position for p in self.points if p.name == body)
-        found = [(f.point - centre).cross(f.vector) for f in self.loads_beside(body)]
-        return tuple(m for m in (*found, *(m.vector for m in self.torques if m.on == body)) if not m.is_zero)
+        of_forces = [(f.point - centre).cross(f.vector) for f in self.loads_beside(body)]
+        moments = (*of_forces, *(m.vector for m in self.torques if m.on == body))
+        return tuple(m for m in moments if not m.is_zero)
 
     def moment_on(self, body: str) -> Vector:
-        """Their sum, along the axes that the angular momentum is along."""
+        """The sum of these moments, in the triad of the angular momentum."""
         [rotation] = (r for r in self.rotations if r.name == body)
         triad = rotation.angular_velocity.triad
         return sum(self.moments_on(body), Vector.zero(triad)).along(triad).map(textbook_form)
 
     def is_pinned(self, point: MassPoint) -> bool:
-        """Whether a point is the mass centre of a body, and stays where it is."""
+        """Whether a point is the fixed mass centre of a body."""
         fixed = all(v.is_zero for v in (*point.partials, point.velocity))
         return fixed and any(r.name == point.name for r in self.rotations)
-
-    @property
-    def finite_constraints(self) -> tuple[sp.Expr, ...]:
-        """The finite relations f(q, t) = 0 among the rows."""
-        return tuple(r.finite for r in self.rows if r.finite is not None)
-
-    @cached_property
-    def surface(self) -> Surface:
-        """The generic points where the finite relations hold."""
-        return Surface(self.finite_constraints, self.slots.coordinates)
-
-    @cached_property
-    def states(self) -> Surface:
-        """Where forms have their ranks: the surface, with `admitted_states` where forms depend on velocities."""
-        return self.surface if is_pfaffian(self.rows) else admitted_states(self.rows, self.slots)
-
-    @cached_property
-    def accelerated_constraints(self) -> tuple[sp.Expr, ...]:
-        """d/dt of the velocity form of each row."""
-        slots = self.slots
-        return tuple(slots.time_derivative(r.velocity_form(slots)) for r in self.rows)
 
     def rewritten(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file's coordinates, velocities and accelerations in the present ones."""
@@ -247,17 +196,16 @@ def applied_loads(problem: Problem) -> tuple[Load, ...]:
     return tuple(loads)
 
 
-def file_configuration(problem: Problem, rows: tuple[Row, ...]) -> Configuration:
+def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Configuration:
     """The system in the coordinates of the file."""
     springs = stretched_springs(problem)
     energies = (f.energy for f in problem.forces if isinstance(f, Potential))
     return Configuration(
         name="",
-        slots=problem.slots,
+        constrained=constrained,
         points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in problem.masses),
         loads=applied_loads(problem),
         potential=sp.Add(*energies, *(s.energy for s in springs)),
-        rows=rows,
         springs=springs,
         dampers=dampers_in(problem),
         rotations=tuple(rotation_of(b, problem.slots) for b in problem.bodies),
@@ -274,7 +222,8 @@ def substituted_configuration(
 ) -> Configuration:
     """The same system in other coordinates; `expressed` gives each coordinate that is replaced."""
     slots = Slots(coordinates, original.slots.prescribed)
-    blank = Configuration(name, slots, (), (), sp.S.Zero, rows, expressed)
+    constrained = ConstrainedSystem(slots, rows)
+    blank = Configuration(name, constrained, (), (), sp.S.Zero, expressed)
     rule = blank.substitution
     points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
     loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
@@ -282,11 +231,10 @@ def substituted_configuration(
     others = original.potential - sp.Add(*(s.energy for s in original.springs))
     return Configuration(
         name,
-        slots,
+        constrained,
         points,
         loads,
         sp.Add(others.xreplace(rule), *(s.energy for s in springs)),
-        rows,
         expressed,
         springs,
         dampers=tuple(damper_in(d, rule, slots) for d in original.dampers),

@@ -1,4 +1,4 @@
-"""How a rigid body turns in a configuration: ω, the virtual rotation δπ, the angular momentum H and dH/dt.
+"""Rotation of a rigid body in a configuration: ω, the virtual rotation δπ, the angular momentum H and dH/dt.
 
     ω = Σ ω_k q_k' + ω_t ,    δπ = Σ ω_k δq_k ,    H = A ω_1 e_1 + B ω_2 e_2 + C ω_3 e_3 ,
 
@@ -7,7 +7,7 @@ angular velocity Ω of its own, Ω = ω where it is fixed in the body, and
 
     dH/dt = A ω_1' e_1 + B ω_2' e_2 + C ω_3' e_3 + Ω × H .
 
-δπ is not the variation of anything: the ω_k need not be derivatives, and the q_k may be quasi-coordinates.
+δπ is not the variation of any function: the ω_k need not be derivatives, and the q_k may be quasi-coordinates.
 Reference: Whittaker, Analytical Dynamics, §§ 62-64.
 """
 
@@ -18,24 +18,22 @@ from collections.abc import Sequence
 import sympy as sp
 
 from lagrange.core.records import record
-from lagrange.core.rotation import Axes, triad_in, turning_rate
 from lagrange.core.symbols import Slots, prime
-from lagrange.core.vectors import Components, Vector
+from lagrange.core.vectors import Axes, Components, Vector, triad_in, turning_rate
 from lagrange.problem.model import Body
-from lagrange.problem.orientation import orientation
 
 
 @record
 class Rotation:
-    """How one body turns.
+    """The rotation of one body.
 
-    axes              to which the moments of inertia refer, in i, j, k
-    inertia           the moments about the axes of the triad that vectors here are in components of
+    axes              the axes that the moments of inertia refer to, in i, j, k
+    inertia           the moments about the axes of the triad in which the vectors here have their components
     angular_velocity  ω
     partials          shape (n,): ω_k
     momentum          H, about the mass centre
     momentum_rate     dH/dt
-    given             whether the file gives ω and the axes apart from one another
+    given             whether the file gives ω and the axes separately
     """
 
     name: str
@@ -62,15 +60,15 @@ class Rotation:
 
 def rotation_of(body: Body, slots: Slots) -> Rotation:
     """The rotation of a body in the coordinates of the file."""
-    found = orientation(body, slots)
+    oriented = body.orientation(slots)
     given = body.angular_velocity is not None
-    return _rotation(body.name, found.axes, found.inertia, found.angular_velocity, given, slots)
+    return _rotation(body.name, oriented.axes, oriented.inertia, oriented.angular_velocity, given, slots)
 
 
 def rotation_in(
     rotation: Rotation, expressed: dict[sp.Symbol, sp.Expr], rule: dict[sp.Basic, sp.Basic], slots: Slots
 ) -> Rotation:
-    """The rotation in other coordinates; `expressed` gives each that is replaced, `rule` its derivatives too."""
+    """The rotation in other coordinates; `expressed` gives each replaced coordinate, `rule` its derivatives as well."""
     triad = triad_in(rotation.angular_velocity.triad, expressed, slots)
     spin = Vector(rotation.angular_velocity.components, triad).map(lambda c: c.xreplace(rule))
     first, second, third = (axis.xreplace(rule) for axis in rotation.axes)
@@ -85,9 +83,9 @@ def _rotation(name: str, axes: Axes, inertia: Components, spin: Vector, given: b
 
 
 def relative_to_triad(rotation: Rotation, slots: Slots) -> tuple[sp.Expr, ...]:
-    """What must vanish so that the moments of inertia are constant in the triad: (A − B) (ω − Ω)·e_3, and so on.
+    """The expressions that vanish if the moments of inertia are constant in the triad: (A − B) (ω − Ω)·e_3, and so on.
 
-    Only where the file gives ω and the axes apart from one another is there anything to ask.
+    There are none unless the file gives ω and the axes separately.
     """
     if not rotation.given:
         return ()

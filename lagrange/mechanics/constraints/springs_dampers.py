@@ -1,10 +1,11 @@
-"""Springs and dampers between two points, by their distance d.
+"""Springs and dampers between two points at the distance d.
 
-    spring   V = k (d − l)²/2 ,  a pull k (d − l) on both ends
-    damper   a pull c d' on both ends, with the power −c d'²
+    spring   V = k (d − l)²/2 ,  pulls both ends with k (d − l)
+    damper   pulls both ends with c d' , power −c d'²
 
-On a straight line d is |s|. There the file may say which sign s has (`sense`: of r_2 − r_1), as a drawing does;
-otherwise |s| stays, as does sign s in the force. A damper does not need to know: −c d' along the line is −c s' along s.
+A positive pull draws the ends together. On a straight line d = |s|. There the file may give the sign of s (`sense`,
+that of r_2 − r_1), as a drawing does; otherwise |s| remains, and sign s in the force. A damper needs no sign: −c d'
+along the line is −c s' along s.
 """
 
 from __future__ import annotations
@@ -14,24 +15,22 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots
 from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.limits import MOST_SQUARE_TERMS
 from lagrange.problem.model import Damper, Problem, Spring
-
-MOST_TERMS = 20
-"""Terms of a squared distance that is still looked at for being a square."""
 
 
 class Link:
-    """What springs and dampers have in common."""
+    """A spring or damper: an element between two points."""
 
     name: str
 
     @property
     def length_symbol(self) -> sp.Symbol:
-        """What the distance of the ends is called: d_tie."""
+        """The symbol for the distance of the ends: d_tie."""
         return sp.Symbol(f"d_{self.name}", real=True)
 
 
@@ -39,8 +38,8 @@ class Link:
 class Stretched(Link):
     """A spring in a configuration.
 
-    ends      names of what it is fastened to, where they have one, and vectors
-    apart     from the second end to the first
+    ends      each end by the name of its particle or body, or else by its position
+    apart     the vector from the second end to the first
     distance  d
     """
 
@@ -53,7 +52,7 @@ class Stretched(Link):
 
     @property
     def energy(self) -> sp.Expr:
-        """k (d − l)²/2, written so that no root is left where l = 0, and no |s|² anywhere."""
+        """k (d − l)²/2, written without a root if l = 0, and without |s|²."""
         d, l = self.distance, self.length
         if d.has(sp.Abs):
             return self.stiffness * (d**2 - 2 * l * d + l**2) / 2
@@ -67,7 +66,7 @@ class Stretched(Link):
 
 
 @record
-class Damped(Link):
+class DamperForce(Link):
     """A damper in a configuration; fields as of a spring. On a straight line `distance` is s, whatever its sign.
 
     rate  d'
@@ -88,26 +87,26 @@ class Damped(Link):
 
 def stretched_springs(problem: Problem) -> tuple[Stretched, ...]:
     """The springs in the coordinates of the file."""
-    found = []
+    springs = []
     for f in problem.forces:
         if isinstance(f, Spring):
             apart = f.ends[0] - f.ends[1]
             length = _distance(apart) if f.sense is None else -f.sense * sp.Add(*apart.components)
-            found.append(Stretched(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
-    return tuple(found)
+            springs.append(Stretched(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
+    return tuple(springs)
 
 
-def dampers_in(problem: Problem) -> tuple[Damped, ...]:
+def dampers_in(problem: Problem) -> tuple[DamperForce, ...]:
     """The dampers in the coordinates of the file."""
-    found = []
+    dampers = []
     for f in problem.forces:
         if isinstance(f, Damper):
             apart = f.ends[0] - f.ends[1]
             parts = [c for c in apart.components if c != 0]
             length = -parts[0] if len(parts) == 1 else _unsigned(_root(textbook_form(apart.dot(apart))))
             rate = textbook_form(problem.slots.time_derivative(length))
-            found.append(Damped(f.name, f.coefficient, _named(f.ends, problem), apart, length, rate))
-    return tuple(found)
+            dampers.append(DamperForce(f.name, f.coefficient, _named(f.ends, problem), apart, length, rate))
+    return tuple(dampers)
 
 
 def spring_in(spring: Stretched, rule: dict[sp.Basic, sp.Basic]) -> Stretched:
@@ -124,7 +123,7 @@ def spring_in(spring: Stretched, rule: dict[sp.Basic, sp.Basic]) -> Stretched:
     )
 
 
-def damper_in(damper: Damped, rule: dict[sp.Basic, sp.Basic], slots: Slots) -> Damped:
+def damper_in(damper: DamperForce, rule: dict[sp.Basic, sp.Basic], slots: Slots) -> DamperForce:
     """The damper in other coordinates."""
     squared = textbook_form(damper.distance.xreplace(rule) ** 2) if damper.distance.is_Pow else None
     length = damper.distance.xreplace(rule) if squared is None else _unsigned(_root(squared))
@@ -146,7 +145,7 @@ def _rewritten(
 
 
 def _named(ends: tuple[Vector, Vector], problem: Problem) -> tuple[str | Vector, str | Vector]:
-    """The ends, those that are particles or mass centres by name; what is pinned at the origin is the origin."""
+    """The ends, particles and mass centres by name; a point pinned at the origin is the origin."""
     places: Mapping[Vector, str] = {p.position: p.name for p in problem.masses if not p.position.is_zero}
     first, second = (places.get(e, e) for e in ends)
     return first, second
@@ -160,12 +159,12 @@ def _distance(apart: Vector) -> sp.Expr:
 
 
 def _root(squared: sp.Expr) -> sp.Expr:
-    """The square root; |s| where s² is multiplied out."""
-    if squared.is_Add and len(squared.args) <= MOST_TERMS and squared.is_polynomial(*squared.free_symbols):
+    """The square root; |s| for s² even if multiplied out."""
+    if squared.is_Add and len(squared.args) <= MOST_SQUARE_TERMS and squared.is_polynomial(*squared.free_symbols):
         squared = sp.factor(squared)
     return sp.sqrt(squared)
 
 
 def _unsigned(length: sp.Expr) -> sp.Expr:
-    """s for |s|."""
+    """s instead of |s|."""
     return length.args[0] if isinstance(length, sp.Abs) else length

@@ -1,1 +1,1 @@
-""""""
+"""Newton, d'Alembert, Lagrange: equations of motion, reactions, friction, conserved quantities."""

@@ -1,14 +1,14 @@
-"""Do two systems of equations have the same solutions?
+"""Comparison of two systems of equations: do they have the same solutions?
 
 Equations of motion are affine in the unknowns (accelerations, multipliers). At a random state on the constraint
-surface, with velocities that satisfy the constraints, each becomes a row [A | b]. An equation follows from a system
-when its row lies in the row space of the system's rows and of the second derivatives of the constraints, and two
-systems agree when their row spaces do. Any rearrangement, any nonzero factor and any linear combination is taken in.
+surface, with velocities that satisfy the constraints, each becomes a row [A | b]. An equation follows from a system if
+its row lies in the row space of the system's rows and of the second derivatives of the constraints; two systems agree
+if each follows from the other. This accepts any rearrangement, any nonzero factor and any linear combination.
 Multipliers are columns like the others; where they may be eliminated, their columns are projected out.
 
-Rows are taken exactly at random points. That an equation contradicts is certain, where there are no branches; how sure
-it is that one follows is said in `exact`: it hangs on the prime that all points of a question share, and little on
-their number. A result that differs from point to point is "undecided".
+Rows are evaluated exactly at random points. A contradiction is certain where there are no branches; how certain it is
+that an equation follows is explained in `zero_test`: it depends on the prime that all points of a question share, and
+little on their number. A result that differs from point to point is "undecided".
 """
 
 from __future__ import annotations
@@ -19,28 +19,28 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import Point
-from lagrange.algebra.exact.linear_algebra import Row, RowSpace
-from lagrange.algebra.exact.sampling import agreed
+from lagrange.algebra.exact.linear_algebra import NumberRow, RowSpace
+from lagrange.algebra.exact.zero_test import Point, agreed
 from lagrange.core.records import record
-from lagrange.mechanics.constraints.kinematics import Configuration, is_pfaffian
+from lagrange.mechanics.constraints.constrained_system import is_pfaffian
+from lagrange.mechanics.constraints.kinematics import Configuration
 
 T = TypeVar("T")
 
 
 class Standing(Enum):
-    """How one equation stands to a system."""
+    """The relation of one equation to a system."""
 
     FOLLOWS = auto()
-    CONSTRAINT = auto()  # it holds by the constraints alone, or is an identity
-    REDUNDANT = auto()  # it follows, and from the equations before it
+    CONSTRAINT = auto()  # it follows from the constraints alone, or is an identity
+    REDUNDANT = auto()  # it follows already from earlier equations
     CONTRADICTS = auto()
     NOT_LINEAR = auto()  # in the accelerations
 
 
 @record
-class Comparison:
-    """How each equation stands to the system, and how many independent ones are missing."""
+class EquationComparison:
+    """The standing of each equation, and the number of independent equations that are missing."""
 
     standings: tuple[Standing, ...]
     missing: int
@@ -56,7 +56,7 @@ class Comparison:
 class System:
     """A system of equations of motion: each of `equations` is zero.
 
-    multipliers  unknowns beside the accelerations: λ_j of the constraints, unknown forces
+    multipliers  unknowns in addition to the accelerations: λ_j of the constraints, unknown forces
     """
 
     configuration: Configuration
@@ -69,12 +69,12 @@ class System:
         return self.configuration.accelerated_constraints
 
 
-def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol] = ()) -> Comparison | None:
-    """How the equations `answer` (each zero) stand to a system. None: undecided.
+def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol] = ()) -> EquationComparison | None:
+    """Compare the equations `answer` (each zero) with a system. None: undecided.
 
-    free  unknown forces that only the answer knows; they are eliminated from it
+    free  unknown forces that only the answer contains; they are eliminated from it
 
-    Raises DivisionByZero where the answer divides by what is exactly zero.
+    Raises DivisionByZeroError if the answer divides by an expression that is exactly zero.
     """
     return agreed_in_motion(
         system.configuration,
@@ -90,7 +90,7 @@ def agreed_in_motion(
     expressions: Sequence[sp.Expr],
     settles: Callable[[T], bool] = lambda _: False,
 ) -> T | None:
-    """What `evaluate` returns at random states of motion, if all agree (`agreed`). Raises DivisionByZeroError."""
+    """The value of `evaluate` at random states of motion, if all agree (`agreed`). Raises DivisionByZeroError."""
     symbols = symbols_of(expressions)
     states = configuration.states
     return agreed(states, evaluate, expressions, settles, lambda p: state(p, configuration, symbols))
@@ -115,15 +115,15 @@ def state(point: Point, configuration: Configuration, symbols: Iterable[sp.Symbo
     if rows:
         a = [point.values(r.coefficients) for r in rows]
         minus = [point.arithmetic.reduce(-point.value(r.drift)) for r in rows]
-        found = point.solution(a, minus, velocities)
-        if found is None:
+        solution = point.solution(a, minus, velocities)
+        if solution is None:
             raise ContradictionError
-        velocities = found
+        velocities = solution
     return point.with_values(dict(zip(slots.velocities, velocities, strict=True)))
 
 
 class ContradictionError(Exception):
-    """No velocity satisfies the constraints. `classify` refuses such systems before."""
+    """No velocity satisfies the constraints. `classify` has already refused such systems."""
 
 
 def affine_rows(point: Point, expressions: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]) -> list[list[Any]]:
@@ -154,42 +154,44 @@ def follow(
     return agreed_in_motion(configuration, at, (*known, *claims))
 
 
-def _compared(moving: Point, answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]) -> Comparison:
+def _compared(
+    moving: Point, answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
+) -> EquationComparison:
     eliminated = len(free) + len(system.multipliers)
     unknowns = (*free, *system.multipliers, *system.configuration.slots.accelerations)
     derived = (*system.accelerated_constraints, *system.equations)
-    found = moving.affine_each((*derived, *answer), unknowns)
+    affine = moving.affine_each((*derived, *answer), unknowns)
     zero = [moving.number(0)] * (len(unknowns) + 1)
-    whole = [zero if row is None else row for row in found]
-    known, rows = whole[: len(derived)], whole[len(derived) :]
+    complete = [zero if row is None else row for row in affine]
+    known, rows = complete[: len(derived)], complete[len(derived) :]
     constraints = known[: len(system.accelerated_constraints)]
     spaces = _Spaces(moving, constraints, known)
     standings = [
         Standing.NOT_LINEAR if linear is None else spaces.standing(row, len(free))
-        for row, linear in zip(rows, found[len(derived) :], strict=True)
+        for row, linear in zip(rows, affine[len(derived) :], strict=True)
     ]
     _judge_free(moving, standings, rows, spaces.known, len(free))
-    good = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]
-    wanted = _rank_without(moving, known, eliminated)
-    reached = _rank_without(moving, [*constraints, *good], eliminated)
-    return Comparison(tuple(standings), max(0, wanted - reached))
+    counted = [r for r, s in zip(rows, standings, strict=True) if s in _COUNTED]
+    needed = _rank_without(moving, known, eliminated)
+    reached = _rank_without(moving, [*constraints, *counted], eliminated)
+    return EquationComparison(tuple(standings), max(0, needed - reached))
 
 
 _COUNTED = (Standing.FOLLOWS, Standing.CONSTRAINT, Standing.REDUNDANT)
 
 
 class _Spaces:
-    """What the derived rows span, what the constraints do, and these with the rows of the answer so far."""
+    """The row spaces of the derived equations, of the constraints, and of these with the answer so far."""
 
-    def __init__(self, point: Point, constraints: Sequence[Row], known: Sequence[Row]) -> None:
+    def __init__(self, point: Point, constraints: Sequence[NumberRow], known: Sequence[NumberRow]) -> None:
         self._vanishes = point.arithmetic.vanishes
         self.known = RowSpace(point.arithmetic, known)
         self._constraints = RowSpace(point.arithmetic, constraints)
-        self._said = RowSpace(point.arithmetic, constraints)
+        self._answered = RowSpace(point.arithmetic, constraints)
 
-    def standing(self, row: Row, free: int) -> Standing:
-        """Of one row of an answer, and what it adds to those before."""
-        adds = self._said.add(row)
+    def standing(self, row: NumberRow, free: int) -> Standing:
+        """The standing of one row of an answer, given the earlier ones."""
+        adds = self._answered.add(row)
         if any(not self._vanishes(x) for x in row[:free]):
             return Standing.FOLLOWS  # judged together with the others, once the free unknowns are eliminated
         if row not in self.known:
@@ -200,7 +202,7 @@ class _Spaces:
 
 
 def _rank_without(point: Point, rows: list[list[Any]], eliminated: int) -> int:
-    """The number of independent equations that are left when the first unknowns are eliminated."""
+    """The number of independent equations after eliminating the first unknowns."""
     head = [row[:eliminated] for row in rows]
     return point.rank(rows) - (point.rank(head) if eliminated else 0)
 
@@ -212,7 +214,7 @@ def _judge_free(
     known: RowSpace,
     free: int,
 ) -> None:
-    """Equations with free unknowns contradict the system where what is left after eliminating them does."""
+    """Mark equations with free unknowns as contradicting if a combination without these unknowns contradicts."""
     if not free:
         return
     using = [n for n, row in enumerate(rows) if any(not point.arithmetic.vanishes(x) for x in row[:free])]

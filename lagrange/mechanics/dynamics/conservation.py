@@ -1,14 +1,15 @@
-"""What the equations of motion conserve, with the proof; and how fast energy changes where it is not conserved.
+"""Conserved quantities with their proof, and the rate of the energy where it is not conserved.
 
-    p_φ = m l² φ' sin² θ = const         φ is cyclic, and no reaction works in its displacement
-    h = T2 − T0 + V = const              time does not occur, although positions may contain it
+    p_φ = m l² φ' sin² θ = const         φ is cyclic, and no reaction does work in its displacement
+    h = T2 − T0 + V = const              time does not occur in L, although positions may contain it
     dE/dt = Σ Q'_k q_k' − ∂L/∂t + d(T1 + 2 T0)/dt − Σ λ_j a_jt
 
-An integral I that a symmetry with the multipliers μ gives (`noether`) is proved by an identity: the equations of
-motion E_k = 0, multiplied by ν_k and added, are its rate, Σ ν_k E_k = dI/dt, where ν_k is μ_k times what was divided
-out of E_k. It is an identity in the accelerations, verified at random states that the constraints admit. Apart from
-that, dI/dt must vanish with the accelerations that d'Alembert's equations give. That something is not conserved is
-decided in the same way, and may be undecided.
+Candidates for symmetries (`noether`) include the virtual displacements admitted by kinematic constraints. An integral I
+from a symmetry with the multipliers μ is proved by an identity: the equations of motion E_k = 0, multiplied by ν_k and
+added, are its rate, Σ ν_k E_k = dI/dt, where ν_k is μ_k times the factor divided out of E_k. This is an identity in the
+accelerations, verified at random states that satisfy the constraints. Independently, dI/dt must vanish with the
+accelerations from d'Alembert's equations. That a quantity is not conserved is decided in the same way, and may remain
+undecided.
 """
 
 from __future__ import annotations
@@ -19,25 +20,64 @@ from enum import StrEnum
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError, Point
-from lagrange.algebra.fourier.common_factor import normalised
-from lagrange.algebra.fourier.textbook import Textbook
-from lagrange.algebra.fourier.trigonometry import Element
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Point
+from lagrange.algebra.fourier.ring import Element
+from lagrange.algebra.fourier.terms import Exponent, as_term, normalised
+from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
-from lagrange.mechanics.constraints.kinematics import Configuration, Row
-from lagrange.mechanics.dynamics.admitted import admitted_displacements
+from lagrange.core.verdicts import all_hold
+from lagrange.mechanics.constraints.constrained_system import Row, is_pfaffian
+from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import Check, certainty, displacement_basis, with_accelerations
 from lagrange.mechanics.dynamics.comparison import System, agreed_in_motion, follow
 from lagrange.mechanics.dynamics.energy_functions import EnergyFunctions, energy_functions, in_one_term
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
-from lagrange.mechanics.dynamics.gauges import gauged
+from lagrange.mechanics.dynamics.limits import LONGEST_DISPLACEMENT, MOST_DISPLACEMENTS
 from lagrange.mechanics.dynamics.motion import Motion
-from lagrange.mechanics.dynamics.noether import Candidate, Kind, Symmetry, candidates, symmetries
-from lagrange.mechanics.dynamics.verification import Check, certainty, with_accelerations
+from lagrange.mechanics.dynamics.noether import (
+    Symmetry,
+    SymmetryCandidate,
+    SymmetryKind,
+    candidates,
+    gauged,
+    symmetries,
+)
 
 
-class Quantity(StrEnum):
-    """What is conserved."""
+def admitted_displacements(elimination: Elimination, configuration: Configuration) -> list[tuple[sp.Expr, ...]]:
+    """Virtual displacements admitted by kinematic constraints, as candidates for symmetries, shape (., n).
+
+    Each with and without its denominators: a symmetry has constant coefficients, and either may be one.
+    """
+    rows = configuration.rows
+    if all(r.finite is not None for r in rows) or not is_pfaffian(rows):
+        return []
+    tried: dict[tuple[sp.Expr, ...], None] = {}
+    for column in displacement_basis(elimination, len(configuration.slots.coordinates)):
+        if sum(e.count_ops() for e in column) > LONGEST_DISPLACEMENT:
+            continue
+        denominator = sp.Mul(*_denominators(column))
+        if denominator != 1:
+            tried[tuple(textbook_form(e * denominator) for e in column)] = None
+        tried[tuple(column)] = None
+    return [c for c in tried if sum(e != 0 for e in c) > 1][:MOST_DISPLACEMENTS]
+
+
+def _denominators(column: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """The denominators of the entries of a column: sin θ in cos θ/sin θ."""
+    denominators: dict[sp.Expr, Exponent] = {}
+    for e in column:
+        for term in sp.Add.make_args(e):
+            for factor, exponent in as_term(term).factors.items():
+                if exponent < 0:
+                    denominators[factor] = max(denominators.get(factor, 0), -exponent)
+    return [f**e for f, e in denominators.items()]
+
+
+class ConservedQuantity(StrEnum):
+    """The kinds of conserved quantities."""
 
     MOMENTUM = "momentum"
     ANGULAR_MOMENTUM = "angular-momentum"
@@ -45,23 +85,23 @@ class Quantity(StrEnum):
     JACOBI = "jacobi"
 
 
-_ENERGIES = (Quantity.ENERGY, Quantity.JACOBI)
+_ENERGIES = (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI)
 
 
 class Because(StrEnum):
-    """Why. Stable: programs rely on these words."""
+    """The reasons for conservation. Stable: programs rely on these words."""
 
-    CYCLIC = "cyclic"  # the coordinate occurs nowhere, and no reaction works in its displacement
+    CYCLIC = "cyclic"  # the coordinate occurs nowhere, and no reaction does work in its displacement
     TRANSLATION = "translation"  # a displacement of several coordinates changes nothing
     ROTATION = "rotation"  # a rotation of Cartesian coordinates changes nothing
-    ADMITTED = "admitted"  # a virtual displacement, in which no reaction works
-    GAUGE = "gauge"  # the force along the coordinate is the rate of something
-    RATE = "rate"  # what a displacement changes in L, with the work of the forces, is the rate of something
+    ADMITTED = "admitted"  # a virtual displacement, in which no reaction does work
+    GAUGE = "gauge"  # the force along the coordinate is a total time derivative
+    RATE = "rate"  # a displacement changes L, with the work of the forces, by a total time derivative
     NO_REACTION = "no-reaction"  # a cyclic coordinate whose reaction turns out to vanish
     CONSERVATIVE = "conservative"  # forces have a potential, and nothing depends on time
     TIME_FREE = "time-free"  # time does not occur in L, although it does in the positions
     DEPENDENT = "dependent"  # it follows from the other integrals
-    TIME_RATE = "time-rate"  # what time changes in L, with the power of the forces, is the rate of something
+    TIME_RATE = "time-rate"  # ∂L/∂t, with the power of the forces, is a total time derivative
     CARRIED = "carried"  # a shift of time together with a displacement changes nothing
 
 
@@ -69,13 +109,13 @@ class Because(StrEnum):
 class Integral:
     """expression = const along every motion.
 
-    coordinate    the cyclic one, where it is one
+    coordinate    the cyclic coordinate, if there is one
     displacement  each coordinate that a symmetry displaces, with its δq
-    multipliers   ν_k of the equations of motion; empty where no identity was found
+    multipliers   ν_k of the equations of motion; empty if no identity was found
     constant      whether its rate vanishes with the accelerations of d'Alembert's equations; None: undecided
     """
 
-    quantity: Quantity
+    quantity: ConservedQuantity
     because: Because
     expression: sp.Expr
     coordinate: sp.Symbol | None = None
@@ -88,7 +128,7 @@ class Integral:
 class EnergyRate:
     """d(expression)/dt = rate, which does not vanish. `rate` None: whether the energy is conserved is undecided.
 
-    driven  the constraints whose motion has a part in it
+    driven  the constraints whose motion contributes
     hidden  whether forces have a potential that was not found, and is not in the expression
     """
 
@@ -100,11 +140,11 @@ class EnergyRate:
 
 @record
 class Conserved:
-    """What one set of equations conserves.
+    """The conserved quantities of one set of equations.
 
-    energy     its rate, where it is not conserved
-    bound      momenta of cyclic coordinates that are not conserved, because constraints on velocities bind these
-    undecided  cyclic coordinates of which that could not be decided
+    energy     the rate of the energy, if it is not conserved
+    bound      momenta of cyclic coordinates that are not conserved, because of constraints on their velocities
+    undecided  cyclic coordinates for which this could not be decided
     potential  whether there is a potential energy
     """
 
@@ -119,14 +159,14 @@ class Conserved:
 def first_integral(motion: EquationsOfMotion, expression: sp.Expr) -> bool | None:
     """Whether an expression in q, q', t is constant along every motion; None: undecided.
 
-    Its rate must vanish with the accelerations that the equations give, at random admitted states. What is constant by
-    the constraints alone is so too.
+    Its rate must vanish with the accelerations from the equations, at random admissible states. An expression that is
+    constant by the constraints alone counts as well.
     """
     return _vanish_along(motion, [motion.configuration.slots.time_derivative(expression)])[0]
 
 
 def _vanish_along(motion: EquationsOfMotion, rates: Sequence[sp.Expr]) -> list[bool | None]:
-    """Which of several rates are zero along every motion: at states whose accelerations are found once for all."""
+    """Which of several rates are zero along every motion; the accelerations of a state are found once for all."""
     if not rates:
         return []
     system = System(motion.configuration, motion.expressions)
@@ -163,7 +203,7 @@ def _is_still(row: Row, configuration: Configuration) -> bool:
 
 
 class _Search:
-    """What is known of one set of equations."""
+    """The search for conserved quantities of one set of equations."""
 
     def __init__(
         self,
@@ -183,9 +223,9 @@ class _Search:
         self.energies: EnergyFunctions = energy_functions(self.configuration, textbook, frictions)
 
     def all(self) -> Conserved:
-        """The integrals, momenta first; the rate of the energy; what is cyclic and not conserved."""
-        found = candidates(self.energies, admitted_displacements(self.motion.elimination, self.configuration))
-        integrals = self._independent([self._integral(s) for s in self._symmetries(found)])
+        """The integrals, momenta first; the rate of the energy; cyclic coordinates without a conserved momentum."""
+        tried = candidates(self.energies, admitted_displacements(self.motion.elimination, self.configuration))
+        integrals = self._independent([self._integral(s) for s in self._symmetries(tried)])
         verdicts = self._are_constant([i.expression for i in integrals])
         integrals = [replace(i, constant=v) for i, v in zip(integrals, verdicts, strict=True)]
         reached = {i.coordinate for i in integrals}
@@ -196,7 +236,7 @@ class _Search:
         verdicts = self._are_constant(momenta)
         for (k, coordinate), momentum, verdict in zip(cyclic.items(), momenta, verdicts, strict=True):
             if verdict is True:
-                new = Integral(Quantity.MOMENTUM, Because.NO_REACTION, momentum, coordinate, constant=True)
+                new = Integral(ConservedQuantity.MOMENTUM, Because.NO_REACTION, momentum, coordinate, constant=True)
                 integrals += self._independent([new], [i for i in integrals if i.quantity not in _ENERGIES])
             elif not self.energies.are_quasi and any(
                 r.coefficients[k] != 0 for r in self.configuration.rows if r.finite is None
@@ -210,22 +250,22 @@ class _Search:
         return Conserved(self.motion, tuple(ordered), rate, bound, tuple(undecided), self.energies.has_potential)
 
     def _cyclic(self) -> list[int]:
-        """The coordinates on which nothing depends but perhaps a constraint."""
+        """The coordinates on which nothing except perhaps a constraint depends."""
         return [k for k, force in enumerate(self.energies.lagrangian_forces) if not force]
 
     # -- symmetries ----------------------------------------------------------------------------------------------------
 
-    def _symmetries(self, found: Sequence[Candidate]) -> list[Symmetry]:
-        """Those with R = 0, then those where R is a rate; δt in one way only, last."""
-        plain = symmetries(found, self.configuration)
-        rates = gauged(found, self.energies)
-        timed = [s for s in plain if s.kind is Kind.TIME] or [s for s in rates if s.kind is Kind.TIME]
-        return [s for s in (*plain, *rates) if s.kind is not Kind.TIME] + timed
+    def _symmetries(self, tried: Sequence[SymmetryCandidate]) -> list[Symmetry]:
+        """The symmetries with R = 0, then those with R = dG/dt; δt in one way only, last."""
+        plain = symmetries(tried, self.configuration)
+        rates = gauged(tried, self.energies)
+        timed = [s for s in plain if s.kind is SymmetryKind.TIME] or [s for s in rates if s.kind is SymmetryKind.TIME]
+        return [s for s in (*plain, *rates) if s.kind is not SymmetryKind.TIME] + timed
 
     def _integral(self, symmetry: Symmetry) -> Integral:
         coordinates = self.slots.coordinates
         moved = {q: x for q, x in zip(coordinates, symmetry.displacement, strict=True) if x != 0} if (
-            any(k.kind is not Kind.TIME for k, _ in symmetry.terms)
+            any(k.kind is not SymmetryKind.TIME for k, _ in symmetry.terms)
         ) else {}  # fmt: skip
         ring = self.energies.ring
         momentum = ring.total(
@@ -233,27 +273,29 @@ class _Search:
         )
         multipliers = self._proof(symmetry.multipliers)
         gauge = sp.Add(*(c * k.gauge for k, c in symmetry.terms))
-        if symmetry.kind is Kind.TIME:
+        if symmetry.kind is SymmetryKind.TIME:
             own = self.energies.has_motion_of_its_own
-            quantity = Quantity.JACOBI if own or moved or gauge != 0 else Quantity.ENERGY
+            quantity = ConservedQuantity.JACOBI if own or moved or gauge != 0 else ConservedQuantity.ENERGY
             because = Because.CARRIED if moved else Because.TIME_FREE if own else Because.CONSERVATIVE
             because = Because.TIME_RATE if gauge != 0 else because
             expression = self.energies.jacobi_less(gauge) if own or gauge != 0 else self.energies.energy
             expression = sp.Add(expression, self.energies.changing(momentum)) if moved else expression
             if own and expression == self.energies.energy:
-                quantity = Quantity.ENERGY
+                quantity = ConservedQuantity.ENERGY
             carried = {q: -x for q, x in moved.items()}
             return self._proved(Integral(quantity, because, expression, None, carried or None, multipliers))
         expression = self.energies.form(momentum - ring.from_sympy(gauge))
         turned = any(not x.free_symbols.isdisjoint(coordinates) for x in moved.values())
-        if symmetry.kind is Kind.GAUGE and (len(moved) > 1 or not self._is_cyclic(next(iter(moved)))):
-            quantity = Quantity.ANGULAR_MOMENTUM if turned else Quantity.MOMENTUM
+        if symmetry.kind is SymmetryKind.GAUGE and (len(moved) > 1 or not self._is_cyclic(next(iter(moved)))):
+            quantity = ConservedQuantity.ANGULAR_MOMENTUM if turned else ConservedQuantity.MOMENTUM
             return self._proved(Integral(quantity, Because.RATE, expression, None, moved, multipliers))
-        quantity = Quantity.ANGULAR_MOMENTUM if symmetry.kind is Kind.ROTATION else Quantity.MOMENTUM
-        if symmetry.kind in (Kind.TRANSLATION, Kind.GAUGE) and len(moved) == 1:
-            because = Because.GAUGE if symmetry.kind is Kind.GAUGE else Because.CYCLIC
+        quantity = (
+            ConservedQuantity.ANGULAR_MOMENTUM if symmetry.kind is SymmetryKind.ROTATION else ConservedQuantity.MOMENTUM
+        )
+        if symmetry.kind in (SymmetryKind.TRANSLATION, SymmetryKind.GAUGE) and len(moved) == 1:
+            because = Because.GAUGE if symmetry.kind is SymmetryKind.GAUGE else Because.CYCLIC
             return self._proved(Integral(quantity, because, expression, next(iter(moved)), moved, multipliers))
-        because = {Kind.ROTATION: Because.ROTATION, Kind.ADMITTED: Because.ADMITTED}.get(
+        because = {SymmetryKind.ROTATION: Because.ROTATION, SymmetryKind.ADMITTED: Because.ADMITTED}.get(
             symmetry.kind, Because.TRANSLATION
         )
         if normalised(expression) != expression:
@@ -271,7 +313,7 @@ class _Search:
         return self.energies.momenta[self.slots.coordinates.index(coordinate)]
 
     def _proof(self, multipliers: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
-        """ν_k: the multipliers of the independent displacements, times what was divided out of the equations."""
+        """ν_k: the multipliers of the independent displacements, times the factors divided out of the equations."""
         pairs = zip(self.motion.elimination.independent, self.motion.equations, strict=True)
         return tuple(
             multipliers[k] * e.factor.expression * (-1 if e.reversed else 1) if multipliers[k] != 0 else sp.S.Zero
@@ -279,7 +321,7 @@ class _Search:
         )
 
     def _proved(self, integral: Integral) -> Integral:
-        """The integral, without its multipliers where the identity does not hold."""
+        """The integral, without its multipliers if the identity does not hold."""
         sides = (m * e for m, e in zip(integral.multipliers, self.motion.expressions, strict=True) if m != 0)
         difference = sp.Add(self._rate(integral.expression), *(-s for s in sides))
 
@@ -292,17 +334,17 @@ class _Search:
             proved = False
         return integral if proved else replace(integral, multipliers=())
 
-    def _independent(self, found: Sequence[Integral], before: Sequence[Integral] = ()) -> list[Integral]:
-        """Those that are no functions of the constraints; of momenta, those that are not functions of others either."""
+    def _independent(self, integrals: Sequence[Integral], before: Sequence[Integral] = ()) -> list[Integral]:
+        """The integrals that are independent of the constraints and, except energies, of earlier integrals."""
         rows = self.configuration.rows
-        if not rows and all(i.because is not Because.RATE for i in found):
-            return list(found)
+        if not rows and all(i.because is not Because.RATE for i in integrals):
+            return list(integrals)
         variables = [*self.slots.coordinates, *self.slots.velocities]
         relations = [r.velocity_form(self.slots) for r in rows] + [r.finite for r in rows if r.finite is not None]
         known = [[partial(f, v) for v in variables] for f in relations]
         kept: list[Integral] = []
         gradients = [[partial(i.expression, v) for v in variables] for i in before]
-        for i in found:
+        for i in integrals:
             gradient = [partial(i.expression, v) for v in variables]
             others = [] if i.quantity in _ENERGIES else gradients
             if self._adds([*known, *others], gradient):
@@ -312,46 +354,47 @@ class _Search:
         return kept
 
     def _adds(self, known: Sequence[Sequence[sp.Expr]], gradient: Sequence[sp.Expr]) -> bool:
-        """Whether a gradient is independent of others, each of shape (2n,), at admitted states."""
+        """Whether a gradient is independent of others, each of shape (2n,), at admissible states."""
 
-        def adds(there: Point) -> bool:
-            values = there.matrix(known)
-            return bool(there.rank([*values, there.values(gradient)]) > there.rank(values))
+        def adds(point: Point) -> bool:
+            values = point.matrix(known)
+            return bool(point.rank([*values, point.values(gradient)]) > point.rank(values))
 
         return agreed_in_motion(self.configuration, adds, [e for row in (*known, gradient) for e in row]) is True
 
     # -- along the motion ----------------------------------------------------------------------------------------------
 
     def _are_constant(self, expressions: Sequence[sp.Expr]) -> list[bool | None]:
-        """Whether the rates of expressions vanish with the accelerations that the equations give."""
+        """Whether the rates of expressions vanish with the accelerations from the equations."""
         return _vanish_along(self.motion, [self._rate(e) for e in expressions])
 
     def _rate(self, expression: sp.Expr) -> sp.Expr:
-        """The time derivative, found once."""
+        """The time derivative, computed once."""
         if expression not in self._rates:
             self._rates[expression] = self.slots.time_derivative(expression)
         return self._rates[expression]
 
     def _energy(self, integrals: Sequence[Integral]) -> tuple[list[Integral], EnergyRate | None]:
-        """The energy where no symmetry has given it: conserved after all, or its rate."""
-        if any(i.quantity is Quantity.ENERGY for i in integrals):
+        """The energy if no symmetry gives it: conserved after all, or its rate."""
+        if any(i.quantity is ConservedQuantity.ENERGY for i in integrals):
             return [], None
-        found = self.energies
-        if found.has_motion_of_its_own and self.energies.are_quasi:
-            return [], EnergyRate(found.energy, None)
-        ring = found.ring
+        energies = self.energies
+        if energies.has_motion_of_its_own and energies.are_quasi:
+            return [], EnergyRate(energies.energy, None)
+        ring = energies.ring
         work = ring.total(
             ring.from_sympy(self.multipliers[row.name]) * ring.from_sympy(row.drift) for row in self.driven
         )
-        rest = found.energy_rate - work + ring.from_sympy(found.damping)
-        rate = in_one_term(sp.Add(found.form(rest), -found.damping))
-        if rate == 0 or self._are_constant([found.energy]) == [True]:
-            return [Integral(Quantity.ENERGY, Because.DEPENDENT, found.energy, constant=True)], None
-        holds = self._rate_holds(found.energy, rate)
-        return [], EnergyRate(found.energy, rate if holds else None, tuple(r.name for r in self.driven), found.hidden)
+        rest = energies.energy_rate - work + ring.from_sympy(energies.damping)
+        rate = in_one_term(sp.Add(energies.form(rest), -energies.damping))
+        if rate == 0 or self._are_constant([energies.energy]) == [True]:
+            return [Integral(ConservedQuantity.ENERGY, Because.DEPENDENT, energies.energy, constant=True)], None
+        holds = self._rate_holds(energies.energy, rate)
+        driven = tuple(r.name for r in self.driven)
+        return [], EnergyRate(energies.energy, rate if holds else None, driven, energies.hidden)
 
     def _rate_holds(self, expression: sp.Expr, rate: sp.Expr) -> bool | None:
-        """Whether a rate is that of an expression, with the accelerations and multipliers of d'Alembert's principle."""
+        """Whether an expression has a given rate, with the accelerations and multipliers of d'Alembert's principle."""
         difference = self._rate(expression) - rate
         if not self.driven:
             return _vanish_along(self.motion, [difference])[0]
@@ -366,13 +409,12 @@ class _Search:
         return follow(self.configuration, [difference], equations, unknowns)
 
 
-def check_conserved(found: Conserved) -> list[Check]:
-    """The printed integrals, differentiated, with the accelerations that d'Alembert's equations give."""
-    if not found.integrals:
+def check_conserved(result: Conserved) -> list[Check]:
+    """The printed integrals, differentiated, with the accelerations from d'Alembert's equations."""
+    if not result.integrals:
         return []
-    verdicts = [i.constant for i in found.integrals]
-    passed = False if False in verdicts else None if None in verdicts else True
-    configuration = found.motion.configuration
-    whose = "its rate" if len(verdicts) == 1 else "their rates"
-    how = f"{certainty(configuration.states)}: {whose} along the motion"
-    return [Check("what is conserved is constant along the motion", passed, how, configuration.name)]
+    verdicts = [i.constant for i in result.integrals]
+    passed = all_hold(verdicts)
+    configuration = result.motion.configuration
+    how = f"{certainty(configuration.states)}: the rate of each along the motion"
+    return [Check("the conserved quantities are constant along the motion", passed, how, configuration.name)]

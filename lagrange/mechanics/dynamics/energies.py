@@ -1,17 +1,17 @@
-"""Lagrange's equations as they are written down: T, V, the generalized forces, the generalized momenta.
+"""Lagrange's equations as they are printed: T, V, the generalized forces, the generalized momenta.
 
     p_k = ∂T/∂q_k' ,      d/dt p_k − ∂L/∂q_k = Q_k + Σ_j λ_j a_jk ,      L = T − V .
 
-V is the potential energy of weights, springs and given potentials; Q_k is made of everything else by its virtual
-work, δW = Σ Q_k δq_k. A damper adds −∂F/∂q_k' of Rayleigh's function F = c d'²/2. Velocities and angular velocities are
-those of `lagrangian.py`, which has no step in common with d'Alembert's principle; here they are put into the ring,
-where T comes out tidy. A body whose ω the file gives may move in quasi-coordinates; N_k = H·(ω_k' − ∂ω/∂q_k) is then
-what Lagrange's expression has too much (Boltzmann, Hamel), and d/dt p_k − ∂L/∂q_k − N_k takes its place.
+V is the potential energy of weights, springs and given potentials; all other forces enter Q_k by their virtual work,
+δW = Σ Q_k δq_k. A damper adds −∂F/∂q_k' of Rayleigh's function F = c d'²/2. Velocities and angular velocities are those
+of `lagrangian.py`, which shares no step with d'Alembert's principle; here they are read into the ring, where T comes
+out tidy. A body whose ω is given may move in quasi-coordinates; N_k = H·(ω_k' − ∂ω/∂q_k) is then the excess of
+Lagrange's expression (Boltzmann, Hamel), which becomes d/dt p_k − ∂L/∂q_k − N_k.
 
-Every velocity of the configuration is free in T: no constraint on velocities has been put in. With y' = x' tan θ put
-into the T of a sleigh before differentiating, ∂T/∂x' would be made of what the reaction balances too, and the equations
-would be wrong; they are not where the constraint comes to a finite relation. Reference: Whittaker, Analytical Dynamics,
-§§ 26, 30, 87.
+Every velocity of the configuration is free in T: no constraint on velocities is substituted. With y' = x' tan θ in the
+T of a sleigh before differentiating, ∂T/∂x' would contain terms that the reaction balances, and the equations would be
+wrong unless the constraint is equivalent to a finite relation.
+Reference: Whittaker, Analytical Dynamics, §§ 26, 30, 87.
 """
 
 from __future__ import annotations
@@ -20,14 +20,13 @@ from collections.abc import Mapping
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook import Textbook, common_factor
-from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.algebra.fourier.ring import Element, FourierRing
+from lagrange.algebra.fourier.textbook_form import Textbook, common_factor
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.dynamics.balance import Balance
 from lagrange.mechanics.dynamics.lagrangian import (
     is_constant,
     kinetic_energy,
@@ -36,6 +35,7 @@ from lagrange.mechanics.dynamics.lagrangian import (
     share_of_moments,
     velocity_of,
 )
+from lagrange.mechanics.dynamics.principle import Balance
 
 WEIGHT = "weight"
 
@@ -75,7 +75,7 @@ class Energies(Balance):
 
 def energies(configuration: Configuration) -> Energies:
     """T, V and Lagrange's equations of a configuration, written out."""
-    ring = Ring()
+    ring = FourierRing()
     textbook = Textbook(ring)
     slots = configuration.slots
     kinetic = ring.from_sympy(kinetic_energy(configuration))
@@ -118,7 +118,7 @@ def potential_energy(configuration: Configuration) -> sp.Expr:
 
 
 def is_weight(load: Load, configuration: Configuration) -> bool:
-    """Whether a force is a weight whose potential is −m g·r. Other constant forces are left among the Q_k."""
+    """Whether a force is a weight, with the potential −m g·r. Other constant forces remain among the Q_k."""
     return load.name == WEIGHT and is_constant(load, configuration)
 
 
@@ -127,7 +127,7 @@ def _square(point: MassPoint, configuration: Configuration) -> sp.Expr:
     return velocity.dot(velocity)
 
 
-def _applied(configuration: Configuration, velocity: sp.Symbol, ring: Ring) -> Element:
+def _applied(configuration: Configuration, velocity: sp.Symbol, ring: FourierRing) -> Element:
     """Q_k = Σ F·∂v/∂q_k' + Σ M·∂ω/∂q_k' − Σ c d' ∂d'/∂q_k'."""
     loads = (f for f in configuration.loads if not is_weight(f, configuration))
     terms = [ring.from_sympy(share_of_load(f, velocity, configuration)) for f in loads]
@@ -137,31 +137,31 @@ def _applied(configuration: Configuration, velocity: sp.Symbol, ring: Ring) -> E
     return ring.total(terms)
 
 
-def _quasi(configuration: Configuration, k: int, ring: Ring) -> Element:
-    """N_k, where bodies have an ω of their own."""
+def _quasi(configuration: Configuration, k: int, ring: FourierRing) -> Element:
+    """N_k, for bodies whose ω is given."""
     slots = configuration.slots
     q, v = slots.coordinates[k], slots.velocities[k]
-    found = ring.total(ring.from_sympy(quasi_term(r, q, v, slots)) for r in configuration.rotations if r.given)
-    return ring.zero if ring.is_zero(found) else found
+    total = ring.total(ring.from_sympy(quasi_term(r, q, v, slots)) for r in configuration.rotations if r.given)
+    return ring.zero if ring.is_zero(total) else total
 
 
-def _written_kinetic(configuration: Configuration, kinetic: Element, ring: Ring) -> sp.Expr:
-    """T in textbook form, what all its terms have in common in front: m (r'² + r² φ'²)/2.
+def _written_kinetic(configuration: Configuration, kinetic: Element, ring: FourierRing) -> sp.Expr:
+    """T in textbook form, with the common factors of all terms in front: m (r'² + r² φ'²)/2.
 
-    Squares of a body's ω_1, ... that are sums are kept where that is shorter, C (φ' cos θ + ψ')²/2; they are of ω in
+    Squares of components ω_1, ... of a body that are sums are kept if that is shorter, C (φ' cos θ + ψ')²/2, with ω in
     the triad in which it is shortest.
     """
     textbook = Textbook(ring, merge=True)
-    whole = _in_front(textbook.form(kinetic))
+    expanded = _in_front(textbook.form(kinetic))
     squares = sp.Add(*(s for r in configuration.rotations for s in _squares_of_sums(r, textbook)))
     if squares == 0:
-        return whole
+        return expanded
     parts = _in_front(textbook.form(kinetic - ring.from_sympy(squares))) + squares
-    return parts if parts.count_ops() < whole.count_ops() else whole
+    return parts if parts.count_ops() < expanded.count_ops() else expanded
 
 
 def _in_front(total: sp.Expr) -> sp.Expr:
-    """A sum with what all its terms have in common before a bracket: as m/2 or m, but not as m/10."""
+    """A sum with the common factor of its terms before a bracket: m/2 or m, but not m/10."""
     factor = common_factor(total)
     if not total.is_Add or not factor.powers or any(e < 0 for _, e in factor.powers):
         return total
@@ -177,7 +177,7 @@ def _squares_of_sums(rotation: Rotation, textbook: Textbook) -> list[sp.Expr]:
 
 
 def _written_potential(configuration: Configuration, textbook: Textbook) -> sp.Expr:
-    """V as the sum of what it is made of; a spring's as k (d − l)²/2 where that is shorter."""
+    """V as the sum of its contributions; that of a spring as k (d − l)²/2 if that is shorter."""
     springs = [s.energy for s in configuration.springs]
     fields = configuration.potential - sp.Add(*springs)
     written = (min(textbook.form(e), e, key=lambda form: form.count_ops()) for e in springs)

@@ -1,34 +1,166 @@
-"""Kinetic and potential energy, momenta, and the forces that have no potential.
+"""Kinetic and potential energy, momenta, and the forces without a potential.
 
     T = Σ m v·v/2 + Σ H·ω/2 ,   p_k = ∂T/∂q_k' ,   Q_k = −∂V/∂q_k + Q'_k ,   L = T − V
 
-V is that of the springs, of the potentials that the file gives, of constant forces (−F·r), and of forces that depend on
-the position only and are the gradient of something that the table of integrals has. All else is in Q'_k: dampers,
-friction, forces that depend on velocities or time. With T = T2 + T1 + T0 by degree in the velocities,
+V is the potential of the springs, of the given potentials, of constant forces (−F·r), and of the part of every other
+force that depends on neither velocity nor time, if ∂Q_i/∂q_k = ∂Q_k/∂q_i and the table of integrals contains it: a
+magnetic force is separated from an electric one. Everything else is in Q'_k: dampers, friction (even where it is
+constant), constant moments (no potential with one value at each position), forces that depend on velocities or time.
+With T = T2 + T1 + T0 by degree in the velocities,
 
     E = T + V ,     h = Σ p_k q_k' − L = T2 − T0 + V        (Jacobi) ,
 
-which are the same where no position depends on time but through the coordinates.
+which are equal if positions depend on time through the coordinates only.
 Reference: Pars, A Treatise on Analytical Dynamics, §§ 6.7-6.8.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 from functools import cached_property
 
 import sympy as sp
 
-from lagrange.algebra.fourier.common_factor import as_term
-from lagrange.algebra.fourier.packing import unpack
-from lagrange.algebra.fourier.terms import Exponent, Term, common_powers, divided, multiplied, sum_of
-from lagrange.algebra.fourier.textbook import Textbook
-from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.algebra.forms.exact_forms import primitive
+from lagrange.algebra.fourier.polynomials import unpack
+from lagrange.algebra.fourier.ring import Element, FourierRing
+from lagrange.algebra.fourier.terms import Exponent, PowerProduct, as_term, common_powers, divided, multiplied, sum_of
+from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, t
-from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.conservative import are_true_coordinates, dot, is_constant_force, of_the_rest
+from lagrange.mechanics.constraints.kinematics import Configuration, Load
+from lagrange.mechanics.dynamics.principle import dot
+
+
+def are_true_coordinates(configuration: Configuration) -> bool:
+    """Whether H·(ω_k' − ∂ω/∂q_k) = 0 for bodies with a given ω, components along the axes differentiated.
+
+    Otherwise coordinates are quasi-coordinates, for which Lagrange's equations do not hold.
+    """
+    slots = configuration.slots
+    for r in configuration.rotations:
+        if not r.given:
+            continue
+        spin = r.angular_velocity.fixed()
+        along = [spin.dot(e) for e in r.axes]
+        for q, v in zip(slots.coordinates, slots.velocities, strict=True):
+            part = spin.map(lambda c, v=v: c.diff(v)).time_derivative(slots)  # type: ignore[misc]
+            bending = (a * w * (part.dot(e) - w.diff(q)) for a, w, e in zip(r.inertia, along, r.axes, strict=True))
+            if configuration.states.is_zero(sp.Add(*bending)) is not True:
+                return False
+    return True
+
+
+def is_constant_force(load: Load, configuration: Configuration) -> bool:
+    """Whether a force is constant and acts at a point that is a function of true coordinates."""
+    moving = {*configuration.slots.coordinates, *configuration.slots.prescribed, t}
+    if any(base(s) in moving for c in load.vector.fixed().components for s in c.free_symbols):
+        return False
+    turning = next((r for r in configuration.rotations if r.name == load.on), None)
+    if turning is None or not turning.given:
+        return True
+    [centre] = (p.position for p in configuration.points if p.name == load.on)
+    return (load.point - centre).is_zero
+
+
+def of_the_rest(
+    configuration: Configuration, loads: Sequence[Load], frictions: Collection[str], ring: FourierRing
+) -> tuple[sp.Expr, tuple[Element, ...], bool]:
+    """The potential of position-dependent loads, Q'_k of the rest, and whether the rest hides a potential not found.
+
+    Loads without a potential one by one may have one together, and are tried again as a sum. A constant moment has no
+    potential with one value at each position.
+    """
+    coordinates = configuration.slots.coordinates
+    n = len(coordinates)
+    each = [_generalized(load, configuration, ring) for load in loads if load.name not in frictions]
+    without_potential = [_generalized(load, configuration, ring) for load in loads if load.name in frictions]
+    for moment in configuration.torques:
+        [turning] = (r for r in configuration.rotations if r.name == moment.on)
+        q = tuple(dot(moment.vector, partial, ring) for partial in turning.partials)
+        steady = all(ring.free_symbols(f).isdisjoint(coordinates) for f in q)
+        (without_potential if steady else each).append(q)
+    potential, hidden = sp.S.Zero, False
+    waiting: list[tuple[Element, ...]] = []
+    for q in each:
+        static, rest = _apart(q, configuration, ring)
+        without_potential.append(rest)
+        v = _potential(static, configuration, ring)
+        if v is None:
+            waiting.append(static)
+        else:
+            potential += v
+    together = _sum(waiting, n, ring)
+    if waiting and _is_closed(together, configuration, ring):
+        v = _potential(together, configuration, ring)
+        potential, hidden = (potential, True) if v is None else (potential + v, False)
+        without_potential += [together] if v is None else []
+    else:
+        without_potential.append(together)
+    without_potential += [
+        tuple(-(ring.from_sympy(d.pull) * ring.from_sympy(d.distance.diff(q))) for q in coordinates)
+        for d in configuration.dampers
+    ]
+    return potential, _sum(without_potential, n, ring), hidden
+
+
+def _apart(
+    forces: tuple[Element, ...], configuration: Configuration, ring: FourierRing
+) -> tuple[tuple[Element, ...], tuple[Element, ...]]:
+    """The part that depends on neither velocities nor time, and the rest."""
+    slots = configuration.slots
+    static = []
+    for f in forces:
+        kept = ring.zero
+        for part in f.by_monomial().values():
+            symbols = ring.free_symbols(part)
+            if all(s != t and base(s) == s and s not in slots.prescribed for s in symbols):
+                kept = kept + part
+        static.append(kept)
+    return tuple(static), tuple(f - k for f, k in zip(forces, static, strict=True))
+
+
+def _sum(parts: list[tuple[Element, ...]], size: int, ring: FourierRing) -> tuple[Element, ...]:
+    return tuple(ring.total(p[k] for p in parts) for k in range(size))
+
+
+def _generalized(load: Load, configuration: Configuration, ring: FourierRing) -> tuple[Element, ...]:
+    """F·∂r/∂q_k, and on a body F·∂r_G/∂q_k + (arm × F)·ω_k, shape (n,)."""
+    coordinates = configuration.slots.coordinates
+    turning = next((r for r in configuration.rotations if r.name == load.on), None)
+    if turning is None:
+        return tuple(dot(load.vector, load.point.partial(q), ring) for q in coordinates)
+    [centre] = (p for p in configuration.points if p.name == load.on)
+    moment = (load.point - centre.position).cross(load.vector)
+    return tuple(
+        dot(load.vector, centre.partials[k], ring) + dot(moment, turning.partials[k], ring)
+        for k in range(len(coordinates))
+    )
+
+
+def _is_closed(forces: tuple[Element, ...], configuration: Configuration, ring: FourierRing) -> bool:
+    """Whether ∂Q_i/∂q_k = ∂Q_k/∂q_i, for differentiable functions Q of the position."""
+    if any(f.to_sympy().has(sp.sign, sp.Abs) for f in forces):
+        return False
+    if any(forces) and not are_true_coordinates(configuration):
+        return False
+    coordinates = configuration.slots.coordinates
+    return all(
+        ring.is_zero(ring.partial(b)(forces[k]) - ring.partial(a)(forces[n]))
+        for k, a in enumerate(coordinates)
+        for n, b in enumerate(coordinates[:k])
+    )
+
+
+def _potential(forces: tuple[Element, ...], configuration: Configuration, ring: FourierRing) -> sp.Expr | None:
+    """V with −∂V/∂q_k = Q_k; None if the Q_k are not a gradient, or V is not found."""
+    if not any(forces):
+        return sp.S.Zero
+    if not _is_closed(forces, configuration, ring):
+        return None
+    slots = configuration.slots
+    return primitive([-f.to_sympy() for f in forces], slots.coordinates, slots)
 
 
 @record
@@ -36,11 +168,11 @@ class EnergyFunctions:
     """The energies of a configuration, as elements of the ring of `textbook`.
 
     kinetic    T
-    potential  V, but for `given`
+    potential  V without `given`
     given      the potentials of springs and of the file, as they are written
     forces     shape (n,): Q'_k
-    damping    Σ c d'², where the power of the dampers is less than nothing by that; 0 where an end moves by itself
-    hidden     whether some of Q' is the gradient of a potential that was not found
+    damping    Σ c d'², if that is the power dissipated by the dampers; 0 if an end has a prescribed motion
+    hidden     whether part of Q' is the gradient of a potential that was not found
     """
 
     configuration: Configuration
@@ -53,8 +185,8 @@ class EnergyFunctions:
     hidden: bool
 
     @property
-    def ring(self) -> Ring:
-        """Where the elements are."""
+    def ring(self) -> FourierRing:
+        """The ring of the elements."""
         return self.textbook.ring
 
     @property
@@ -65,7 +197,7 @@ class EnergyFunctions:
     @cached_property
     def lagrangian(self) -> Element:
         """L = T − V."""
-        return self.kinetic - self._whole_potential
+        return self.kinetic - self._total_potential
 
     @cached_property
     def are_quasi(self) -> bool:
@@ -79,45 +211,45 @@ class EnergyFunctions:
 
     @cached_property
     def powers(self) -> tuple[Element, Element]:
-        """Σ p_k q_k' = 2 T2 + T1, and what it lacks of 2 T: T1 + 2 T0."""
+        """Σ p_k q_k' = 2 T2 + T1, and 2 T minus that: T1 + 2 T0."""
         velocities = [self.ring.from_sympy(v) for v in self.slots.velocities]
-        moved = self.ring.dot(self.momenta, velocities)
-        return moved, 2 * self.kinetic - moved
+        power = self.ring.dot(self.momenta, velocities)
+        return power, 2 * self.kinetic - power
 
     @property
     def has_motion_of_its_own(self) -> bool:
-        """Whether T1 or T0 is there: positions depend on time explicitly."""
+        """Whether T contains T1 or T0: positions depend on time explicitly."""
         return not self.ring.is_zero(self.powers[1])
 
     @cached_property
     def lagrangian_forces(self) -> tuple[Element, ...]:
-        """∂L/∂q_k + Q'_k, shape (n,): what p_k' is but for the reactions."""
+        """∂L/∂q_k + Q'_k, shape (n,): p_k' without the reactions."""
         slopes = (self.ring.partial(q)(self.lagrangian) for q in self.slots.coordinates)
         return tuple(a + b for a, b in zip(slopes, self.forces, strict=True))
 
     @cached_property
     def jacobi_rate(self) -> Element:
-        """dh/dt = Σ Q'_k q_k' − ∂L/∂t, but for the reactions."""
+        """dh/dt = Σ Q'_k q_k' − ∂L/∂t, without the reactions."""
         velocities = [self.ring.from_sympy(v) for v in self.slots.velocities]
         return self.ring.dot(self.forces, velocities) - self.ring.frozen_derivative(self.slots)(self.lagrangian)
 
     @cached_property
     def energy_rate(self) -> Element:
-        """dE/dt = dh/dt + d(T1 + 2 T0)/dt, but for the reactions."""
+        """dE/dt = dh/dt + d(T1 + 2 T0)/dt, without the reactions."""
         return self.jacobi_rate + self.ring.time_derivative(self.slots)(self.powers[1])
 
     @cached_property
     def energy(self) -> sp.Expr:
-        """E = T + V as it is written down, without constants."""
+        """E = T + V in the form printed, without constants."""
         return sp.Add(self.changing(self.kinetic + self.potential), self.given)
 
     @cached_property
     def jacobi(self) -> sp.Expr:
-        """h as it is written down, without constants."""
+        """h in the form printed, without constants."""
         return self.jacobi_less(sp.S.Zero)
 
     def jacobi_less(self, gauge: sp.Expr) -> sp.Expr:
-        """h − G as it is written down, without constants."""
+        """h − G in the form printed, without constants."""
         h = self.powers[0] - self.kinetic + self.potential
         return sp.Add(self.changing(h - self.ring.from_sympy(gauge)), self.given)
 
@@ -127,7 +259,7 @@ class EnergyFunctions:
 
     @property
     def _moving(self) -> set[sp.Symbol]:
-        """What is not constant."""
+        """The symbols that are not constant."""
         return {*self.slots.coordinates, *self.slots.prescribed, t}
 
     def changing(self, element: Element) -> sp.Expr:
@@ -136,8 +268,9 @@ class EnergyFunctions:
         written = self.form(varying)
         doubled = _doubled(written)
         if len(varying) < len(element) and doubled:
-            whole = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if _moves(e, self._moving)))
-            written = written if whole.has(*doubled) else whole
+            # 1 − cos 2θ without its constant would be −cos 2θ; with it, it is written 2 sin² θ.
+            with_constants = sp.Add(*(e for e in sp.Add.make_args(self.form(element)) if _moves(e, self._moving)))
+            written = written if with_constants.has(*doubled) else with_constants
         return written
 
     @property
@@ -146,7 +279,7 @@ class EnergyFunctions:
         return self.given != 0 or bool(_varying(self.potential, self._moving))
 
     @property
-    def _whole_potential(self) -> Element:
+    def _total_potential(self) -> Element:
         return self.potential + self.ring.from_sympy(self.given)
 
 
@@ -155,8 +288,8 @@ def energy_functions(
 ) -> EnergyFunctions:
     """The energies of a configuration.
 
-    textbook   of d'Alembert's principle there, whose ring knows most of what is needed
-    frictions  the names of forces that are friction, which has no potential even where it is constant
+    textbook   of d'Alembert's principle, whose ring already contains most expressions needed
+    frictions  the names of the friction forces, which have no potential even if they are constant
     """
     ring = textbook.ring
     springs = sp.Add(*(s.energy for s in configuration.springs))
@@ -184,16 +317,16 @@ def _damping(configuration: Configuration) -> sp.Expr:
     slots = configuration.slots
     if any(slots.frozen_derivative(d.distance) != 0 for d in configuration.dampers):
         return sp.S.Zero
-    return sp.Add(*(d.coefficient * d.rate**2 for d in configuration.dampers))
+    return sp.Add(*(d.pull * d.rate for d in configuration.dampers))
 
 
 def _doubled(e: sp.Expr) -> list[sp.Expr]:
-    """The functions of multiples of one angle, which stand for squares less constants: 2 sin² θ = 1 − cos 2θ."""
+    """The sines and cosines of multiples of an angle, which may be squares up to a constant: 2 sin² θ = 1 − cos 2θ."""
     return [f for f in e.atoms(sp.sin, sp.cos) if f.args[0].as_coeff_Mul()[0] not in (1, -1) and not f.args[0].is_Add]
 
 
 def _varying(element: Element, moving: set[sp.Symbol]) -> Element:
-    """The element without what is constant."""
+    """The element without its constant terms."""
     basis = element.basis
 
     def is_constant(monomial: int, frequency: int) -> bool:
@@ -210,34 +343,34 @@ def _moves(e: sp.Expr, moving: set[sp.Symbol]) -> bool:
 
 
 def _gathered(e: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr:
-    """Terms that have the same constants but for the sign as one product with a bracket."""
-    groups: dict[tuple[Fraction, frozenset[tuple[sp.Expr, Exponent]]], list[Term]] = {}
+    """Terms with the same constants, up to the sign, as one product with a bracket."""
+    groups: dict[tuple[Fraction, frozenset[tuple[sp.Expr, Exponent]]], list[PowerProduct]] = {}
     for summand in sp.Add.make_args(e):
         term = as_term(summand)
         constants = frozenset((f, n) for f, n in term.factors.items() if not _moves(f, moving))
         groups.setdefault((abs(term.number), constants), []).append(term)
-    found = []
+    gathered = []
     for (number, constants), terms in groups.items():
         if len(terms) == 1 or not (constants or number != 1):
-            found += [term.to_sympy() for term in terms]
+            gathered += [term.to_sympy() for term in terms]
             continue
         common = common_powers([term.factors for term in terms])
         sign = 1 if sum(1 if term.number > 0 else -1 for term in terms) > 0 else -1
         first = terms[0].number / number
         sign = sign if sum(term.number for term in terms) else int(first)
-        rest = sum_of(Term(sign * term.number / number, divided(term.factors, common)) for term in terms)
-        found.append(Term(sign * number, multiplied(common, {rest: 1})).to_sympy())
-    return sp.Add(*found)
+        rest = sum_of(PowerProduct(sign * term.number / number, divided(term.factors, common)) for term in terms)
+        gathered.append(PowerProduct(sign * number, multiplied(common, {rest: 1})).to_sympy())
+    return sp.Add(*gathered)
 
 
-def _kinetic(configuration: Configuration, ring: Ring) -> Element:
+def _kinetic(configuration: Configuration, ring: FourierRing) -> Element:
     terms = [ring.from_sympy(p.mass) * dot(p.velocity, p.velocity, ring) for p in configuration.points if p.mass != 0]
     terms += [dot(r.momentum, r.angular_velocity, ring) for r in configuration.rotations if r.has_inertia]
     return ring.total(terms) / 2
 
 
 def in_one_term(rate: sp.Expr) -> sp.Expr:
-    """−x'² D/v − y'² D/v as −v D, with v = √(x'² + y'²); what has no root below the line as it is."""
+    """−x'² D/v − y'² D/v as −v D, with v = √(x'² + y'²); unchanged without a root in a denominator."""
     if not any(p.exp.is_negative and not p.exp.is_Integer for p in rate.atoms(sp.Pow)):
         return rate
     joined: sp.Expr = sp.factor_terms(rate)

@@ -1,61 +1,74 @@
-"""Equations of motion from d'Alembert's principle.
+"""Equations of motion from the balance Σ_k D_k δq_k = 0, with or without multipliers.
 
-Where the δq_k are independent, each D_k vanishes. Where the constraints bind them, A δq = 0 gives the dependent ones,
-δq_D = B δq_I, and what multiplies each independent δq_k vanishes:
+    D_k = Σ_j λ_j a_jk                     with multipliers, one equation for each coordinate
+    D_k + Σ_d B_dk D_d = 0                 after eliminating δq_D = B δq_I by A δq = 0, together with the constraints
 
-    D_k + Σ_d B_dk D_d = 0 ,      together with the constraints.
+Independent coordinates have D_k = 0. Denominators are multiplied out and common factors divided out; both are recorded,
+because what is divided by must not vanish.
 
-Without elimination, each of the coordinates has an equation with multipliers:
+From Lagrange's equations, L_k = Σ_j λ_j a_jk, the multipliers are found from those of the dependent coordinates,
+Σ_j a_jd λ_j = L_d, and substituted into the others: the minor of A that must not vanish is that of the displacements.
+Where it is too large to invert, or friction contains an |λ| that is not yet known, the equations are combined as
+Σ_k L_k δq_k = 0 instead, from which the reactions drop out. Multipliers of redundant constraints are left out: they are
+not determined, and add no new direction.
 
-    D_k = Σ_j λ_j a_jk .
+A choice may know some coordinates q_e only through their velocities (R φ' = y'). These are eliminated at the end:
 
-Denominators are multiplied out and factors common to all terms divided out; both are recorded, because what is divided
-by must not vanish.
+    q_e' = B q_c' + b ,      q_e'' = d/dt (B q_c' + b)
+
+are substituted. If neither B, b nor the equations contain the q_e, an equation in the chosen coordinates alone remains;
+otherwise (a spiral spring turned by φ) those constraints complete the equations. Nothing is substituted where an
+unsolved finite relation contains a q_e: it would be eliminated in name only.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import field
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import field, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import NoPointError, Point, UnsupportedError
-from lagrange.algebra.fourier.textbook import Factor, Textbook, common_factor, normalised
-from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.algebra.exact.zero_test import NoPointError, Point, UnsupportedError
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.algebra.fourier.ring import Element, FourierRing
+from lagrange.algebra.fourier.terms import is_acceleration
+from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, common_factor, normalised, textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.core.symbols import prime, variation
-from lagrange.mechanics.constraints.displacements import Elimination
-from lagrange.mechanics.constraints.kinematics import Configuration, Row
-from lagrange.mechanics.dynamics.balance import Balance
-from lagrange.mechanics.dynamics.principle import Principle
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.displacements import Elimination, TooLongError, eliminate
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.energies import Energies
+from lagrange.mechanics.dynamics.limits import INERTIA_POINTS, LONGEST_RATES, MOST_LONGER
+from lagrange.mechanics.dynamics.principle import Balance, Principle
+from lagrange.mechanics.dynamics.reactions import over_one_denominator
 
 
 @record
 class EquationOfMotion:
-    """expression = 0, which multiplies the virtual displacement of `coordinate`.
+    """expression = 0, the coefficient of the virtual displacement of `coordinate`.
 
-    factor    what has been divided out: its numerator divided by, its denominator multiplied by
-    reversed  whether the sign has been changed too
+    factor    the factor that has been divided out: its numerator divided by, its denominator multiplied by
+    reversed  whether the sign has been changed as well
     """
 
     coordinate: sp.Symbol
     expression: sp.Expr
-    factor: Factor
+    factor: CommonFactor
     reversed: bool
 
 
 @record
-class Closed:
-    """The equations of a choice with velocities and accelerations put in that constraints on velocities give.
+class WithEliminatedRates:
+    """The equations of a choice after substituting the velocities and accelerations given by kinematic constraints.
 
-    velocities  each of these velocities, by the others
+    velocities  each of these velocities, in terms of the others
     rates       these velocities and their accelerations
-    equations   of motion, all that is put in included; a factor is what was divided out after that
-    used        the names of the constraints that the velocities come from
+    equations   of motion after the substitution; a factor is one divided out after it
+    used        the names of the constraints that give the velocities
     rows        the constraints that complete the equations
     """
 
@@ -70,17 +83,17 @@ class Closed:
 class EquationsOfMotion:
     """The equations of one configuration; the rows of the configuration complete them.
 
-    principle    what they follow from
+    principle    the balance that they follow from
     elimination  of the dependent virtual displacements
-    equations    in all coordinates of the configuration, as they come from the principle
-    closed       the same in the chosen coordinates, where some are known through their velocities only
+    equations    in all coordinates of the configuration, as they follow from the principle
+    closed       the same in the chosen coordinates, if some are known through their velocities only
     """
 
     configuration: Configuration
     principle: Balance
     elimination: Elimination
     equations: tuple[EquationOfMotion, ...]
-    closed: Closed | None = field(default=None, kw_only=True)
+    closed: WithEliminatedRates | None = field(default=None, kw_only=True)
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -89,7 +102,7 @@ class EquationsOfMotion:
 
     @property
     def conditions(self) -> tuple[sp.Expr, ...]:
-        """What has been divided by and may vanish: these equations are good where none of it does."""
+        """The factors divided by that may vanish: the equations are valid where none of them does."""
         return excluded(self.elimination.pivots, (*self.equations, *(self.closed.equations if self.closed else ())))
 
     @property
@@ -99,13 +112,13 @@ class EquationsOfMotion:
 
     @property
     def completing(self) -> tuple[Row, ...]:
-        """The constraints that complete these."""
+        """The constraints that complete the final equations."""
         return self.closed.rows if self.closed else self.configuration.rows
 
 
 @record
 class WithMultipliers:
-    """D_k and Σ_j λ_j a_jk, which it equals, for each coordinate."""
+    """The equations D_k = Σ_j λ_j a_jk, as pairs, for each coordinate."""
 
     multipliers: tuple[sp.Symbol, ...]
     equations: tuple[tuple[sp.Expr, sp.Expr], ...]
@@ -117,7 +130,7 @@ def excluded(pivots: Sequence[sp.Expr], equations: Sequence[EquationOfMotion]) -
 
 
 def equations_with_multipliers(principle: Balance, multipliers: Mapping[str, sp.Symbol]) -> WithMultipliers:
-    """The equations in which nothing is eliminated; `multipliers` are λ_j by name of the constraint."""
+    """The equations without any elimination; `multipliers` are λ_j by name of the constraint."""
     rows = principle.configuration.rows
     used = tuple(multipliers[row.name] for row in rows)
     equations = (
@@ -131,7 +144,7 @@ def equations_with_multipliers(principle: Balance, multipliers: Mapping[str, sp.
 class DalembertMotion(EquationsOfMotion):
     """The equations from d'Alembert's principle.
 
-    independent  shape (f,): what multiplies each independent δq
+    independent  shape (f,): the coefficient of each independent δq
     """
 
     principle: Principle
@@ -139,7 +152,7 @@ class DalembertMotion(EquationsOfMotion):
 
     @cached_property
     def reduced(self) -> sp.Expr:
-        """Σ over the independent δq: the principle with the dependent ones put in, in textbook form."""
+        """Σ over the independent δq: the principle after substituting the dependent ones, in textbook form."""
         coordinates = self.configuration.slots.coordinates
         free = [variation(coordinates[k]) for k in self.elimination.independent]
         return self.principle.written(free, self.independent)
@@ -155,17 +168,17 @@ def equations_of_motion(principle: Principle, elimination: Elimination) -> Dalem
     return DalembertMotion(configuration, principle, elimination, equations, tuple(coefficients))
 
 
-def of_independent(d: Sequence[Element], ring: Ring, elimination: Elimination) -> list[Element]:
+def of_independent(d: Sequence[Element], ring: FourierRing, elimination: Elimination) -> list[Element]:
     """D_k + Σ_d B_dk D_d for each independent k."""
-    found = []
+    coefficients = []
     for column, k in enumerate(elimination.independent):
         shares = (
             ring.from_sympy(row[column]) * d[dependent]
             for dependent, row in zip(elimination.dependent, elimination.solution, strict=True)
             if row[column] != 0
         )
-        found.append(ring.total([d[k], *shares]))
-    return found
+        coefficients.append(ring.total([d[k], *shares]))
+    return coefficients
 
 
 def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> EquationOfMotion:
@@ -175,7 +188,7 @@ def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> 
     kept = factor.divide(expression)
     if any(f.is_Add for f, _ in factor.denominator.powers):
         shorter = factor.numerator.divide(expression)
-        if shorter.count_ops() < kept.count_ops():  # what is gained by multiplying out is lost in length
+        if shorter.count_ops() < kept.count_ops():  # multiplying out would make the equation longer
             kept, factor = shorter, factor.numerator
     if factor.denominator.powers:
         kept = textbook.form(kept)
@@ -184,9 +197,9 @@ def divided(textbook: Textbook, coordinate: sp.Symbol, coefficient: Element) -> 
 
 
 def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
-    """Refuses a system whose equations do not determine the accelerations: a coordinate without inertia.
+    """Refuse a system whose equations do not determine the accelerations: a coordinate without inertia.
 
-    Raises ProblemError naming the coordinate, UndecidedError where no generic point was found.
+    Raises ProblemError naming the coordinate, UndecidedError if no generic point was found.
     """
     configuration = result.configuration
     slots = configuration.slots
@@ -198,7 +211,7 @@ def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
         return point.nullspace([*(r[:-1] for r in inertia), *point.matrix(forms)], len(slots.coordinates))
 
     try:
-        kernels = configuration.states.sampled(idle_motions, 2)
+        kernels = configuration.states.sampled(idle_motions, INERTIA_POINTS)
     except (NoPointError, UnsupportedError):
         raise UndecidedError("whether every coordinate has inertia", span) from None
     kernel = min(kernels, key=len)
@@ -213,3 +226,192 @@ def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
     )
     help_ = "give a mass to what moves with it, or remove the coordinate; with `find: equilibrium` no mass is needed"
     raise ProblemError(Diagnostic("no-inertia", message, span, help=help_))
+
+
+M = TypeVar("M", bound=EquationsOfMotion)
+
+_NOTHING = CommonFactor(sp.S.One, ())
+
+
+def closed(motion: M, through_rates: Sequence[sp.Symbol]) -> M:
+    """The equations of motion after substituting the velocities and accelerations of the coordinates `through_rates`.
+
+    They stay as they are if the constraints on velocities do not give these velocities in terms of the others, or if
+    the equations would become much longer.
+    """
+    configuration = motion.configuration
+    used = [r for r in configuration.rows if _mentions(r, configuration, through_rates)]
+    velocities = _velocities(configuration, used, through_rates)
+    if not velocities:
+        return motion
+    slots = configuration.slots
+    accelerations = [textbook_form(slots.time_derivative(v).xreplace(velocities)) for v in velocities.values()]
+    rule = {**velocities, **{prime(v): a for v, a in zip(velocities, accelerations, strict=True)}}
+    equations = tuple(_substituted(e, rule, motion.principle.textbook) for e in motion.equations)
+    if _length(equations) > MOST_LONGER * _length(motion.equations) + LONGEST_RATES:
+        return motion
+    rows = [r for r in configuration.rows if r not in used]
+    if any(not e.expression.free_symbols.isdisjoint(through_rates) for e in equations):
+        rows = list(configuration.rows)
+    return replace(
+        motion, closed=WithEliminatedRates(velocities, rule, equations, tuple(r.name for r in used), tuple(rows))
+    )
+
+
+def _mentions(row: Row, configuration: Configuration, through_rates: Sequence[sp.Symbol]) -> bool:
+    """Whether such a coordinate or its velocity occurs in a constraint."""
+    symbols = row.velocity_form(configuration.slots).free_symbols | (
+        row.finite.free_symbols if row.finite is not None else set()
+    )
+    return any(q in symbols or prime(q) in symbols for q in through_rates)
+
+
+def _velocities(
+    configuration: Configuration, rows: Sequence[Row], through_rates: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, sp.Expr]:
+    """Their velocities in terms of those of the chosen coordinates; empty if the constraints give other ones."""
+    if not through_rates or any(r.finite is not None or r.nonlinear is not None for r in rows):
+        return {}
+    slots = configuration.slots
+    indices = [slots.coordinates.index(q) for q in through_rates]
+    try:
+        solved = eliminate(rows, len(slots.coordinates), configuration.states, indices, LONGEST_RATES)
+    except TooLongError:
+        return {}
+    if set(solved.dependent) != set(indices):
+        return {}
+    rates = {
+        slots.velocities[d]: sp.Add(
+            *(b * slots.velocities[k] for b, k in zip(row, solved.independent, strict=True)), drift
+        )
+        for d, row, drift in zip(solved.dependent, solved.solution, solved.drift, strict=True)
+    }
+    return {prime(q): rates[prime(q)] for q in through_rates}
+
+
+def _substituted(equation: EquationOfMotion, rule: dict[sp.Symbol, sp.Expr], textbook: Textbook) -> EquationOfMotion:
+    """The equation after the substitution, in textbook form; unchanged if there is nothing to substitute."""
+    before = equation.expression
+    if before.free_symbols.isdisjoint(rule):
+        return replace(equation, factor=_NOTHING, reversed=False)
+    ring = textbook.ring
+    after = divided(textbook, equation.coordinate, ring.from_sympy(before.xreplace(rule)))
+    scale = (-1 if after.reversed else 1) / after.factor.expression
+    expression = after.expression
+    for a in sorted((s for s in expression.free_symbols if is_acceleration(s)), key=str):
+        # The coefficient of q'' is a sum of contributions, which may be shorter factored one by one than as a sum.
+        shares = [before.diff(a), *(before.diff(e) * value.diff(a) for e, value in rule.items() if is_acceleration(e))]
+        parts = sp.Add(*(textbook.form(ring.from_sympy(s * scale)) for s in shares if s != 0))
+        if parts.count_ops() < expression.diff(a).count_ops():
+            expression = expression.xreplace({a: sp.S.Zero}) + parts * a
+    return replace(after, expression=expression)
+
+
+def _length(equations: Sequence[EquationOfMotion]) -> int:
+    return sum(int(e.expression.count_ops()) for e in equations)
+
+
+@record
+class LagrangeMotion(EquationsOfMotion):
+    """The equations of motion of a configuration from its Lagrange equations.
+
+    principle    T, V and the equations with multipliers
+    used         indices of the rows that have a multiplier
+    multipliers  of these, in textbook form, containing accelerations; None if they are too long
+    right        Q_k + Σ λ_j a_jk, shape (n,), with named tensions in place of their multipliers
+    forces       the values of `multipliers` in the same way: of the tension where the file names one
+    """
+
+    principle: Energies
+    used: tuple[int, ...]
+    multipliers: tuple[sp.Expr, ...] | None
+    right: tuple[sp.Expr, ...] = ()
+    forces: tuple[sp.Expr, ...] | None = None
+
+
+def lagrange_motion(
+    energies: Energies, elimination: Elimination, unknown: Collection[sp.Symbol] = ()
+) -> LagrangeMotion:
+    """Lagrange's equations of a configuration without multipliers; friction may contain those in `unknown`."""
+    configuration = energies.configuration
+    used = tuple(n for n in range(len(configuration.rows)) if n not in elimination.unused)
+    forces = None if _has(energies.applied, unknown) else _multipliers(energies, elimination, used)
+    if forces is None:
+        equations = _combined(energies, elimination)
+    else:
+        free = (_without(energies, k, used, forces) for k in elimination.independent)
+        equations = _equations(energies, elimination, free)
+        if any(_is_split(e.expression) for e in equations):
+            equations = tuple(map(_tidier, equations, _combined(energies, elimination)))
+    return LagrangeMotion(
+        configuration=configuration,
+        principle=energies,
+        elimination=elimination,
+        equations=equations,
+        used=used,
+        multipliers=None if forces is None else tuple(over_one_denominator(energies.textbook.form(f)) for f in forces),
+    )
+
+
+def _equations(energies: Energies, elimination: Elimination, free: Iterable[Element]) -> tuple[EquationOfMotion, ...]:
+    """The equations of the independent coordinates, divided by the common factors of their terms."""
+    coordinates = energies.configuration.slots.coordinates
+    pairs = zip(elimination.independent, free, strict=True)
+    return tuple(divided(energies.textbook, coordinates[k], e) for k, e in pairs)
+
+
+def _combined(energies: Energies, elimination: Elimination) -> tuple[EquationOfMotion, ...]:
+    """The same from Σ_k L_k δq_k = 0."""
+    return _equations(energies, elimination, of_independent(energies.coefficients, energies.ring, elimination))
+
+
+def _is_split(expression: sp.Expr) -> bool:
+    """Whether sums remain in denominators."""
+    return any(p.base.is_Add and p.exp.could_extract_minus_sign() for p in expression.atoms(sp.Pow))
+
+
+def _tidier(first: EquationOfMotion, second: EquationOfMotion) -> EquationOfMotion:
+    """The shorter form of an equation: with the multipliers substituted, or combined, which may share a denominator."""
+    forms = (first.expression, second.expression)
+    split, other = (_is_split(e) for e in forms)
+    if split != other:
+        return second if split else first
+    return second if forms[1].count_ops() < forms[0].count_ops() else first
+
+
+def _has(forces: Iterable[sp.Expr], unknown: Collection[sp.Symbol]) -> bool:
+    """Whether the forces contain an |λ|."""
+    return any(not f.free_symbols.isdisjoint(unknown) for f in forces)
+
+
+def _without(energies: Energies, k: int, used: Sequence[int], forces: Sequence[Element]) -> Element:
+    """L_k − Σ_j λ_j a_jk, with the λ_j substituted."""
+    ring, rows = energies.ring, energies.configuration.rows
+    shares = (
+        f * ring.from_sympy(rows[n].coefficients[k])
+        for n, f in zip(used, forces, strict=True)
+        if rows[n].coefficients[k] != 0
+    )
+    return energies.coefficients[k] - ring.total(shares)
+
+
+def _multipliers(energies: Energies, elimination: Elimination, used: Sequence[int]) -> list[Element] | None:
+    """The λ_j from Σ_j a_jd λ_j = L_d; None if they are too large."""
+    if not used:
+        return []
+    rows, ring = energies.configuration.rows, energies.ring
+    matrix = [[rows[n].coefficients[d] for n in used] for d in elimination.dependent]
+    placeholders = [sp.Dummy(f"L_{d}", real=True) for d in elimination.dependent]
+    solved = solved_linear(matrix, placeholders, energies.configuration.states)
+    if solved is None:
+        return None
+    values: Mapping[sp.Symbol, Element] = {
+        p: energies.coefficients[d] for p, d in zip(placeholders, elimination.dependent, strict=True)
+    }
+    forces = []
+    for value in solved:
+        if value is None:
+            return None
+        shares = ((ring.from_sympy(sp.diff(value, p)), left) for p, left in values.items() if value.has(p))
+        forces.append(ring.total(share * left for share, left in shares))
+    return forces

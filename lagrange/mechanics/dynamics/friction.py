@@ -1,11 +1,11 @@
-"""Coulomb friction while a particle slides: μ |R| against the slip.
+"""Coulomb friction of a sliding particle: μ |R| against the slip.
 
     F = −μ |R| v_s/|v_s| ,      v_s = v_P − (velocity of the surface) ,      R = λ g  the reaction on P .
 
-It is an applied force: it does virtual work. It needs |R| = |λ| |g|, which Newton's law gives. While that is being
-solved, |λ| is σ λ with σ = ±1 the sign of λ, so that the equations stay linear in λ even where λ depends on the
-friction; a λ that comes out without σ gives |λ| at once, otherwise σ stays, on the condition that it is the sign of λ.
-Where P slides along a line, v_s = s w with a speed s that may have either sign, and v_s/|v_s| = sign(s) w/|w|. The
+Friction is an applied force: it does virtual work. It needs |R| = |λ| |g|, which Newton's law gives. While that is
+solved, |λ| is written σ λ with σ = ±1 the sign of λ, so that the equations stay linear in λ even where λ depends on the
+friction. If the solution λ does not contain σ, it gives |λ| at once; otherwise σ remains, on the condition that it is
+the sign of λ. Where P slides along a line, v_s = s w with a speed s of either sign, and v_s/|v_s| = sign(s) w/|w|. The
 file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
 """
 
@@ -17,7 +17,7 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.fourier.linear_systems import solved_linear
-from lagrange.algebra.fourier.textbook import Factor, common_factor, textbook_form
+from lagrange.algebra.fourier.textbook_form import CommonFactor, common_factor, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
@@ -29,15 +29,15 @@ from lagrange.problem.model import Friction
 
 
 @record
-class Rubbing:
+class FrictionForce:
     """One friction force in the coordinates of a configuration.
 
     normal   |g|: |R| = |λ| · normal
     slip     v_s
-    speed    s, where the slip is along a line; None otherwise
-    sense    the sign of s as far as it is known: ±1, sign(s); 1 where there is no line
+    speed    s, if the slip is along a line; otherwise None
+    sense    the sign of s: ±1 if known, otherwise sign(s); 1 if there is no line
     along    the unit vector of the slip, w/|w| or v_s/|v_s|
-    contact  the sign of λ: ±1 where the file says it, otherwise a `Sign`
+    contact  the sign of λ: ±1 if the file gives it, otherwise a `Sign`
     """
 
     friction: Friction
@@ -63,51 +63,51 @@ class Rubbing:
 
     @property
     def magnitude(self) -> sp.Expr:
-        """|R| with λ in it, and with the sign of λ where that is known."""
+        """|R| in terms of λ: |g| |λ|, or |g| ±λ if the sign of λ is known."""
         multiplier = self.reaction.multiplier
         return self.normal * (sp.Abs(multiplier) if isinstance(self.contact, Sign) else self.contact * multiplier)
 
 
-def rubbings(
+def friction_forces(
     frictions: Sequence[Friction], newton: Newton, original: Configuration, configuration: Configuration
-) -> tuple[Rubbing, ...]:
+) -> tuple[FrictionForce, ...]:
     """The friction forces in a configuration; `newton` and `original` are of the file's coordinates.
 
-    Raises ProblemError where a constraint does not act on the particle that the friction is said to be on.
+    Raises ProblemError if a constraint does not act on the particle of its friction.
     """
-    return tuple(_rubbing(f, newton, original, configuration) for f in frictions)
+    return tuple(_friction_force(f, newton, original, configuration) for f in frictions)
 
 
-def symbolic_loads(found: Sequence[Rubbing], configuration: Configuration) -> tuple[Load, ...]:
-    """The forces with |λ| in them."""
-    return tuple(r.load(r.magnitude, _point(configuration, r.friction.on).position) for r in found)
+def symbolic_loads(frictions: Sequence[FrictionForce], configuration: Configuration) -> tuple[Load, ...]:
+    """The forces in terms of |λ|."""
+    return tuple(f.load(f.magnitude, _point(configuration, f.friction.on).position) for f in frictions)
 
 
 def solved_loads(
-    found: Sequence[Rubbing], reactions: Reactions, configuration: Configuration
+    frictions: Sequence[FrictionForce], reactions: Reactions, configuration: Configuration
 ) -> tuple[tuple[Load, ...], dict[Sign, sp.Expr]]:
-    """The forces with |λ| as a function of position and velocity; and the signs that stay, each with its λ.
+    """The forces with |λ| as a function of position and velocity, and the signs that remain, each with its λ.
 
-    Raises NotCoveredError where λ is too large, ProblemError where it is not determined.
+    Raises NotCoveredError if λ is too large, ProblemError if it is not determined.
     """
     loads, signs = [], {}
-    for r in found:
-        name = r.reaction.name
+    for f in frictions:
+        name = f.reaction.name
         if name not in reactions.multipliers:
-            message = f"the friction `{r.friction.name}` needs the reaction of `{name}`, which is not determined"
+            message = f"the friction `{f.friction.name}` needs the reaction of `{name}`, which is not determined"
             help_ = "other constraints keep the same; remove those that follow from the others"
-            raise ProblemError(Diagnostic("friction-undetermined", message, r.friction.span, help=help_))
+            raise ProblemError(Diagnostic("friction-undetermined", message, f.friction.span, help=help_))
         value = reactions.multipliers[name]
         if value is None:
-            raise NotCoveredError(f"the friction `{r.friction.name}`, whose reaction is too large,", r.friction.span)
-        size = textbook_form(value * r.normal)
-        magnitude = r.contact * size
-        if isinstance(r.contact, Sign):
-            if r.contact in value.free_symbols:
-                signs[r.contact] = value
+            raise NotCoveredError(f"the friction `{f.friction.name}`, whose reaction is too large,", f.friction.span)
+        size = textbook_form(value * f.normal)
+        magnitude = f.contact * size
+        if isinstance(f.contact, Sign):
+            if f.contact in value.free_symbols:
+                signs[f.contact] = value  # λ depends on its own sign, which only a state can decide
             else:
                 magnitude = _absolute(size)
-        loads.append(r.load(magnitude, _point(configuration, r.friction.on).position))
+        loads.append(f.load(magnitude, _point(configuration, f.friction.on).position))
     return tuple(loads), signs
 
 
@@ -115,13 +115,15 @@ def _point(configuration: Configuration, name: str) -> MassPoint:
     return next(p for p in configuration.points if p.name == name)
 
 
-def _rubbing(friction: Friction, newton: Newton, original: Configuration, configuration: Configuration) -> Rubbing:
-    named = [r for r in newton.reactions if r.name == friction.constraint]
-    if not named:
+def _friction_force(
+    friction: Friction, newton: Newton, original: Configuration, configuration: Configuration
+) -> FrictionForce:
+    reactions = [r for r in newton.reactions if r.name == friction.constraint]
+    if not reactions:
         message = f"`{friction.constraint}` is a vector equation, and the friction `{friction.name}` needs one reaction"
         help_ = f"name a component, as `{friction.constraint}.1`, or write the constraint as a scalar equation"
         raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
-    [reaction] = named
+    [reaction] = reactions
     if reaction.directions is None:
         raise NotCoveredError(
             f"the friction `{friction.name}`: the coordinates do not place the particles one by one, and its reaction",
@@ -152,11 +154,13 @@ def _rubbing(friction: Friction, newton: Newton, original: Configuration, config
         sense = sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
     along = _without_moduli(along, configuration)
     contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
-    return Rubbing(friction, reaction, _size(direction, reaction, configuration), slip, speed, sense, along, contact)
+    return FrictionForce(
+        friction, reaction, _size(direction, reaction, configuration), slip, speed, sense, along, contact
+    )
 
 
 def _is_placed_freely(point: MassPoint) -> bool:
-    """Whether the coordinates place a particle freely in space, or in a plane that does not turn."""
+    """Whether the coordinates place a particle freely in space, or in a plane with a fixed normal."""
     partials = [p.fixed() for p in point.partials if not p.is_zero]
     if any(textbook_form(a.dot(b.cross(c))) != 0 for a, b, c in combinations(partials, 3)):
         return True
@@ -169,7 +173,7 @@ def _is_placed_freely(point: MassPoint) -> bool:
 
 
 def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
-    """|g|; where a distance is kept, |factor|, if that is shorter: of x² + y² = R² it is 2R."""
+    """|g|; for a distance constraint |factor|, if that contains no coordinates: 2R for x² + y² = R²."""
     if reaction.rough is not None:
         size = textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))
         if size.free_symbols.isdisjoint(configuration.slots.coordinates):
@@ -179,22 +183,22 @@ def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -
 
 
 def _where_it_holds(square: sp.Expr, reaction: Reaction, configuration: Configuration) -> sp.Expr:
-    """|g|² with the constraint put in, where that leaves no coordinates: of x² + y² = R² in space it is 4R²."""
+    """|g|² on the constraint, if that contains no coordinates: 4R² for x² + y² = R² in space."""
     coordinates = configuration.slots.coordinates
     finite = (reaction.row.finite or sp.S.Zero).xreplace(configuration.substitution)
     if not (finite.is_polynomial(*coordinates) and square.is_polynomial(*coordinates)):
         return square
-    poly, wanted = sp.Poly(finite, *coordinates), sp.Poly(square, *coordinates)
-    if poly.is_ground or wanted.is_ground:
+    relation, squared = sp.Poly(finite, *coordinates), sp.Poly(square, *coordinates)
+    if relation.is_ground or squared.is_ground:
         return square
-    left = wanted - poly * (wanted.coeff_monomial(poly.monoms()[0]) / poly.LC())
-    return sp.factor(left.as_expr()) if left.is_ground else square
+    remainder = squared - relation * (squared.coeff_monomial(relation.monoms()[0]) / relation.LC())
+    return sp.factor(remainder.as_expr()) if remainder.is_ground else square
 
 
 def _slip(friction: Friction, reaction: Reaction, direction: Vector, configuration: Configuration) -> Vector:
-    """The velocity relative to the surface, with the dependent velocities put in where that makes it shorter.
+    """The velocity relative to the surface, after substituting the dependent velocities if that makes it shorter.
 
-    A surface that moves, and whose velocity is not given, moves along its normal: the slip is the velocity along it.
+    A moving surface whose velocity is not given moves along its normal: the slip is the tangential velocity.
     """
     rule = configuration.substitution
     velocity = _point(configuration, friction.on).velocity
@@ -204,8 +208,8 @@ def _slip(friction: Friction, reaction: Reaction, direction: Vector, configurati
         normal_speed = -reaction.row.drift.xreplace(rule) / textbook_form(direction.dot(direction))
         velocity = velocity - direction * normal_speed
     velocity = velocity.map(textbook_form)
-    put_in = velocity.map(lambda c: textbook_form(c.xreplace(_dependent(configuration))))
-    return put_in if _operations(put_in) <= _operations(velocity) else velocity
+    substituted = velocity.map(lambda c: textbook_form(c.xreplace(_dependent(configuration))))
+    return substituted if _operations(substituted) <= _operations(velocity) else velocity
 
 
 def _operations(vector: Vector) -> int:
@@ -213,14 +217,12 @@ def _operations(vector: Vector) -> int:
 
 
 def _dependent(configuration: Configuration) -> Mapping[sp.Symbol, sp.Expr]:
-    """The dependent velocities, from A q' + a_t = 0; empty where they are not found."""
+    """The dependent velocities, from A q' + a_t = 0; empty if they are not found."""
     slots, rows = configuration.slots, configuration.rows
     if not rows:
         return {}
-    at_first = sorted(range(len(slots.velocities)), key=lambda k: -k)
-    matrix = [[r.coefficients[k] for k in at_first] for r in rows]
     chosen: list[int] = []
-    for k in at_first:
+    for k in reversed(range(len(slots.velocities))):  # the last first: x stays where x and y depend on each other
         if configuration.states.rank([[r.coefficients[c] for c in (*chosen, k)] for r in rows]) == len(chosen) + 1:
             chosen.append(k)
     matrix = [[r.coefficients[k] for k in chosen] for r in rows]
@@ -231,26 +233,26 @@ def _dependent(configuration: Configuration) -> Mapping[sp.Symbol, sp.Expr]:
         )
         for r in rows
     ]
-    found = solved_linear(matrix, right, configuration.states)
-    if found is None or None in found:
+    solved = solved_linear(matrix, right, configuration.states)
+    if solved is None or None in solved:
         return {}
-    return {slots.velocities[k]: v for k, v in zip(chosen, found, strict=True) if v is not None}
+    return {slots.velocities[k]: v for k, v in zip(chosen, solved, strict=True) if v is not None}
 
 
 def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tuple[sp.Expr, Vector] | None:
-    """s and w/|w| with v_s = s w, w not depending on velocities; None where the slip is along no line.
+    """s and w/|w| with v_s = s w, w independent of velocities; None if the slip is not along a line.
 
-    w belongs to the first velocity that the surface has not, so that s is positive where that coordinate increases. A
-    direction that turns with the coordinates is not split off, unless the file says which sense the slip has.
+    w belongs to the first velocity that the surface does not have, so that s > 0 where that coordinate increases. A
+    direction that turns with the coordinates is not separated, unless the file gives the sense of the slip.
     """
-    put_in = slip.map(lambda c: textbook_form(c.xreplace(_dependent(configuration))))
-    carried = set() if friction.surface_velocity is None else _symbols(friction.surface_velocity)
-    velocities = [v for v in configuration.slots.velocities if v in _symbols(put_in)]
-    velocities.sort(key=lambda v: v in carried)
+    substituted = slip.map(lambda c: textbook_form(c.xreplace(_dependent(configuration))))
+    of_surface = set() if friction.surface_velocity is None else _symbols(friction.surface_velocity)
+    velocities = [v for v in configuration.slots.velocities if v in _symbols(substituted)]
+    velocities.sort(key=lambda v: v in of_surface)
     if not velocities:
         return None
-    partials = [put_in.map(lambda c, v=v: textbook_form(c.diff(v))) for v in velocities]  # type: ignore[misc]
-    rest = put_in.map(lambda c: textbook_form(c.xreplace(dict.fromkeys(velocities, sp.S.Zero))))
+    partials = [substituted.map(lambda c, v=v: textbook_form(c.diff(v))) for v in velocities]  # type: ignore[misc]
+    rest = substituted.map(lambda c: textbook_form(c.xreplace(dict.fromkeys(velocities, sp.S.Zero))))
     w = partials[0]
     if any(_symbols(p) & set(velocities) for p in partials):
         return None
@@ -264,7 +266,7 @@ def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tup
 
 
 def _without_moduli(vector: Vector, configuration: Configuration) -> Vector:
-    """|r| is r where a constraint says r = R, which is positive."""
+    """The vector with r for |r| where a constraint gives r = R > 0."""
     moduli = {a for c in vector.components for a in c.atoms(sp.Abs)}
     if not moduli:
         return vector
@@ -276,8 +278,8 @@ def _without_moduli(vector: Vector, configuration: Configuration) -> Vector:
         if slope.is_number and slope != 0:
             [q] = moving
             known[q] = -f.xreplace({q: sp.S.Zero}) / slope
-    there = {a: a.args[0].xreplace(known) for a in moduli}
-    signed = {a: a.args[0] * (1 if v.is_positive else -1) for a, v in there.items() if v.is_positive or v.is_negative}
+    values = {a: a.args[0].xreplace(known) for a in moduli}
+    signed = {a: a.args[0] * (1 if v.is_positive else -1) for a, v in values.items() if v.is_positive or v.is_negative}
     return vector.map(lambda c: textbook_form(c.xreplace(signed))) if signed else vector
 
 
@@ -286,7 +288,7 @@ def _symbols(vector: Vector) -> set[sp.Basic]:
 
 
 def _absolute(value: sp.Expr) -> sp.Expr:
-    """|value|, with what is positive in front: m |g + u''|."""
+    """|value|, with its positive factors in front: m |g + u''|."""
     factor = common_factor(value)
-    positive = Factor(factor.number, tuple((f, e) for f, e in factor.powers if f.is_positive))
+    positive = CommonFactor(factor.number, tuple((f, e) for f, e in factor.powers if f.is_positive))
     return positive.expression * sp.Abs(positive.divide(value))

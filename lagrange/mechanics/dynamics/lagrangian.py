@@ -6,15 +6,14 @@ Nothing here is taken from d'Alembert's principle: velocities come from position
 the axes of the body, ω_1 = e_2'·e_3, and dH/dt is not needed. Constant forces enter by their potential −F·r, the others
 by Q_k = Σ F·∂v/∂q_k' + M·∂ω/∂q_k', springs by the vector between their ends, dampers by −∂/∂q_k' of c d'²/2.
 
-Where the file gives ω, it may be in quasi-coordinates. Then T is no function of coordinates alone, and
+If the file gives ω, it may be in quasi-coordinates. Then T is not a function of coordinates alone, and
 
     dH/dt·ω_k = d/dt (H·ω_k) − H·ω_k'
 
-takes the place of Lagrange's expression: the two differ by H·(ω_k' − ∂ω/∂q_k), components differentiated (Boltzmann,
-Hamel).
+replaces Lagrange's expression: the two differ by H·(ω_k' − ∂ω/∂q_k), components differentiated (Boltzmann, Hamel).
 
-A constraint on velocities is never put into T before differentiating: T must know every velocity that the constraint
-excludes, or ∂T/∂q' loses the terms that its reaction balances.
+A constraint on velocities is never substituted into T before differentiating: T must contain every velocity that the
+constraint excludes, or ∂T/∂q' loses the terms that its reaction balances.
 """
 
 from __future__ import annotations
@@ -94,7 +93,7 @@ def angular_velocity(rotation: Rotation, slots: Slots) -> Vector:
 
 
 def quasi_term(rotation: Rotation, coordinate: sp.Symbol, velocity: sp.Symbol, slots: Slots) -> sp.Expr:
-    """H·(ω_k' − ∂ω/∂q_k): what quasi-coordinates add to Lagrange's expression. Zero for true coordinates."""
+    """H·(ω_k' − ∂ω/∂q_k), the term of quasi-coordinates in Lagrange's expression. Zero for true coordinates."""
     e1, e2, e3 = rotation.axes
     components = spin_along_axes(rotation, slots)
     spin = rotation.angular_velocity.fixed()
@@ -114,7 +113,7 @@ def is_constant(load: Load, configuration: Configuration) -> bool:
 
 
 def _arm(load: Load, configuration: Configuration) -> Vector:
-    """From the mass centre to where a force acts on a body."""
+    """The vector from the mass centre to the point of application of a force on a body."""
     [centre] = (p.position for p in configuration.points if p.name == load.on)
     return (load.point - centre).fixed()
 
@@ -125,7 +124,7 @@ def share_of_load(load: Load, velocity: sp.Symbol, configuration: Configuration)
 
 
 def _rate_at(load: Load, configuration: Configuration) -> Vector:
-    """The velocity of what a force acts on: v = v_G + ω × arm on a body."""
+    """The velocity of the point of application: v = v_G + ω × arm on a body."""
     slots = configuration.slots
     turning = next((r for r in configuration.rotations if r.name == load.on), None)
     if turning is None:
@@ -146,27 +145,27 @@ def share_of_moments(configuration: Configuration, velocity: sp.Symbol) -> sp.Ex
 
 def _of_springs(configuration: Configuration, coordinate: sp.Symbol) -> sp.Expr:
     """−k (d − l) (r/d)·∂r/∂q_k, r being the vector between the ends."""
-    found = []
+    terms = []
     for s in configuration.springs:
         apart = s.apart.fixed()
         pulled = apart.dot(apart.map(lambda c: partial(c, coordinate)))
-        found.append(-s.stiffness * pulled * (1 if s.length == 0 else 1 - s.length / s.distance))
-    return sp.Add(*found)
+        terms.append(-s.stiffness * pulled * (1 if s.length == 0 else 1 - s.length / s.distance))
+    return sp.Add(*terms)
 
 
 def _of_dampers(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
     """−∂/∂q_k' of Rayleigh's function c d'²/2, d' = r·r'/d."""
-    found = []
+    terms = []
     for d in configuration.dampers:
         apart = d.apart.fixed()
         closing = apart.dot(apart.time_derivative(configuration.slots))
         squared = apart.dot(apart)
-        found.append(-d.coefficient * closing * partial(closing, velocity) / squared)
-    return sp.Add(*found)
+        terms.append(-d.coefficient * closing * partial(closing, velocity) / squared)
+    return sp.Add(*terms)
 
 
 def applied_power(configuration: Configuration) -> sp.Expr:
-    """Σ F·v + Σ M·ω − Σ c d'²: the power of what has no potential. An end that moves by itself takes its part of d'."""
+    """Σ F·v + Σ M·ω − Σ c d'², the power of forces without a potential; d' without the prescribed motion of ends."""
     slots = configuration.slots
     terms = [f.vector.fixed().dot(_rate_at(f, configuration)) for f in configuration.loads]
     spins = {r.name: angular_velocity(r, slots) for r in configuration.rotations}

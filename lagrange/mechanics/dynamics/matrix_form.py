@@ -1,12 +1,12 @@
 """The equations of motion in matrix form, and solved for the accelerations.
 
-D'Alembert's principle gives for each coordinate an expression D_k that is linear in the accelerations, so that with the
+D'Alembert's principle gives for each coordinate an expression D_k that is linear in the accelerations. With the
 constraints, differentiated until accelerations occur,
 
     M q'' = f + Aᵀ λ ,      A q'' = b .
 
-M is the matrix of the kinetic energy T = ½ q'ᵀ M q' + ..., symmetric; f has the applied forces and the terms of the
-inertia with velocities. Where the coordinates are independent there is no A, and q'' = M⁻¹ f.
+M is the symmetric matrix of the kinetic energy T = ½ q'ᵀ M q' + ...; f contains the applied forces and the inertial
+terms with velocities. If the coordinates are independent, there is no A, and q'' = M⁻¹ f.
 
 Shapes: M (n, n), f (n,), A (m, n), b (m,).
 """
@@ -19,10 +19,8 @@ from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.limits import MOST_FREE
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
-
-MOST_SOLVED = 3
-"""Coordinates of a system whose accelerations are still solved for."""
 
 
 @record
@@ -37,7 +35,7 @@ class MatrixForm:
 
 
 def matrix_form(motion: EquationsOfMotion) -> MatrixForm:
-    """The matrices of the equations of motion, before anything is divided out."""
+    """The matrices of the equations of motion, before factors are divided out."""
     configuration, principle = motion.configuration, motion.principle
     slots = configuration.slots
     form = principle.textbook.form
@@ -46,8 +44,8 @@ def matrix_form(motion: EquationsOfMotion) -> MatrixForm:
         coefficients, rest = principle.ring.linear(element, slots.accelerations)
         mass.append(tuple(form(c) for c in coefficients))
         force.append(form(-rest))
-    still = dict.fromkeys(slots.accelerations, sp.S.Zero)
-    rates = (slots.time_derivative(r.velocity_form(slots)).xreplace(still) for r in configuration.rows)
+    no_acceleration = dict.fromkeys(slots.accelerations, sp.S.Zero)
+    rates = (rate.xreplace(no_acceleration) for rate in configuration.accelerated_constraints)
     return MatrixForm(
         configuration,
         tuple(mass),
@@ -58,12 +56,12 @@ def matrix_form(motion: EquationsOfMotion) -> MatrixForm:
 
 
 def solved_accelerations(form: MatrixForm) -> dict[sp.Symbol, sp.Expr]:
-    """q'' = M⁻¹ f of independent coordinates; empty where there are constraints, or where it is too large."""
+    """q'' = M⁻¹ f of independent coordinates; empty if there are constraints, or if it is too large."""
     slots = form.configuration.slots
-    if form.constraint_matrix or len(slots.coordinates) > MOST_SOLVED:
+    if form.constraint_matrix or len(slots.coordinates) > MOST_FREE:
         return {}
-    found = solved_linear(form.mass, form.force, form.configuration.states)
-    if found is None or None in found:
+    solved = solved_linear(form.mass, form.force, form.configuration.states)
+    if solved is None or None in solved:
         return {}
-    pairs = zip(slots.accelerations, found, strict=True)
+    pairs = zip(slots.accelerations, solved, strict=True)
     return {a: over_one_denominator(e) for a, e in pairs if e is not None}

@@ -1,8 +1,10 @@
-"""The motion in one set of coordinates, with the reactions that it takes.
+"""The motion in one set of coordinates, with its reactions.
 
-Where friction acts, the reactions come first: d'Alembert's principle needs |R| in the applied forces. Everything else
-is the same in the coordinates of the file and in those of a choice: the multipliers are always those of the file's
-constraints, because a choice makes constraints disappear and not the forces that keep them.
+Without friction the equations of motion come first, and the reactions may be left out. Coulomb friction reverses the
+order: its force −μ |R| v/|v| is one of the applied forces of d'Alembert's principle, so that |R| must be known before
+the principle can be written down. Everything is the same in the file's coordinates and in those of a choice: the
+multipliers are always those of the file's constraints, because a choice makes a constraint disappear but not the force
+that maintains it.
 """
 
 from __future__ import annotations
@@ -15,30 +17,32 @@ from typing import TypeVar
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.displacements import Elimination
-from lagrange.mechanics.constraints.kinematics import Configuration, Load, is_pfaffian
-from lagrange.mechanics.dynamics.balance import Balance
+from lagrange.mechanics.constraints.kinematics import Configuration, Load
 from lagrange.mechanics.dynamics.comparison import follow
-from lagrange.mechanics.dynamics.eliminated_rates import closed
 from lagrange.mechanics.dynamics.energies import energies
 from lagrange.mechanics.dynamics.equations import (
     EquationsOfMotion,
+    LagrangeMotion,
     WithMultipliers,
+    closed,
     equations_of_motion,
     equations_with_multipliers,
+    lagrange_motion,
 )
-from lagrange.mechanics.dynamics.friction import Rubbing, rubbings, solved_loads, symbolic_loads
+from lagrange.mechanics.dynamics.friction import FrictionForce, friction_forces, solved_loads, symbolic_loads
+from lagrange.mechanics.dynamics.limits import LONGEST_SUBSTITUTED, MOST_FREE
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
-from lagrange.mechanics.dynamics.multipliers import lagrange_motion
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
-from lagrange.mechanics.dynamics.principle import dalembert
+from lagrange.mechanics.dynamics.principle import Balance, dalembert
 from lagrange.mechanics.dynamics.reactions import (
     Dragging,
-    LinearSystem,
     Reactions,
+    ReactionSystem,
     motion_system,
     solved_reactions,
     written_out,
@@ -47,28 +51,23 @@ from lagrange.problem.model import Friction, Problem
 
 T = TypeVar("T")
 
-MOST_FREE = 3
-"""Coordinates of a system without constraints whose accelerations are still solved for."""
-LONGEST = 30
-"""Operations of a multiplier that is put into the equations of motion where friction needs it."""
-
 
 class Method(StrEnum):
-    """By what the equations of motion are derived; the other one checks them."""
+    """The method by which the equations of motion are derived; the other one checks them."""
 
     DALEMBERT = "dalembert"
     LAGRANGE = "lagrange"
 
 
 @record
-class Law:
-    """Newton's law in the file's coordinates, and what follows for reactions.
+class NewtonLaw:
+    """Newton's law in the file's coordinates, and its consequences for reactions.
 
-    problem        with the multipliers of named rods called λ; the name means their tension
+    problem        with λ for the multipliers of named rods, whose name is that of the tension
     configuration  without friction
     newton         with friction, if there is any
     used           the reactions of independent constraints
-    method         by what the equations of motion are derived
+    method         by which the equations of motion are derived
     """
 
     problem: Problem
@@ -83,39 +82,58 @@ class Law:
         return tuple(f for f in self.problem.forces if isinstance(f, Friction))
 
     @cached_property
-    def system(self) -> LinearSystem:
+    def system(self) -> ReactionSystem:
         """The equations for accelerations and multipliers, without friction."""
         return motion_system(self.balance(self.configuration), self.used)
 
     def balance(self, configuration: Configuration) -> Balance:
-        """What the virtual displacements of a configuration are multiplied by, from the principle or from T and V."""
+        """The coefficients of the virtual displacements of a configuration, from the principle or from T and V."""
         return energies(configuration) if self.method is Method.LAGRANGE else dalembert(configuration)
 
     def equations(self, configuration: Configuration, elimination: Elimination) -> EquationsOfMotion:
         """The equations of motion of a configuration."""
         if self.method is Method.LAGRANGE:
             unknown = self.newton.multipliers_by_name.values()
-            return lagrange_motion(energies(configuration), elimination, tuple(unknown))
+            return self._named(lagrange_motion(energies(configuration), elimination, tuple(unknown)))
         return equations_of_motion(dalembert(configuration), elimination)
+
+    def _named(self, motion: LagrangeMotion) -> LagrangeMotion:
+        """Lagrange's equations with the tensions that the file names in place of their multipliers."""
+        rows = [motion.configuration.rows[n] for n in motion.used]
+        by_name = {r.name: r for r in self.newton.reactions}
+        reactions = [by_name[row.name] for row in rows]
+        right = []
+        for k, applied in enumerate(motion.principle.applied):
+            factors = (_tidy(row.coefficients[k], r.per_force) for row, r in zip(rows, reactions, strict=True))
+            right.append(sp.Add(applied, *(f * r.force for f, r in zip(factors, reactions, strict=True))))
+        forces = None
+        if motion.multipliers is not None:
+            forces = tuple(_tidy(v, 1 / r.per_force) for v, r in zip(motion.multipliers, reactions, strict=True))
+        return replace(motion, right=tuple(right), forces=forces)
+
+
+def _tidy(expression: sp.Expr, factor: sp.Expr) -> sp.Expr:
+    """The product in textbook form; the expression as it is where the factor is 1."""
+    return expression if factor == 1 else textbook_form(expression * factor)
 
 
 @record
 class Motion:
     """The motion in one set of coordinates.
 
-    equations  friction put in as a function of position and velocity
-    reactions  None where there are none, and nothing was solved for
-    rubbed     the friction forces
+    equations  with friction as a function of position and velocity
+    reactions  None if there are none and nothing was solved for
+    friction_forces  the friction forces
     shown      the configuration with |λ| in its friction
     signs      the signs of multipliers that friction leaves open, each with its λ
-    symbolic   the equations with |λ| in them, where λ is long
+    symbolic   the equations with |λ| in them, if λ is long
     multipliers  of the constraints, by name
-    solved     the accelerations of independent coordinates, where they are asked for and short
+    solved     the accelerations of independent coordinates, if they are requested and short
     """
 
     equations: EquationsOfMotion
     reactions: Reactions | None
-    rubbed: tuple[Rubbing, ...]
+    friction_forces: tuple[FrictionForce, ...]
     shown: Configuration
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     symbolic: EquationsOfMotion | None = None
@@ -140,7 +158,7 @@ class Motion:
         return self.symbolic or self.equations
 
     def closed(self, through_rates: Sequence[sp.Symbol]) -> Motion:
-        """The same with the velocities put in of the coordinates that are known through them only."""
+        """The motion after substituting the velocities of coordinates known only through them."""
         if not through_rates:
             return self
         symbolic = None if self.symbolic is None else closed(self.symbolic, through_rates)
@@ -148,7 +166,7 @@ class Motion:
 
     @cached_property
     def with_multipliers(self) -> WithMultipliers | None:
-        """The same with multipliers; None where no constraint is left."""
+        """The equations with multipliers; None if no constraint remains."""
         principle = self.written.principle
         return equations_with_multipliers(principle, self.multipliers) if principle.configuration.rows else None
 
@@ -160,7 +178,7 @@ def law_of_motion(
     rank: int,
     at_rest: bool = False,
     method: Method = Method.DALEMBERT,
-) -> Law:
+) -> NewtonLaw:
     """Newton's law for the particles of a problem, in the file's coordinates."""
     taken = frozenset(problem.scope.names())
     rough = frozenset(f.constraint for f in problem.forces if isinstance(f, Friction))
@@ -168,7 +186,7 @@ def law_of_motion(
     renamed = tuple(
         replace(c, reaction=r.multiplier) for c, r in zip(problem.constraints, newton.reactions, strict=True)
     )
-    law = Law(
+    law = NewtonLaw(
         problem=replace(problem, constraints=renamed),
         configuration=configuration,
         newton=newton,
@@ -177,12 +195,15 @@ def law_of_motion(
     )
     if not law.frictions:
         return law
-    rubbed = symbolic_loads(rubbings(law.frictions, newton, configuration, configuration), configuration)
-    loaded = replace(configuration, loads=(*configuration.loads, *rubbed))
+    # Friction needs the directions of the reactions, and Newton's law is to show friction: so it is set up twice.
+    friction = symbolic_loads(friction_forces(law.frictions, newton, configuration, configuration), configuration)
+    loaded = replace(configuration, loads=(*configuration.loads, *friction))
     return replace(law, newton=newton_equations(loaded, problem.constraints, rank, taken, rough=rough))
 
 
-def motion(law: Law, configuration: Configuration, elimination: Elimination, with_reactions: bool = True) -> Motion:
+def motion(
+    law: NewtonLaw, configuration: Configuration, elimination: Elimination, with_reactions: bool = True
+) -> Motion:
     """The motion in the coordinates of a configuration without friction: the file's own, or those of a choice."""
     multipliers = law.newton.multipliers_by_name
     if not with_reactions or _is_left_out(law, configuration):
@@ -190,22 +211,24 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
         return Motion(equations, None, (), configuration, multipliers=multipliers)
     resting = () if law.frictions else _resting(configuration, elimination)
     reactions = solved_reactions(law.system, law.newton, law.used, configuration, resting=resting)
-    rubbed = rubbings(law.frictions, law.newton, law.configuration, configuration)
-    if not rubbed:
+    frictions = friction_forces(law.frictions, law.newton, law.configuration, configuration)
+    if not frictions:
         equations = law.equations(configuration, elimination)
         return Motion(equations, reactions, (), configuration, multipliers=multipliers)
-    dragging = [(r.reaction.multiplier, _generalized(law, configuration, r.share, r.friction.on)) for r in rubbed]
+    # |R| enters the applied forces, so the multipliers come first: as they are without friction, if friction does not
+    # change them, otherwise from equations in which friction is proportional to λ.
+    dragging = [(f.reaction.multiplier, _generalized(law, configuration, f.share, f.friction.on)) for f in frictions]
     if not _is_unaffected(law, configuration, reactions, dragging):
         reactions = solved_reactions(law.system, law.newton, law.used, configuration, dragging)
-    loads, signs = solved_loads(rubbed, reactions, configuration)
+    loads, signs = solved_loads(frictions, reactions, configuration)
     final = replace(configuration, loads=(*configuration.loads, *loads))
-    shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(rubbed, configuration)))
-    long = any(reactions.multipliers[r.reaction.name].count_ops() > LONGEST for r in rubbed)  # type: ignore[union-attr]
+    shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(frictions, configuration)))
+    long = any(reactions.multipliers[f.reaction.name].count_ops() > LONGEST_SUBSTITUTED for f in frictions)  # type: ignore[union-attr]
     equations = law.equations(final, elimination)
     return Motion(
         equations=equations,
         reactions=_with_friction(law, configuration, reactions, loads),
-        rubbed=rubbed,
+        friction_forces=frictions,
         shown=shown,
         signs=signs,
         symbolic=law.equations(shown, elimination) if long else None,
@@ -214,8 +237,8 @@ def motion(law: Law, configuration: Configuration, elimination: Elimination, wit
 
 
 def _resting(configuration: Configuration, elimination: Elimination) -> tuple[sp.Symbol, ...]:
-    """The velocities that the constraints keep zero: a reaction is not written with them."""
-    if not is_pfaffian(configuration.rows):
+    """The velocities that the constraints keep zero: they are left out of reactions."""
+    if not configuration.constrained.is_pfaffian:
         return ()
     rates = zip(elimination.dependent, elimination.solution, elimination.drift, strict=True)
     return tuple(
@@ -225,8 +248,8 @@ def _resting(configuration: Configuration, elimination: Elimination) -> tuple[sp
     )
 
 
-def _is_left_out(law: Law, configuration: Configuration) -> bool:
-    """Whether nothing is solved for: accelerations of many free coordinates, or several reactions with square roots."""
+def _is_left_out(law: NewtonLaw, configuration: Configuration) -> bool:
+    """Whether nothing is solved for: many free accelerations, or several reactions with square roots."""
     if law.frictions:
         return False
     if not law.used:
@@ -235,40 +258,44 @@ def _is_left_out(law: Law, configuration: Configuration) -> bool:
     return roots and len(law.used) > 1
 
 
-def _generalized(law: Law, configuration: Configuration, force: Vector, on: str) -> list[sp.Expr]:
+def _generalized(law: NewtonLaw, configuration: Configuration, force: Vector, on: str) -> list[sp.Expr]:
     """The generalized forces, for the file's coordinates, of a force on a particle, shape (n,)."""
     [point] = (p for p in law.configuration.points if p.name == on)
     rule = configuration.substitution
     return [force.dot(p.xreplace(rule)) for p in point.partials]
 
 
-def _is_unaffected(law: Law, configuration: Configuration, reactions: Reactions, dragging: Sequence[Dragging]) -> bool:
-    """Whether friction leaves the multipliers that it needs as they are without it, as it does where it is tangential.
+def _is_unaffected(
+    law: NewtonLaw, configuration: Configuration, reactions: Reactions, dragging: Sequence[Dragging]
+) -> bool:
+    """Whether the multipliers that friction needs are the same without it, as they are if it is tangential.
 
-    Their values must follow from the equations with friction at random states.
+    Their values without friction must follow from the equations with friction at random states.
     """
-    wanted = [symbol for symbol, _ in dragging]
-    if any(reactions.values.get(s) is None for s in wanted):
+    multipliers = [symbol for symbol, _ in dragging]
+    if any(reactions.values.get(s) is None for s in multipliers):
         return False
     equations = written_out(law.system, configuration, dragging)
-    claims = [s - reactions.values[s] for s in wanted]
+    claims = [s - reactions.values[s] for s in multipliers]
     return follow(configuration, claims, equations, law.system.unknowns) is True
 
 
-def _with_friction(law: Law, configuration: Configuration, reactions: Reactions, loads: Sequence[Load]) -> Reactions:
-    """All reactions and accelerations, friction being a known force now; those it needs are known already."""
+def _with_friction(
+    law: NewtonLaw, configuration: Configuration, reactions: Reactions, loads: Sequence[Load]
+) -> Reactions:
+    """All reactions and accelerations with friction as a known force; the reactions that it needs are known already."""
     total = [sp.S.Zero] * len(law.configuration.slots.coordinates)
     for load in loads:
         total = [a + b for a, b in zip(total, _generalized(law, configuration, load.vector, load.on), strict=True)]
-    found = solved_reactions(law.system, law.newton, law.used, configuration, applied=total)
+    solved = solved_reactions(law.system, law.newton, law.used, configuration, applied=total)
     needed = {r.name: r.multiplier for r in law.used if r.name in {f.constraint for f in law.frictions}}
 
-    def kept(now: Mapping[str, T], before: Mapping[str, T]) -> dict[str, T]:
+    def merged(now: Mapping[str, T], before: Mapping[str, T]) -> dict[str, T]:
         return {name: before[name] if name in needed else now[name] for name in now}
 
     return replace(
-        found,
-        multipliers=kept(found.multipliers, reactions.multipliers),
-        tensions={**found.tensions, **{n: v for n, v in reactions.tensions.items() if n in needed}},
-        values={**found.values, **{s: reactions.values[s] for s in needed.values()}},
+        solved,
+        multipliers=merged(solved.multipliers, reactions.multipliers),
+        tensions={**solved.tensions, **{n: v for n, v in reactions.tensions.items() if n in needed}},
+        values={**solved.values, **{s: reactions.values[s] for s in needed.values()}},
     )

@@ -1,15 +1,23 @@
-"""Newton's law with reactions, before any principle is called in: free bodies, equations, unknowns.
+"""Newton's law with reactions: free bodies, equations, unknowns, and the work of the reactions.
+
+Sign convention, with a plus sign throughout:
 
     m r'' = F + R ,     R = Σ_j λ_j ∂f_j/∂r     (for a constraint on velocities λ_j ∂φ_j/∂r') ,
 
-and for a rigid body dH/dt = M + Γ beside it, Γ the moment of the reactions about the mass centre. The direction of a
-reaction is what its form stands for (`placing`). Where coordinates keep a particle on a surface or curve by themselves,
-the reaction of that is perpendicular to the directions in which it can move, and Newton's law is written along these
-only. Where coordinates place one particle with another by themselves, there is no list of free bodies. A coordinate
-that moves nothing has λ_j a_k as its generalized force.
+and for a rigid body dH/dt = M + Γ as well, Γ being the moment of the reactions about the mass centre. λ_j is the
+multiplier of the constraint as it is written; the reaction of a rod is also given as its tension T, positive where the
+rod pulls (`free_bodies`). A coordinate that moves nothing has the generalized force λ_j a_k. Where coordinates by
+themselves keep a particle on a surface or curve, that reaction is perpendicular to the directions in which the particle
+can move, and Newton's law is written along these only. Where coordinates place one particle relative to another, there
+are no free bodies.
 
-Before directions are used, each particle on which reactions act has an unknown for each component, each body one for
-each component of R and Γ; after, each constraint has one: its multiplier.
+The work of a reaction R_P = Σ_j λ_j g_jP in a virtual displacement is
+
+    δW = Σ_P R_P·δr_P + Σ_B Γ_B·δπ_B ,      δr_P = Σ_k (∂r_P/∂q_k) δq_k .
+
+After substituting the dependent δq it is tested for zero on the constraint surface: that constraints are workless is a
+result. The share of a single particle need not vanish. In a possible displacement the constraints give
+Σ a_k dq_k = −a_t dt, so that the reaction of a moving constraint may do work: a lift does work on its passengers.
 """
 
 from __future__ import annotations
@@ -20,26 +28,37 @@ from dataclasses import field, replace
 import sympy as sp
 
 from lagrange.algebra.fourier.linear_systems import tidy_quotient
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
+from lagrange.core.symbols import differential, t, variation
 from lagrange.core.vectors import Vector
-from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint, Row
-from lagrange.mechanics.dynamics.placing import Forces, Freedom, Placed, form_as_forces, left_out, placed_freely
-from lagrange.mechanics.dynamics.rods import Rod, recognised_rod
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.dynamics.free_bodies import (
+    Forces,
+    Freedom,
+    Placed,
+    Rod,
+    form_as_forces,
+    left_out,
+    placed_freely,
+    recognised_rod,
+)
 from lagrange.problem.model import Constraint
 
 
 @record
 class Reaction:
-    """What keeps one constraint.
+    """The reaction that maintains one constraint.
 
     multiplier  λ
-    directions  of the force on each particle that it acts on: R_P = λ · direction; None where they are not determined
-    moments     the same of its moment on each body, about the mass centre: Γ = λ · moment
+    directions  of the force on each particle that it acts on: R_P = λ · direction; None if they are not determined
+    moments     likewise of its moment on each body, about the mass centre: Γ = λ · moment
     others      a_k of the coordinates that move no particle: the generalized force on them is λ a_k
-    rod         the distance that is kept, where it is one
-    rough       the same where something slides there with friction: a surface, in which there is no tension
-    tension     what the tension of the rod is called; `named` if the file calls it so
+    rod         the distance that is kept, if the constraint keeps one
+    rough       the same if something slides there with friction: then it is a surface, without tension
+    tension     the symbol for the tension of the rod; `named` if the file gives it
     """
 
     constraint: Constraint
@@ -60,7 +79,7 @@ class Reaction:
 
     @property
     def force(self) -> sp.Symbol:
-        """The unknown that it is written with: the tension of a rod that the file names, otherwise λ."""
+        """The unknown in which it is written: the tension of a rod if the file names it, otherwise λ."""
         return self.tension if self.named and self.tension is not None else self.multiplier
 
     @property
@@ -69,11 +88,11 @@ class Reaction:
         return 1 / self.rod.factor if self.named and self.rod is not None else sp.S.One
 
     def per_unit(self, particle: str) -> Vector | None:
-        """The force on a particle for `force` = 1; None where it does not act on it."""
+        """The force on a particle for `force` = 1; None if it does not act there."""
         return self._for_unit(self.on(particle))
 
     def moment_per_unit(self, body: str) -> Vector | None:
-        """The moment on a body for `force` = 1; None where it has none."""
+        """The moment on a body for `force` = 1; None if it has none."""
         return self._for_unit(self.moments.get(body))
 
     def _for_unit(self, direction: Vector | None) -> Vector | None:
@@ -83,7 +102,7 @@ class Reaction:
 
     @property
     def acts_on(self) -> tuple[str, ...]:
-        """The particles and bodies that it acts on."""
+        """The names of the particles and bodies that it acts on."""
         return tuple(dict.fromkeys((*(self.directions or ()), *self.moments)))
 
     @property
@@ -93,13 +112,13 @@ class Reaction:
         return alone and self.row.finite is not None and self.rod is None
 
     def on(self, particle: str) -> Vector | None:
-        """The direction of the force on a particle; None where it does not act on it."""
+        """The direction of the force on a particle; None if it does not act there."""
         return None if self.directions is None else self.directions.get(particle)
 
 
 @record
-class Component:
-    """One component of Newton's law: inertia = applied + reaction. `along` is the unit vector that it is along."""
+class LawComponent:
+    """One component of Newton's law, along the unit vector `along`: inertia = applied + reaction."""
 
     along: Vector
     inertia: sp.Expr
@@ -108,19 +127,19 @@ class Component:
 
     @property
     def right(self) -> sp.Expr:
-        """What acts."""
+        """The right side, applied + reaction."""
         return self.applied + self.reaction
 
 
 @record
 class FreeBody:
-    """A particle or rigid body with all that acts on it.
+    """A particle or rigid body with all forces that act on it.
 
     loads       names of the applied forces
     applied     their sum
-    reactions   those that act on it, each with its force for `force` = 1
+    reactions   the reactions on it, each with its force for `force` = 1
     components  of Newton's law, in the directions in which the particle or mass centre can be placed
-    moments     the reactions that have a moment about the mass centre, each with that for `force` = 1
+    moments     the reactions with a moment about the mass centre, each with its moment for `force` = 1
     turning     components of the law of angular momentum, about the axes about which the body can be turned
     """
 
@@ -128,9 +147,9 @@ class FreeBody:
     loads: tuple[str, ...]
     applied: Vector
     reactions: tuple[tuple[Reaction, Vector], ...]
-    components: tuple[Component, ...]
+    components: tuple[LawComponent, ...]
     moments: tuple[tuple[Reaction, Vector], ...] = ()
-    turning: tuple[Component, ...] = ()
+    turning: tuple[LawComponent, ...] = ()
 
     @property
     def name(self) -> str:
@@ -138,20 +157,20 @@ class FreeBody:
         return self.particle.name
 
     @property
-    def laws(self) -> tuple[Component, ...]:
+    def laws(self) -> tuple[LawComponent, ...]:
         """The components of both laws."""
         return (*self.components, *self.turning)
 
     @property
     def bound(self) -> tuple[Reaction, ...]:
         """The reactions that act on it."""
-        pushing = [r for r, _ in self.reactions]
-        return (*pushing, *(r for r, _ in self.moments if r not in pushing))
+        with_force = [r for r, _ in self.reactions]
+        return (*with_force, *(r for r, _ in self.moments if r not in with_force))
 
 
 @record
 class Count:
-    """Unknowns against equations."""
+    """The numbers of unknowns and equations."""
 
     unknowns: int
     equations: int
@@ -166,10 +185,10 @@ class Count:
 class Newton:
     """Newton's law for every particle.
 
-    bodies           the free bodies; None where the coordinates do not place the particles one by one
-    idle             0 = Σ λ_j a_k, for each coordinate that moves no particle: the right sides
-    before           components of reactions as unknowns
-    after            multipliers as unknowns
+    bodies           the free bodies; None if the coordinates do not place the particles one by one
+    idle             the right sides of 0 = Σ λ_j a_k, for each coordinate that moves no particle
+    before           the count with unknown directions: one unknown for each component of a reaction
+    after            the count with known directions: one unknown multiplier for each constraint
     """
 
     reactions: tuple[Reaction, ...]
@@ -190,7 +209,7 @@ class Newton:
 
     @property
     def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...] | None:
-        """Left and right sides; None where there are no free bodies."""
+        """Left and right sides; None if there are no free bodies."""
         if self.bodies is None:
             return None
         forms = ((c.inertia, c.right) for b in self.bodies for c in b.laws)
@@ -207,10 +226,10 @@ def newton_equations(
 ) -> Newton:
     """Newton's law for the particles of a configuration.
 
-    constraints  those that `configuration.rows` are the forms of, in the same order
+    constraints  the constraints with the forms `configuration.rows`, in the same order
     rank         the number of independent constraints
-    taken        names that have a meaning, and cannot be that of a tension
-    at_rest      nothing is accelerated; then massless points count as particles on which reactions may act
+    taken        names that already have a meaning, and cannot be that of a tension
+    at_rest      without accelerations; then massless points count as particles on which reactions may act
     rough        names of constraints on which something slides with friction
     """
     placed = placed_freely(configuration)
@@ -227,10 +246,10 @@ def newton_equations(
         for q in configuration.slots.coordinates
         if any(q in r.others for r in reactions)
     }
-    of_field = None if placed is None else _field(placed, configuration)
-    if placed is None or of_field is None or any(r.directions is None for r in reactions):
+    field_forces = None if placed is None else _field(placed, configuration)
+    if placed is None or field_forces is None or any(r.directions is None for r in reactions):
         return Newton(reactions, None, idle)
-    acting = _Acting(configuration, reactions, of_field, at_rest)
+    acting = _Acting(configuration, reactions, field_forces, at_rest)
     points = {p.name: p for p in configuration.points}
     names = dict.fromkeys(f.name for f in placed)
     bodies = tuple(_free_body(points[name], {f.turning: f for f in placed if f.name == name}, acting) for name in names)
@@ -239,29 +258,30 @@ def newton_equations(
 
 @record
 class Normal:
-    """A geometric constraint on one particle: its gradient ∇f there, so that ∇f·dr + f_t dt = 0."""
+    """A geometric constraint on one particle: its gradient ∇f there, and the rate −f_t, so that ∇f·dr = rate dt."""
 
     row: Row
     particle: str
     gradient: Vector
+    rate: sp.Expr
 
 
 def normals(configuration: Configuration) -> tuple[Normal, ...]:
-    """The gradients of the geometric constraints that bind one particle and nothing else."""
+    """The gradients of the geometric constraints on a single particle."""
     placed = placed_freely(configuration)
-    found = []
+    gradients = []
     for row in configuration.rows if placed else ():
         acts = None if row.finite is None or placed is None else form_as_forces(row, placed, configuration.states)
         if acts is None or len(acts.forces) != 1 or acts.moments or left_out(row, configuration):
             continue
         [(particle, gradient)] = acts.forces.items()
-        found.append(Normal(row, particle, gradient))
-    return tuple(found)
+        gradients.append(Normal(row, particle, gradient, textbook_form(-row.drift)))
+    return tuple(gradients)
 
 
 @record
 class _Acting:
-    """What acts on particles and bodies: reactions, and `field`, the forces of potentials and dampers."""
+    """The forces on particles and bodies: reactions, and `field`, the forces of potentials and dampers."""
 
     configuration: Configuration
     reactions: tuple[Reaction, ...]
@@ -306,24 +326,24 @@ def _reaction(
 
 
 def _without_tension(reaction: Reaction) -> Reaction:
-    """The reaction of a surface, whatever distance that keeps: its name is that of the multiplier."""
+    """The reaction of a surface, even if that keeps a distance: it is named after its multiplier."""
     multiplier = reaction.constraint.reaction
     return replace(reaction, multiplier=multiplier, rod=None, tension=None, named=False, rough=reaction.rod)
 
 
 def _along(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:
-    """The whole force of a rod, also where the coordinates by themselves bear a part of it."""
+    """The full force of a rod for λ = 1, even if the coordinates by themselves take up a part of it."""
     first, second = rod.ends
-    found = dict(directions)
+    full = dict(directions)
     for name, sign in ((first, 1), (second, -1)):
-        whole = (rod.span * (sign * rod.ratio)).map(textbook_form)
-        if name and not (whole - directions.get(name, Vector.zero())).map(textbook_form).is_zero:
-            found[name] = whole
-    return found
+        force = (rod.span * (sign * rod.ratio)).map(textbook_form)
+        if name and not (force - directions.get(name, Vector.zero())).map(textbook_form).is_zero:
+            full[name] = force
+    return full
 
 
 def _field(placed: Placed, configuration: Configuration) -> Forces | None:
-    """−∂V/∂r_P for each particle, with the pull of the dampers, and the moments of both; None: not found."""
+    """−∂V/∂r_P for each particle, with the forces of the dampers, and the moments of both; None: not found."""
     potential, slots = configuration.potential, configuration.slots
     if potential == 0 and not configuration.dampers:
         return Forces({}, {})
@@ -362,16 +382,79 @@ def _components(
     rate: Vector,
     applied: Vector,
     acting: Sequence[tuple[Reaction, Vector]],
-) -> tuple[Component, ...]:
+) -> tuple[LawComponent, ...]:
     """factor · rate = applied + reactions, along the unit vectors of a freedom."""
     if freedom is None:
         return ()
     return tuple(
-        Component(
+        LawComponent(
             unit,
             factor * textbook_form(rate.dot(unit)) if factor != 0 else factor,
             textbook_form(applied.dot(unit)),
             sp.Add(*(r.force * textbook_form(g.dot(unit)) for r, g in acting)),
         )
         for unit in freedom.units
+    )
+
+
+@record
+class WorkOfReaction:
+    """The work of one reaction.
+
+    virtual    Σ_P R_P·δr_P for `Reaction.force` = 1, before the dependent δq are substituted
+    shares     R_P·δr_P of each particle, likewise; empty if the directions are not known
+    vanishes   whether the sum is zero in every virtual displacement; None: undecided
+    working    names of the particles on which it does virtual work
+    possible   its work in a possible displacement
+    """
+
+    reaction: Reaction
+    virtual: sp.Expr
+    shares: Mapping[str, sp.Expr]
+    vanishes: bool | None
+    working: tuple[str, ...]
+    possible: sp.Expr
+
+
+def works_of_reactions(newton: Newton, configuration: Configuration, elimination: Elimination) -> list[WorkOfReaction]:
+    """The works of all reactions of a configuration."""
+    return [_work(r, configuration, elimination) for r in newton.reactions]
+
+
+def _work(reaction: Reaction, configuration: Configuration, elimination: Elimination) -> WorkOfReaction:
+    slots, surface = configuration.slots, configuration.states
+    shares: dict[str, sp.Expr] = {}
+    drift = -reaction.row.drift * reaction.per_force
+    for p in configuration.points:
+        direction = reaction.per_unit(p.name)
+        if direction is not None:
+            partials = zip(slots.coordinates, p.partials, strict=True)
+            shares[p.name] = sp.Add(
+                *(textbook_form(direction.dot(along)) * variation(q) for q, along in partials if not along.is_zero)
+            )
+            drift = drift + direction.dot(p.position.frozen_derivative(slots))
+    for r in configuration.rotations:
+        moment = reaction.moment_per_unit(r.name)
+        if moment is not None:
+            turned = zip(slots.coordinates, r.partials, strict=True)
+            work = (textbook_form(moment.dot(about)) * variation(q) for q, about in turned if not about.is_zero)
+            shares[r.name] = sp.Add(shares.get(r.name, sp.S.Zero), *work)
+            drift = drift + moment.dot(r.angular_velocity - r.virtual(slots.velocities))
+    on_others = sp.Add(*(a * variation(q) for q, a in reaction.others.items()))
+    is_known = reaction.directions is not None and (shares or on_others != 0)
+    virtual = sp.Add(*shares.values(), on_others) if is_known else virtual_displacement(reaction.row, slots)
+    solved = dict(elimination.solved(slots))
+
+    def vanishes(work: sp.Expr) -> bool | None:
+        return surface.is_zero(work.xreplace(solved))  # the independent δq are random at every point
+
+    working = tuple(name for name, work in shares.items() if vanishes(work) is False)
+    possible = textbook_form(drift) * reaction.force * differential(t)
+    return WorkOfReaction(
+        reaction=reaction,
+        virtual=virtual,
+        shares=shares,
+        vanishes=vanishes(virtual),
+        working=working,
+        possible=sp.S.Zero if surface.is_zero(drift) else possible,
     )

@@ -1,48 +1,58 @@
-"""Which displacements and shifts of time leave a system as it is (E. Noether, Invariante Variationsprobleme, 1918).
+"""Symmetries: the displacements and shifts of time that give conserved quantities.
 
 With Lagrange's expressions Λ_k = p_k' − ∂L/∂q_k − Q'_k = Σ_j λ_j a_jk, multipliers μ_k(q, q', t) give
 
     δq = ξ:   Σ ξ_k Λ_k  = d/dt (Σ ξ_k p_k) − R ,   R = Σ ξ_k (∂L/∂q_k + Q'_k) + Σ ξ_k' p_k
     δt:       Σ q_k' Λ_k = dh/dt − R ,              R = Σ Q'_k q_k' − ∂L/∂t .
 
-So Σ c I is conserved where Σ c R = 0 and Σ c Σ_k a_jk μ_k = 0 for every constraint j: the reactions then have no power
-in the displacement. Candidates are translations along one coordinate, rotations q_i δq_j, virtual displacements that
-satisfy constraints on velocities, and δt (R may also be a rate dG/dt, which joins I: `gauges`). Their constant
-coefficients c are the null space of these conditions at random states with the parameters kept; what they are as
-functions of the parameters is guessed from two trials and to be verified (`conservation`). A cyclic coordinate alone is
-not enough: in a nonholonomic system its reaction may work.
+So Σ c I is conserved if Σ c R = 0 and Σ c Σ_k a_jk μ_k = 0 for every constraint j: the reactions then have no power in
+the displacement. A cyclic coordinate alone is not enough, because in a nonholonomic system its reaction may do work.
+The candidates are translations along one coordinate, rotations q_i δq_j, virtual displacements admitted by kinematic
+constraints, and δt. Both conditions are linear in the constants c, which are found as a null space at random states.
+
+Gauge symmetries need only R = dG/dt; then I − G is conserved:
+
+    m x'' = q B y'                 δx:  R = q B y' = d/dt (q B y) ,       m x' − q B y = const
+    the same, and y                a rotation:  R = −q B (x x' + y y') ,  m (x y' − y x') + q B (x² + y²)/2 = const
+    a lift with acceleration a     δt:  R = −∂L/∂t = dG/dt with G of q and t ,     h − G = const
+
+R must be linear in the velocities, ρ·q' + ρ_t, with an exact form ρ dq + ρ_t dt, conditions that are linear in c again.
+For a displacement, G must not contain time. Reference: E. Noether, Invariante Variationsprobleme, 1918.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from enum import StrEnum
-from itertools import combinations_with_replacement
+from itertools import combinations, combinations_with_replacement
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import FieldPoint, InadmissibleError, Point
+from lagrange.algebra.exact.limits import DRAWS
 from lagrange.algebra.exact.linear_algebra import row_reduced
-from lagrange.algebra.exact.triangular import DRAWS
+from lagrange.algebra.exact.zero_test import FieldPoint, InadmissibleError, Point
+from lagrange.algebra.forms.exact_forms import primitive
+from lagrange.algebra.fourier.ring import Element
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, base, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import ContradictionError, agreed_in_motion, state
 from lagrange.mechanics.dynamics.energy_functions import EnergyFunctions
+from lagrange.mechanics.dynamics.limits import (
+    FIRST_DRAWS,
+    LARGEST_NUMBER,
+    MOST_FAILED_STATES,
+    MOST_GAUGE_COORDINATES,
+    MOST_PARAMETERS,
+    MOST_ROTATIONS,
+    PARAMETER_TRIALS,
+    SPARE_STATES,
+)
 
-MOST_ROTATIONS = 24
-MOST_PARAMETERS = 12
-LARGEST_NUMBER = 64
-TRIALS = 24
-"""Sets of parameters that are tried: with some, the constraints have no solution in the field."""
-FIRST_DRAWS = 40
-"""Draws after which a set of parameters that has not yet had a state is given up."""
-FAILURES = 40
 
-
-class Kind(StrEnum):
-    """What a candidate is the symmetry of."""
+class SymmetryKind(StrEnum):
+    """The kind of displacement of a candidate."""
 
     TRANSLATION = "translation"
     ROTATION = "rotation"
@@ -52,15 +62,15 @@ class Kind(StrEnum):
 
 
 @record
-class Candidate:
+class SymmetryCandidate:
     """One displacement, or the shift of time.
 
     multipliers  shape (n,): μ
     conditions   shape (m + 1,): Σ_k a_jk μ_k of each constraint, and R
-    gauge        G, where R is dG/dt and has been taken to the left side: R is 0 then
+    gauge        G, if R = dG/dt has been moved to the left side: then R is 0
     """
 
-    kind: Kind
+    kind: SymmetryKind
     multipliers: tuple[sp.Expr, ...]
     conditions: tuple[sp.Expr, ...]
     gauge: sp.Expr = sp.S.Zero
@@ -70,8 +80,8 @@ class Candidate:
 class Symmetry:
     """Σ c · candidate: `terms` are the candidates with c, shape of `multipliers` (n,)."""
 
-    kind: Kind
-    terms: tuple[tuple[Candidate, sp.Expr], ...]
+    kind: SymmetryKind
+    terms: tuple[tuple[SymmetryCandidate, sp.Expr], ...]
 
     @property
     def multipliers(self) -> tuple[sp.Expr, ...]:
@@ -82,14 +92,16 @@ class Symmetry:
     @property
     def displacement(self) -> tuple[sp.Expr, ...]:
         """Σ c ξ of the displacements among the candidates, shape (n,)."""
-        each = [[c * m for m in k.multipliers] for k, c in self.terms if k.kind is not Kind.TIME]
+        each = [[c * m for m in k.multipliers] for k, c in self.terms if k.kind is not SymmetryKind.TIME]
         return tuple(sp.Add(*column) for column in zip(*each, strict=True))
 
 
-def candidates(energies: EnergyFunctions, columns: Sequence[Sequence[sp.Expr]]) -> list[Candidate]:
-    """What may be a symmetry; `columns` are virtual displacements that satisfy the constraints on velocities, (., n).
+def candidates(energies: EnergyFunctions, columns: Sequence[Sequence[sp.Expr]]) -> list[SymmetryCandidate]:
+    """The candidates; `columns` are virtual displacements admitted by the kinematic constraints, (., n).
 
-    With quasi-coordinates, which Lagrange's equations do not hold for, the shift of time is the only one.
+    A rotation enters as its halves, q_j δq_i and q_i δq_j: the null space finds their coefficients together with those
+    of the other points that rotate with it. With quasi-coordinates, for which Lagrange's equations do not hold, the
+    shift of time is the only candidate.
     """
     configuration, slots = energies.configuration, energies.slots
     n = len(slots.coordinates)
@@ -97,25 +109,25 @@ def candidates(energies: EnergyFunctions, columns: Sequence[Sequence[sp.Expr]]) 
     quasi = energies.are_quasi
     forces = [f.to_sympy() for f in energies.lagrangian_forces]
 
-    def displaced(kind: Kind, xi: Sequence[sp.Expr]) -> Candidate:
+    def displaced(kind: SymmetryKind, xi: Sequence[sp.Expr]) -> SymmetryCandidate:
         r = sp.Add(*(x * f for x, f in zip(xi, forces, strict=True) if x != 0))
-        if kind is not Kind.TRANSLATION:
+        if kind is not SymmetryKind.TRANSLATION:
             rates = [slots.time_derivative(x) for x in xi]
             r += sp.Add(*(x * p.to_sympy() for x, p in zip(rates, energies.momenta, strict=True) if x != 0))
         powers = (sp.Add(*(a * x for a, x in zip(row.coefficients, xi, strict=True))) for row in rows)
-        return Candidate(kind, tuple(xi), (*powers, r))
+        return SymmetryCandidate(kind, tuple(xi), (*powers, r))
 
-    found = []
+    tried = []
     if not quasi:
-        found += [displaced(Kind.TRANSLATION, _unit(n, {k: sp.S.One})) for k in range(n)]
+        tried += [displaced(SymmetryKind.TRANSLATION, _unit(n, {k: sp.S.One})) for k in range(n)]
         for i, j in _planes(energies):
-            found.append(displaced(Kind.ROTATION, _unit(n, {i: slots.coordinates[j]})))
-            found.append(displaced(Kind.ROTATION, _unit(n, {j: slots.coordinates[i]})))
-        found += [displaced(Kind.ADMITTED, xi) for xi in columns]
+            tried.append(displaced(SymmetryKind.ROTATION, _unit(n, {i: slots.coordinates[j]})))
+            tried.append(displaced(SymmetryKind.ROTATION, _unit(n, {j: slots.coordinates[i]})))
+        tried += [displaced(SymmetryKind.ADMITTED, xi) for xi in columns]
     if not quasi or not energies.has_motion_of_its_own:
         powers = (-row.drift for row in rows)
-        found.append(Candidate(Kind.TIME, slots.velocities, (*powers, energies.jacobi_rate.to_sympy())))
-    return found
+        tried.append(SymmetryCandidate(SymmetryKind.TIME, slots.velocities, (*powers, energies.jacobi_rate.to_sympy())))
+    return tried
 
 
 def _unit(n: int, entries: Mapping[int, sp.Expr]) -> tuple[sp.Expr, ...]:
@@ -123,19 +135,19 @@ def _unit(n: int, entries: Mapping[int, sp.Expr]) -> tuple[sp.Expr, ...]:
 
 
 def _planes(energies: EnergyFunctions) -> list[tuple[int, int]]:
-    """Pairs of coordinates that are Cartesian ones of one point, in axes that may turn with time."""
+    """Pairs of Cartesian coordinates of one point, in axes that may turn with time."""
     coordinates = energies.slots.coordinates
-    found = [
+    pairs = [
         (i, j)
         for j in range(len(coordinates))
         for i in range(j)
         if any(_are_cartesian(p.partials[i], p.partials[j], energies) for p in energies.configuration.points)
     ]
-    return sorted(found) if len(found) <= MOST_ROTATIONS else []
+    return sorted(pairs) if len(pairs) <= MOST_ROTATIONS else []
 
 
 def _are_cartesian(a: Vector, b: Vector, energies: EnergyFunctions) -> bool:
-    """Whether two derivatives of a position are of one length and perpendicular, and the same in all positions."""
+    """Whether two derivatives of a position are perpendicular, equally long, and independent of the coordinates."""
     if a.is_zero or b.is_zero:
         return False
     ring, coordinates = energies.ring, energies.slots.coordinates
@@ -145,37 +157,37 @@ def _are_cartesian(a: Vector, b: Vector, energies: EnergyFunctions) -> bool:
     return not ring.dot(x, y) and not (ring.dot(x, x) - ring.dot(y, y))
 
 
-def symmetries(found: Sequence[Candidate], configuration: Configuration) -> list[Symmetry]:
+def symmetries(tried: Sequence[SymmetryCandidate], configuration: Configuration) -> list[Symmetry]:
     """The combinations with constant coefficients that satisfy the conditions, those of fewest terms first.
 
-    Where the constraints cannot be solved exactly, each candidate is tried by itself.
+    If the constraints cannot be solved exactly, each candidate is tried by itself: a null space needs a field.
     """
     if not configuration.states.exact:
-        return [s for s in _alone(found) if _is_symmetry(s, configuration)]
+        return [s for s in _alone(tried) if _is_symmetry(s, configuration)]
     combinations: list[Symmetry] = []
-    for group in _groups(found):
+    for group in _groups(tried):
         combinations += _combined(group, configuration)
-    return sorted(combinations, key=lambda s: (s.kind is Kind.TIME, len(s.terms)))
+    return sorted(combinations, key=lambda s: (s.kind is SymmetryKind.TIME, len(s.terms)))
 
 
-def _groups(found: Sequence[Candidate]) -> Iterator[list[Candidate]]:
-    """Rotations with translations; admitted displacements; those that change L by a rate; δt with all displacements."""
-    plain = [c for c in found if c.kind in (Kind.TRANSLATION, Kind.ROTATION)]
-    admitted = [c for c in found if c.kind is Kind.ADMITTED]
-    gauged = [c for c in found if c.kind is Kind.GAUGE]
+def _groups(tried: Sequence[SymmetryCandidate]) -> Iterator[list[SymmetryCandidate]]:
+    """Rotations with translations; admitted displacements; gauge candidates; δt with rotations and translations."""
+    plain = [c for c in tried if c.kind in (SymmetryKind.TRANSLATION, SymmetryKind.ROTATION)]
+    admitted = [c for c in tried if c.kind is SymmetryKind.ADMITTED]
+    gauged = [c for c in tried if c.kind is SymmetryKind.GAUGE]
     yield from (group for group in (plain, admitted, gauged) if group)
-    for c in found:
-        if c.kind is Kind.TIME:
+    for c in tried:
+        if c.kind is SymmetryKind.TIME:
             yield [*plain, c]
 
 
-def _alone(found: Sequence[Candidate]) -> Iterator[Symmetry]:
-    for c in found:
-        if c.kind is not Kind.ROTATION:
+def _alone(tried: Sequence[SymmetryCandidate]) -> Iterator[Symmetry]:
+    for c in tried:
+        if c.kind is not SymmetryKind.ROTATION:
             yield Symmetry(c.kind, ((c, sp.S.One),))
-    turns = [c for c in found if c.kind is Kind.ROTATION]
+    turns = [c for c in tried if c.kind is SymmetryKind.ROTATION]
     for a, b in zip(turns[::2], turns[1::2], strict=True):
-        yield Symmetry(Kind.ROTATION, ((a, sp.S.NegativeOne), (b, sp.S.One)))
+        yield Symmetry(SymmetryKind.ROTATION, ((a, sp.S.NegativeOne), (b, sp.S.One)))
 
 
 def _is_symmetry(symmetry: Symmetry, configuration: Configuration) -> bool:
@@ -188,36 +200,40 @@ def _is_symmetry(symmetry: Symmetry, configuration: Configuration) -> bool:
     return agreed_in_motion(configuration, holds, conditions) is True
 
 
-def _combined(group: Sequence[Candidate], configuration: Configuration) -> list[Symmetry]:
-    time = [n for n, c in enumerate(group) if c.kind is Kind.TIME]
+def _combined(group: Sequence[SymmetryCandidate], configuration: Configuration) -> list[Symmetry]:
+    # Coefficients may be functions of the parameters, and a null space in a field shows only their residues: a second
+    # trial with other parameters tells whether the functions read off the first are right.
+    time = [n for n, c in enumerate(group) if c.kind is SymmetryKind.TIME]
     first = _null_space(group, configuration, 0)
     if time:
         first = {free: v for free, v in first.items() if free in time}
     if not first:
         return []
-    second: Mapping[int, Values] | None = None
-    found = []
+    second: Mapping[int, TrialValues] | None = None
+    coefficients = []
     for free, values in first.items():
         if set(values) == {free}:
-            found.append({free: sp.S.One})
+            coefficients.append({free: sp.S.One})
             continue
         second = _null_space(group, configuration, 1) if second is None else second
         numbers = _constants(values, second.get(free), group, configuration)
         if numbers is not None:
-            found.append(numbers)
+            coefficients.append(numbers)
     kept = []
-    for numbers in found:
+    for numbers in coefficients:
         kinds = {group[k].kind for k in numbers}
-        kind = next((k for k in (Kind.TIME, Kind.ROTATION) if k in kinds), group[next(iter(numbers))].kind)
-        turned = [c for k, c in numbers.items() if group[k].kind is Kind.ROTATION]
-        if kind is Kind.TIME or all(c.is_number for c in turned):
+        kind = next(
+            (k for k in (SymmetryKind.TIME, SymmetryKind.ROTATION) if k in kinds), group[next(iter(numbers))].kind
+        )
+        turned = [c for k, c in numbers.items() if group[k].kind is SymmetryKind.ROTATION]
+        if kind is SymmetryKind.TIME or all(c.is_number for c in turned):
             kept.append(Symmetry(kind, tuple((group[k], numbers[k]) for k in sorted(numbers))))
     return kept
 
 
 @record
-class Values:
-    """The values of the coefficients in one trial, by candidate, and the point that has the parameters."""
+class TrialValues:
+    """The residues of the coefficients in one trial, by candidate, and the point with the values of the parameters."""
 
     point: FieldPoint
     residues: Mapping[int, int]
@@ -226,26 +242,28 @@ class Values:
         return iter(self.residues)
 
 
-def _null_space(group: Sequence[Candidate], configuration: Configuration, number: int) -> dict[int, Values]:
+def _null_space(
+    group: Sequence[SymmetryCandidate], configuration: Configuration, number: int
+) -> dict[int, TrialValues]:
     """The null space of the conditions at states with one set of parameters, by the last candidate of each vector."""
-    for attempt in range(TRIALS):
+    for attempt in range(PARAMETER_TRIALS):
         states = _states(group, configuration, number + 2 * attempt)
         if states is None:
             continue
         point, rows = states
         reduced, pivots = row_reduced(point.arithmetic, rows)
-        found = {}
+        vectors = {}
         for free in (k for k in range(len(group)) if k not in pivots):
             others = {p: point.arithmetic.reduce(-row[free]) for p, row in zip(pivots, reduced, strict=True)}
-            found[free] = Values(point, {k: v for k, v in others.items() if v} | {free: 1})
-        return found
+            vectors[free] = TrialValues(point, {k: v for k, v in others.items() if v} | {free: 1})
+        return vectors
     return {}
 
 
 def _states(
-    group: Sequence[Candidate], configuration: Configuration, number: int
+    group: Sequence[SymmetryCandidate], configuration: Configuration, number: int
 ) -> tuple[FieldPoint, list[list[int]]] | None:
-    """The conditions at enough states that share the parameters; None where there are no such states."""
+    """The conditions at enough states that share the parameters; None if there are no such states."""
     surface = configuration.states
     graph, order = surface.graph, surface.order
     for c in group:
@@ -258,16 +276,16 @@ def _states(
     blank = FieldPoint(graph, field, surface.fields.random.getrandbits(16))
     assert order is not None
     rows: list[list[int]] = []
-    needed = len(group) // max(len(group[0].conditions) - 1, 1) + 3
+    needed = len(group) // max(len(group[0].conditions) - 1, 1) + SPARE_STATES
     try:
         start = blank.with_values({s: blank.input(s) for s in symbols if s not in varied})
-        for _ in range(FAILURES):
+        for _ in range(MOST_FAILED_STATES):
             point = order.drawn(lambda: start.redrawn(varied), DRAWS if rows else FIRST_DRAWS)
             if point is None:
                 return None
             try:
-                there = state(point, configuration, symbols)
-                columns = [there.values(c.conditions) for c in group]
+                moving_point = state(point, configuration, symbols)
+                columns = [moving_point.values(c.conditions) for c in group]
             except InadmissibleError:
                 continue
             rows += [list(row) for row in zip(*columns, strict=True)]
@@ -280,21 +298,21 @@ def _states(
 
 
 def _constants(
-    values: Values, others: Values | None, group: Sequence[Candidate], configuration: Configuration
+    values: TrialValues, others: TrialValues | None, group: Sequence[SymmetryCandidate], configuration: Configuration
 ) -> dict[int, sp.Expr] | None:
-    """Coefficients of which two trials have the values: numbers times products of two parameters, or quotients."""
+    """Coefficients with the residues of two trials: numbers times products or quotients of two parameters."""
     if others is None or set(values) != set(others):
         return None
     moving = {*configuration.slots.coordinates, *configuration.slots.prescribed, t}
     symbols = {s for k in values for e in group[k].conditions for s in e.free_symbols if base(s) not in moving}
     parameters = sorted((s for s in symbols if not isinstance(s, Sign)), key=str)[:MOST_PARAMETERS]
-    found = {}
+    constants = {}
     for k, residue in values.residues.items():
         constant = _constant(residue, others.residues[k], values.point, others.point, parameters)
         if constant is None:
             return None
-        found[k] = constant
-    return found
+        constants[k] = constant
+    return constants
 
 
 def _constant(a: int, b: int, first: FieldPoint, second: FieldPoint, parameters: Sequence[sp.Symbol]) -> sp.Expr | None:
@@ -312,3 +330,90 @@ def _monomials(parameters: Sequence[sp.Symbol]) -> Iterator[sp.Expr]:
         yield from (p, 1 / p)
     for p, q in combinations_with_replacement(parameters, 2):
         yield from (p * q, p / q, q / p, 1 / (p * q))
+
+
+@record
+class _Rate:
+    """A candidate with R = ρ·q' + ρ_t: `form` is (ρ, ρ_t), shape (n + 1,), and `candidate` has its conditions."""
+
+    candidate: SymmetryCandidate
+    form: tuple[Element, ...]
+
+
+def gauged(tried: Sequence[SymmetryCandidate], energies: EnergyFunctions) -> list[Symmetry]:
+    """The gauge symmetries among candidates and their combinations, each as one candidate with its G."""
+    if energies.are_quasi or len(energies.slots.coordinates) > MOST_GAUGE_COORDINATES:
+        return []
+    displacements = [_Affine(energies, SymmetryKind.GAUGE).of(c) for c in _displacements(tried)]
+    shifts = [
+        _Affine(energies, SymmetryKind.TIME).of(c)
+        for c in tried
+        if c.kind is SymmetryKind.TIME and _is_driven(energies)
+    ]
+    return _with_rates(displacements, energies) + _with_rates(shifts, energies)
+
+
+def _is_driven(energies: EnergyFunctions) -> bool:
+    """Whether all of dh/dt comes from time in L: constant friction dissipates, although its work is a function."""
+    velocities = [energies.ring.from_sympy(v) for v in energies.slots.velocities]
+    return bool(energies.ring.is_zero(energies.ring.dot(energies.forces, velocities)))
+
+
+def _displacements(tried: Sequence[SymmetryCandidate]) -> list[SymmetryCandidate]:
+    """Translations, and rotations as single candidates: either half alone has an R quadratic in the velocities."""
+    turns = [c for c in tried if c.kind is SymmetryKind.ROTATION]
+    rotations = [
+        SymmetryCandidate(
+            SymmetryKind.ROTATION,
+            tuple(y - x for x, y in zip(a.multipliers, b.multipliers, strict=True)),
+            tuple(y - x for x, y in zip(a.conditions, b.conditions, strict=True)),
+        )
+        for a, b in zip(turns[::2], turns[1::2], strict=True)
+    ]
+    return [c for c in tried if c.kind is SymmetryKind.TRANSLATION] + rotations
+
+
+class _Affine:
+    """Makes candidates with the last condition, R = 0, replaced by the conditions for R = dG/dt."""
+
+    def __init__(self, energies: EnergyFunctions, kind: SymmetryKind) -> None:
+        self.ring, self.slots, self.kind = energies.ring, energies.slots, kind
+
+    def of(self, candidate: SymmetryCandidate) -> _Rate | None:
+        """The candidate with its form; None if R is not linear in the velocities."""
+        ring, slots = self.ring, self.slots
+        try:
+            rho, rest = ring.linear(ring.from_sympy(candidate.conditions[-1]), slots.velocities)
+        except ValueError:
+            return None
+        partials = [ring.partial(q) for q in slots.coordinates]
+        frozen = ring.frozen_derivative(slots)
+        curl = [partials[a](rho[b]) - partials[b](rho[a]) for a, b in combinations(range(len(rho)), 2)]
+        if self.kind is SymmetryKind.TIME:
+            curl += [frozen(r) - d(rest) for r, d in zip(rho, partials, strict=True)]
+        else:
+            curl += [rest, *map(frozen, rho)]
+        conditions = (*candidate.conditions[:-1], *(c.to_sympy() for c in curl))
+        return _Rate(SymmetryCandidate(self.kind, candidate.multipliers, conditions), (*rho, rest))
+
+
+def _with_rates(tried: Sequence[_Rate | None], energies: EnergyFunctions) -> list[Symmetry]:
+    """The combinations that satisfy the conditions and whose G is found, without those that have R = 0."""
+    ring = energies.ring
+    rates = [r for r in tried if r is not None and any(not ring.is_zero(e) for e in r.form)]
+    if all(ring.is_zero(e) for r in rates for e in r.form[:-1]) and all(
+        r.candidate.kind is SymmetryKind.GAUGE for r in rates
+    ):
+        return []
+    candidates = [r.candidate for r in rates]
+    result = []
+    for symmetry in symmetries(candidates, energies.configuration):
+        used = [(next(r for r in rates if r.candidate is k), c) for k, c in symmetry.terms]
+        form = [ring.total(ring.from_sympy(c) * r.form[n] for r, c in used) for n in range(len(rates[0].form))]
+        if all(ring.is_zero(e) for e in form):
+            continue
+        g = primitive([e.to_sympy() for e in form], (*energies.slots.coordinates, t), energies.slots)
+        if g is not None:
+            combined = SymmetryCandidate(symmetry.kind, symmetry.multipliers, (), g)
+            result.append(Symmetry(symmetry.kind, ((combined, sp.S.One),)))
+    return result

@@ -1,11 +1,16 @@
-"""D'Alembert's principle: the reactions do no virtual work, so that
+"""D'Alembert's principle, and the balance Σ D_k δq_k = 0 that every derivation starts from.
 
-    Σ (m r'' − F)·δr = 0        for every virtual displacement,
+The reactions do no virtual work, so that
 
-which, with δr = Σ (∂r/∂q_k) δq_k, is Σ D_k δq_k = 0. D_k is the inertia Σ m r''·∂r/∂q_k less the generalized force
-Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k. A rigid body, whose r is that of its mass centre, adds (dH/dt − M)·δπ to the sum, and to
-D_k (dH/dt − M)·ω_k; a damper adds c d' ∂d/∂q_k. The δq_k are free only where the coordinates are independent;
-otherwise A δq = 0 binds them. Everything is built in the ring of Fourier sums, where it comes out reduced.
+    Σ (m r'' − F)·δr = 0        for every virtual displacement.
+
+With δr = Σ (∂r/∂q_k) δq_k this is Σ D_k δq_k = 0, where D_k is the inertia Σ m r''·∂r/∂q_k minus the generalized force
+Q_k = Σ F·∂r/∂q_k − ∂V/∂q_k. A rigid body, with its mass centre as r, adds (dH/dt − M)·δπ to the sum and (dH/dt − M)·ω_k
+to D_k; a damper adds c d' ∂d/∂q_k. The δq_k are free only if the coordinates are independent; otherwise A δq = 0 binds
+them, and with multipliers D_k = Σ_j λ_j a_jk.
+
+Lagrange's equations give the same D_k as d/dt ∂T/∂q_k' − ∂T/∂q_k − Q_k (`energies.py`). Both are a `Balance`, and the
+later stages use only that. Everything is built in the ring of Fourier sums, where it comes out reduced.
 """
 
 from __future__ import annotations
@@ -15,18 +20,37 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook import Textbook
-from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.algebra.fourier.ring import Element, FourierRing
+from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.records import record
 from lagrange.core.symbols import partial, variation
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.balance import Balance
+
+
+@record
+class Balance:
+    """The balance of inertia and applied forces in the coordinates of a configuration.
+
+    coefficients  shape (n,): D_k, as ring elements
+    forces        shape (n,): Q_k of all applied forces, in textbook form
+    textbook      turns ring elements into textbook form
+    """
+
+    configuration: Configuration
+    coefficients: tuple[Element, ...]
+    forces: tuple[sp.Expr, ...]
+    textbook: Textbook
+
+    @property
+    def ring(self) -> FourierRing:
+        """The ring of the coefficients."""
+        return self.textbook.ring
 
 
 @record
 class Principle(Balance):
-    """D'Alembert's principle in the coordinates of a configuration; what is only shown is written when asked for."""
+    """D'Alembert's principle in the coordinates of a configuration; parts that are only shown are made on demand."""
 
     @cached_property
     def statement(self) -> sp.Expr:
@@ -35,13 +59,13 @@ class Principle(Balance):
 
     @cached_property
     def accelerations(self) -> Mapping[str, Vector]:
-        """Of the particles and mass centres, by name, in textbook form."""
+        """The accelerations of particles and mass centres, by name, in textbook form."""
         moving = (p for p in self.configuration.points if p.mass != 0 and not self.configuration.is_pinned(p))
         return {p.name: p.acceleration.map(self.textbook.form) for p in moving}
 
     @cached_property
     def momentum_rates(self) -> Mapping[str, Vector]:
-        """dH/dt of the bodies, by name, in textbook form."""
+        """dH/dt of each body, by name, in textbook form."""
         turning = (r for r in self.configuration.rotations if r.has_inertia)
         return {r.name: r.momentum_rate.map(self.textbook.form) for r in turning}
 
@@ -54,7 +78,7 @@ class Principle(Balance):
 
 def dalembert(configuration: Configuration) -> Principle:
     """D'Alembert's principle, written out."""
-    ring = Ring()
+    ring = FourierRing()
     textbook = Textbook(ring)
     forces = generalized_forces(configuration, ring)
     inertia = _inertia(configuration, ring)
@@ -66,24 +90,24 @@ def dalembert(configuration: Configuration) -> Principle:
     )
 
 
-def generalized_forces(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
+def generalized_forces(configuration: Configuration, ring: FourierRing) -> tuple[Element, ...]:
     """Q_k = Σ F·∂r/∂q_k + Σ M·ω_k − ∂V/∂q_k − Σ c d' ∂d/∂q_k, shape (n,)."""
     centres = {p.name: p for p in configuration.points}
     turning = {r.name: r for r in configuration.rotations}
     moments = {name: configuration.moment_on(name) for name in turning}
-    found = []
+    forces = []
     for k, q in enumerate(configuration.slots.coordinates):
         work = []
         for load in configuration.loads:
             moved = centres[load.on].partials[k] if load.on in turning else load.point.partial(q)
-            work.append(_dot(load.vector, moved, ring))
-        work += [_dot(moments[name], r.partials[k], ring) for name, r in turning.items()]
+            work.append(dot(load.vector, moved, ring))
+        work += [dot(moments[name], r.partials[k], ring) for name, r in turning.items()]
         resistance = [ring.from_sympy(d.pull) * ring.from_sympy(partial(d.distance, q)) for d in configuration.dampers]
-        found.append(ring.total(work) - ring.total(resistance) - ring.from_sympy(partial(configuration.potential, q)))
-    return tuple(found)
+        forces.append(ring.total(work) - ring.total(resistance) - ring.from_sympy(partial(configuration.potential, q)))
+    return tuple(forces)
 
 
-def _inertia(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
+def _inertia(configuration: Configuration, ring: FourierRing) -> tuple[Element, ...]:
     """Σ m r''·∂r/∂q_k + Σ dH/dt·ω_k, shape (n,)."""
     total = [ring.zero] * len(configuration.slots.coordinates)
     for p in configuration.points:
@@ -92,15 +116,15 @@ def _inertia(configuration: Configuration, ring: Ring) -> tuple[Element, ...]:
         mass = ring.from_sympy(p.mass)
         for k, moved in enumerate(p.partials):
             if not moved.is_zero:
-                total[k] = total[k] + mass * _dot(p.acceleration, moved, ring)
+                total[k] = total[k] + mass * dot(p.acceleration, moved, ring)
     for r in configuration.rotations:
         for k, turned in enumerate(r.partials):
             if not turned.is_zero:
-                total[k] = total[k] + _dot(r.momentum_rate, turned, ring)
+                total[k] = total[k] + dot(r.momentum_rate, turned, ring)
     return tuple(total)
 
 
-def _dot(a: Vector, b: Vector, ring: Ring) -> Element:
+def dot(a: Vector, b: Vector, ring: FourierRing) -> Element:
     """a·b in the ring, in the triad of b."""
     a = a.along(b.triad)
     return ring.dot([ring.from_sympy(c) for c in a.components], [ring.from_sympy(c) for c in b.components])

@@ -1,14 +1,18 @@
-"""D'Alembert's principle in quasi-velocities.
+"""D'Alembert's principle in quasi-velocities, and its check.
 
-With δr = Σ (∂v/∂u_s) δπ_s and δπ = Σ (∂ω/∂u_s) δπ_s, velocities written by the u_s, the principle is Σ E_s δπ_s = 0,
+With δr = Σ (∂v/∂u_s) δπ_s and δπ = Σ (∂ω/∂u_s) δπ_s, velocities expressed by the u_s, the principle is Σ E_s δπ_s = 0,
 
     E_s = Σ (m a − F)·∂v/∂u_s + Σ (dH/dt − M)·∂ω/∂u_s + Σ (∂V/∂q_k) B_ks = 0 ,     q_k' = Σ B_ks u_s + b_k :
 
-one equation for each u_s, and the δπ_s are free, so that no constraint is left to be eliminated (Gibbs 1879, Appell
-1899, Jourdain 1909, Kane 1961). Where the u_s are the components of ω along the axes of a body, they are Euler's.
+one equation for each u_s. The δπ_s are free, so that no constraint is left to be eliminated (Gibbs 1879, Appell 1899,
+Jourdain 1909, Kane 1961). If the u_s are the components of ω along the axes of a body, these are Euler's equations.
 
-Everything is differentiated after the velocities are written by the u_s, along q' = B u + b, and each vector in the
-triad in which it is shortest: so ω = p e_1 + q e_2 + r e_3 has no angles in it, and no angles have to cancel.
+Velocities are expressed by the u_s first and differentiated afterwards, along q' = B u + b, and each vector is written
+in the triad in which it is shortest: ω = p e_1 + q e_2 + r e_3 contains no angles, so none have to cancel.
+
+The check substitutes q' = B u + b into the definitions of the u_s and into the constraints, and compares the equations
+of motion, with the definitions substituted, with Lagrange's equations with multipliers: a route that has no
+quasi-velocities and shares only the positions.
 """
 
 from __future__ import annotations
@@ -18,29 +22,29 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import Surface
+from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.linear_systems import solved_linear
-from lagrange.algebra.fourier.textbook import Factor, Textbook, textbook_form
-from lagrange.algebra.fourier.trigonometry import Derivation, Element, Ring
+from lagrange.algebra.fourier.ring import Element, FourierRing, RingDerivation
+from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, textbook_form
 from lagrange.core.records import record
-from lagrange.core.rotation import triad_along
 from lagrange.core.symbols import base, prime, t, variation
-from lagrange.core.vectors import FIXED, Triad, Vector
+from lagrange.core.triads import axis_names
+from lagrange.core.vectors import FIXED, Triad, Vector, triad_along
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.dynamics.equations import EquationOfMotion, divided, excluded
-from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities
-from lagrange.problem.orientation import axis_names
-
-MOST_SOLVED = 6
-"""Quasi-velocities whose rates are still solved for."""
-LONGEST_SOLVED = 300
-"""Operations of equations that are still solved for the rates."""
+from lagrange.mechanics.dynamics.checks import Check, at_random_states, certainty, multiplier_system
+from lagrange.mechanics.dynamics.comparison import compare
+from lagrange.mechanics.dynamics.equations import EquationOfMotion, EquationsOfMotion, divided, excluded
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.dynamics.limits import LONGEST_SOLVED_RATES, MOST_SOLVED_RATES
+from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_velocities
+from lagrange.problem.model import Problem, Speed
 
 
 @record
 class Moving:
-    """A vector that is written by the u_s, and its time derivative, in one triad: v and a, or H and dH/dt.
+    """A vector in terms of the u_s, and its time derivative, in one triad: v and a, or H and dH/dt.
 
     partials  of the velocity or angular velocity by each u_s
     """
@@ -61,7 +65,7 @@ class QuasiEquations:
     momentum_rates          dH/dt of the bodies with inertia
     statement               Σ E_s δπ_s
     equations               one for each u_s; `coordinate` is u_s, or the coordinate whose velocity completes them
-    rates                   u_s' solved for; None where that is too large
+    rates                   u_s' solved for; None if that is too large
     """
 
     quasi: QuasiVelocities
@@ -81,20 +85,20 @@ class QuasiEquations:
 
     @property
     def conditions(self) -> tuple[sp.Expr, ...]:
-        """What has been divided by and may vanish."""
+        """The factors divided by that may vanish."""
         return excluded(self.quasi.pivots, self.equations)
 
 
 class _Motion:
-    """What moves, written by the quasi-velocities, and differentiated along q' = B u + b."""
+    """Velocities in terms of the quasi-velocities, and their derivatives along q' = B u + b."""
 
     def __init__(self, quasi: QuasiVelocities) -> None:
         self.quasi = quasi
         self.configuration = quasi.configuration
-        self.ring = Ring()
+        self.ring = FourierRing()
         self.textbook = Textbook(self.ring)
         self.rule: dict[sp.Basic, sp.Basic] = dict(quasi.rates)
-        self._along = Derivation(self.ring, self._rate)
+        self._along = RingDerivation(self.ring, self._rate)
         self._triads = [
             triad for r in self.configuration.rotations for triad in (r.angular_velocity.triad, self._axes(r))
         ]
@@ -110,7 +114,7 @@ class _Motion:
         return None
 
     def form(self, expression: sp.Expr) -> sp.Expr:
-        """An expression of q and q' in q and u, in textbook form."""
+        """An expression in q and q', rewritten in q and u, in textbook form."""
         return self.textbook.form(expression.xreplace(self.rule))
 
     def moving(self, v: Vector, triads: Sequence[Triad], inertia: Sequence[sp.Expr] | None = None) -> Moving:
@@ -137,7 +141,7 @@ class _Motion:
         return self.moving(point.velocity, (point.velocity.triad, FIXED, *self._triads))
 
     def of_rotation(self, rotation: Rotation) -> Moving:
-        """ω, H and dH/dt in the triad of the file's derivation, or where ω is shorter there, in the axes of the body.
+        """ω, H and dH/dt in the triad of the file's derivation or, if ω is shorter there, in the axes of the body.
 
         If all moments of inertia are equal, i, j, k are another triad in which they are constant.
         """
@@ -149,7 +153,7 @@ class _Motion:
         return self.moving(rotation.angular_velocity, triads, rotation.inertia)
 
     def _axes(self, rotation: Rotation) -> Triad:
-        """The axes of the body; those that the file gives, where it gives ω."""
+        """The axes of the body; those in the file, if it gives ω."""
         first, second, third = axis_names(rotation.name)
         own = rotation.angular_velocity.triad
         names = (first, second, "k" if own.directions is None else third)
@@ -186,7 +190,7 @@ def quasi_equations(quasi: QuasiVelocities, configuration: Configuration) -> Qua
         elements.append(ring.total(inertia) - _force(motion, points, turning, s))
     moved = [variation(q) for q in quasi.slots.coordinates]
     statement = ring.total(e * ring.from_sympy(v) for e, v in zip(elements, moved, strict=True))
-    found = [divided(textbook, q, e) for q, e in zip(quasi.slots.coordinates, elements, strict=True)]
+    equations = [divided(textbook, q, e) for q, e in zip(quasi.slots.coordinates, elements, strict=True)]
     names = {r.name for r in configuration.rotations if r.has_inertia}
     heavy = {p.name for p in configuration.points if p.mass != 0}
     return QuasiEquations(
@@ -197,8 +201,8 @@ def quasi_equations(quasi: QuasiVelocities, configuration: Configuration) -> Qua
         accelerations={name: quasi.shown(m.changed) for name, m in points.items() if name in heavy},
         momentum_rates={name: quasi.shown(m.changed) for name, m in turning.items() if name in names},
         statement=quasi.shown(textbook.form(statement)),
-        equations=tuple(_shown(e, quasi) for e in found),
-        rates=_solved(found, quasi, configuration.surface),
+        equations=tuple(_shown(e, quasi) for e in equations),
+        rates=_solved(equations, quasi, configuration.surface),
     )
 
 
@@ -215,7 +219,7 @@ def _force(motion: _Motion, points: Mapping[str, Moving], turning: Mapping[str, 
 
 
 def _work(motion: _Motion, load: Load, points: Mapping[str, Moving], s: int) -> Element:
-    """F·∂v/∂u_s of what the force acts on."""
+    """F·∂v/∂u_s, v being the velocity of the point of application."""
     if load.elsewhere:
         slots = motion.configuration.slots
         partials = (load.point.partial(q) for q in slots.coordinates)
@@ -227,7 +231,7 @@ def _work(motion: _Motion, load: Load, points: Mapping[str, Moving], s: int) -> 
 
 def _shown(equation: EquationOfMotion, quasi: QuasiVelocities) -> EquationOfMotion:
     powers = tuple((quasi.shown(f), e) for f, e in equation.factor.powers)
-    factor = Factor(equation.factor.number, powers)
+    factor = CommonFactor(equation.factor.number, powers)
     return replace(equation, expression=quasi.shown(equation.expression), factor=factor)
 
 
@@ -236,11 +240,59 @@ def _solved(
 ) -> dict[sp.Symbol, sp.Expr] | None:
     """u' -> its value."""
     unknowns = quasi.slots.accelerations
-    if len(unknowns) > MOST_SOLVED or sum(int(e.expression.count_ops()) for e in equations) > LONGEST_SOLVED:
+    operations = sum(int(e.expression.count_ops()) for e in equations)
+    if len(unknowns) > MOST_SOLVED_RATES or operations > LONGEST_SOLVED_RATES:
         return None
     at_rest = dict.fromkeys(unknowns, sp.S.Zero)
     rows = [[e.expression.diff(a) for a in unknowns] for e in equations]
-    found = solved_linear(rows, [-e.expression.xreplace(at_rest) for e in equations], surface)
-    if found is None or None in found:
+    solved = solved_linear(rows, [-e.expression.xreplace(at_rest) for e in equations], surface)
+    if solved is None or None in solved:
         return None
-    return {quasi.shown(a): quasi.shown(value) for a, value in zip(unknowns, found, strict=True)}
+    return {quasi.shown(a): quasi.shown(value) for a, value in zip(unknowns, solved, strict=True)}
+
+
+@record
+class QuasiVelocityForm:
+    """The velocities in terms of the quasi-velocities, and the equations of motion in these if requested."""
+
+    velocities: QuasiVelocities
+    equations: QuasiEquations | None
+    configuration: Configuration
+
+
+def in_speeds(
+    speeds: Sequence[Speed], configuration: Configuration, motion: EquationsOfMotion | None
+) -> QuasiVelocityForm:
+    """The quasi-velocities of a file in a configuration. Raises the same errors as `quasi_velocities`."""
+    quasi = quasi_velocities(speeds, configuration)
+    if motion is None:
+        return QuasiVelocityForm(quasi, None, configuration)
+    return QuasiVelocityForm(quasi, quasi_equations(quasi, motion.configuration), motion.configuration)
+
+
+def check_speeds(form: QuasiVelocityForm, problem: Problem) -> list[Check]:
+    """The checks of the kinematic equations and of the equations of motion."""
+    quasi = form.velocities
+    name = quasi.configuration.name
+    how = f"{certainty(quasi.configuration.surface)}: substituted into the definitions and the constraints"
+    checks = [Check("the kinematic equations give the velocities", _give_velocities(quasi), how, name)]
+    if form.equations is not None:
+        configuration = form.configuration
+        reactions = {c.name: c.reaction for c in problem.constraints}
+        multipliers = tuple(reactions[row.name] for row in configuration.rows)
+        system = multiplier_system(configuration, lagrange_equations(configuration).left, multipliers)
+        result = compare([quasi.defined(e) for e in form.equations.expressions], system)
+        passed = None if result is None else result.agree
+        how = at_random_states(configuration)
+        checks.append(Check("Lagrange's equations give the same motion in the quasi-velocities", passed, how, name))
+    return checks
+
+
+def _give_velocities(quasi: QuasiVelocities) -> bool | None:
+    """u(q, B u + b) = u, and A (B u + b) + a_t = 0."""
+    configuration = quasi.configuration
+    rule = quasi.rates
+    left = [e.xreplace(rule) - prime(u) for u, e in quasi.definitions.items()]
+    left += [r.velocity_form(configuration.slots).xreplace(rule) for r in configuration.rows]
+    verdicts = [configuration.surface.is_zero(e) for e in left]
+    return all_hold(verdicts)

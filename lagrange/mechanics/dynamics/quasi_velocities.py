@@ -1,17 +1,17 @@
-"""Quasi-velocities: linear combinations of the velocities in which the final equations are wanted.
+"""Quasi-velocities: linear combinations of the velocities in which the equations of motion are to be written.
 
     u_s = Σ S_sk q_k' + s_s ,     together with the constraints     Σ a_jk q_k' + a_jt = 0 ,
 
 are linear equations for the velocities. As many u as there are degrees of freedom, independent of one another and of
-the constraints, determine them: the kinematic equations are
+the constraints, determine them by the kinematic equations
 
     q_k' = Σ B_ks u_s + b_k ,     and     δq_k = Σ B_ks δπ_s ,     δπ_s = Σ S_sk δq_k .
 
-δπ_s is no variation of anything. It stands for u_s dt with time frozen, and in every virtual displacement the δπ_s are
-free. Fewer u are completed by velocities q_k' that are not yet determined.
+δπ_s is not the variation of any function: it denotes u_s dt with time frozen. The δπ_s are free in every virtual
+displacement. Fewer u are completed by velocities q_k' that they do not yet determine.
 
-In the derivation each u_s is the velocity of a quasi-coordinate of the same name: its slots are u_s' and u_s'', so that
-what knows velocities and accelerations by their names knows these. `shown` writes u_s and u_s' for them.
+Within the derivation each u_s is the velocity of a quasi-coordinate of the same name: its slots are u_s' and u_s'', so
+that functions of velocities and accelerations apply to these. `shown` turns them into u_s and u_s'.
 Reference: Neimark and Fufaev, Dynamics of Nonholonomic Systems, chapter III.
 
 Shapes: S (p, n), B (n, p), b (n,), for n coordinates and p quasi-velocities.
@@ -25,21 +25,18 @@ from typing import TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.fourier.textbook import textbook_form
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import with_cotangents
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, UndecidedError
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, prime, variation
 from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination, TooLongError, eliminate
-from lagrange.mechanics.constraints.kinematics import Configuration, Row, is_pfaffian
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.limits import LONGEST_ELIMINATION, LONGEST_KINEMATIC
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
 from lagrange.problem.model import Speed
-
-MOST_ON_THE_WAY = 1500
-"""Operations of all entries of the equations that are still solved for the velocities."""
-MOST_OPERATIONS = 300
-"""Operations of B, where the velocities of an aircraft have 65."""
 
 Shown = TypeVar("Shown", sp.Expr, Vector)
 
@@ -52,7 +49,7 @@ class QuasiVelocities:
     completing   coordinates whose velocities complete them
     partials     B, shape (n, p)
     drift        b, shape (n,)
-    pivots       what must not vanish
+    pivots       expressions that must not vanish
     """
 
     configuration: Configuration
@@ -78,7 +75,7 @@ class QuasiVelocities:
 
     @property
     def kinematic(self) -> dict[sp.Symbol, sp.Expr]:
-        """The kinematic equations: q' -> B u + b, as it is shown; velocities that complete the u left out."""
+        """The kinematic equations q' -> B u + b, as shown; without the velocities that complete the u."""
         known = {prime(q) for q in self.completing}
         return {v: self.shown(rate) for v, rate in self.rates.items() if v not in known}
 
@@ -102,7 +99,7 @@ class QuasiVelocities:
         return named.map(with_cotangents) if isinstance(named, Vector) else with_cotangents(named)
 
     def defined(self, expression: sp.Expr) -> sp.Expr:
-        """An expression as it is shown, with the definitions put in: in q, q' and q''."""
+        """An expression as shown, after substituting the definitions: in q, q' and q''."""
         slots = self.configuration.slots
         rule: dict[sp.Basic, sp.Basic] = dict(self.definitions)
         rule |= {prime(u): slots.time_derivative(e) for u, e in self.definitions.items()}
@@ -122,12 +119,12 @@ def quasi_variation(u: sp.Symbol) -> sp.Symbol:
 
 
 def quasi_velocities(speeds: Sequence[Speed], configuration: Configuration) -> QuasiVelocities:
-    """The velocities of a configuration by its quasi-velocities.
+    """The velocities of a configuration in terms of its quasi-velocities.
 
-    Raises ProblemError where these depend on one another or on the constraints, UndecidedError where that cannot be
-    decided, NotCoveredError where a constraint is not linear in the velocities.
+    Raises ProblemError if these depend on one another or on the constraints, UndecidedError if that cannot be decided,
+    NotCoveredError if a constraint is not linear in the velocities.
     """
-    if not is_pfaffian(configuration.rows):
+    if not configuration.constrained.is_pfaffian:
         message = "quasi-velocities (`speeds`) beside a constraint that is not linear in the velocities"
         raise NotCoveredError(message, speeds[0].span)
     slots = configuration.slots
@@ -140,25 +137,26 @@ def quasi_velocities(speeds: Sequence[Speed], configuration: Configuration) -> Q
         at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
         rows.append(Row(u.name, (*(textbook_form(e.diff(v)) for v in slots.velocities), *own), e.xreplace(at_rest)))
     _check_independent(speeds, rows, configuration)
-    found = _eliminated(speeds, rows, configuration)
-    if any(size + n not in found.independent for n in range(count)):  # a pivot was not seen to be other than zero
+    # The rows u_s − Σ S_sk q_k' − s_s = 0 are appended to the constraints, and the q' eliminated first: the u are left.
+    solved = _eliminated(speeds, rows, configuration)
+    if any(size + n not in solved.independent for n in range(count)):  # some pivot could not be shown to be nonzero
         raise UndecidedError("the velocities in terms of the quasi-velocities", speeds[0].span)
-    table: list[list[sp.Expr]] = [[sp.S.Zero] * len(found.independent) for _ in range(size)]
+    table: list[list[sp.Expr]] = [[sp.S.Zero] * len(solved.independent) for _ in range(size)]
     drift = [sp.S.Zero] * size
-    for k, row, b in zip(found.dependent, found.solution, found.drift, strict=True):
+    for k, row, b in zip(solved.dependent, solved.solution, solved.drift, strict=True):
         table[k], drift[k] = list(row), b
-    completing = [k for k in found.independent if k < size]
+    completing = [k for k in solved.independent if k < size]
     for k in completing:
-        table[k][found.independent.index(k)] = sp.S.One
-    order = [found.independent.index(size + n) for n in range(count)]
-    order += [found.independent.index(k) for k in completing]
+        table[k][solved.independent.index(k)] = sp.S.One
+    order = [solved.independent.index(size + n) for n in range(count)]
+    order += [solved.independent.index(k) for k in completing]
     return QuasiVelocities(
         configuration=configuration,
         definitions=definitions,
         completing=tuple(slots.coordinates[k] for k in completing),
         partials=tuple(tuple(row[n] for n in order) for row in table),
         drift=tuple(drift),
-        pivots=found.pivots,
+        pivots=solved.pivots,
     )
 
 
@@ -167,22 +165,22 @@ def _eliminated(speeds: Sequence[Speed], rows: Sequence[Row], configuration: Con
     size = len(configuration.slots.coordinates)
     too_long = NotCoveredError("quasi-velocities that give kinematic equations of many pages", speeds[0].span)
     try:
-        found = eliminate(rows, size + len(speeds), configuration.surface, range(size), MOST_ON_THE_WAY)
+        solved = eliminate(rows, size + len(speeds), configuration.surface, range(size), LONGEST_ELIMINATION)
     except TooLongError:
         raise too_long from None
-    if sum(int(e.count_ops()) for row in found.solution for e in row) > MOST_OPERATIONS:
+    if sum(int(e.count_ops()) for row in solved.solution for e in row) > LONGEST_KINEMATIC:
         raise too_long
-    return found
+    return solved
 
 
 def _shorter(definition: sp.Expr) -> sp.Expr:
-    """The definition as the file has it, unless its textbook form is shorter: dot(omega_B, e1_B), multiplied out."""
+    """The definition as written in the file, unless its textbook form is shorter: dot(omega_B, e1_B), expanded."""
     tidied = textbook_form(definition)
     return tidied if tidied.count_ops() < definition.count_ops() else definition
 
 
 def _in_groups(rate: sp.Expr) -> sp.Expr:
-    """Terms of the same denominator over that: (p sin ψ + q cos ψ)/sin θ."""
+    """Terms with the same denominator as one quotient: (p sin ψ + q cos ψ)/sin θ."""
     groups: dict[sp.Expr, list[sp.Expr]] = {}
     for term in sp.Add.make_args(rate):
         groups.setdefault(sp.fraction(term)[1], []).append(term)
@@ -190,27 +188,27 @@ def _in_groups(rate: sp.Expr) -> sp.Expr:
 
 
 def _check_independent(speeds: Sequence[Speed], rows: Sequence[Row], configuration: Configuration) -> None:
-    """Refuses a quasi-velocity that follows from those before it and the constraints, and names it.
+    """Refuse a quasi-velocity that follows from earlier ones and the constraints, and name it.
 
     The rows are those of the constraints, then those of the quasi-velocities.
     """
     size = len(configuration.slots.coordinates)
     table = [list(r.coefficients[:size]) for r in rows]
-    bound = len(rows) - len(speeds)
+    constraints = len(rows) - len(speeds)
 
     def rank(matrix: list[list[sp.Expr]]) -> int:
-        found = configuration.surface.rank(matrix) if matrix else 0
-        if found is None:
+        value = configuration.surface.rank(matrix) if matrix else 0
+        if value is None:
             raise UndecidedError("whether the quasi-velocities are independent", speeds[0].span)
-        return found
+        return value
 
-    alone = rank(table[:bound])
+    alone = rank(table[:constraints])
     if rank(table) == alone + len(speeds):
         return
-    ranks = [alone, *(rank(table[: bound + n + 1]) for n in range(len(speeds)))]
+    ranks = [alone, *(rank(table[: constraints + n + 1]) for n in range(len(speeds)))]
     dependent = [s for s, before, after in zip(speeds, ranks, ranks[1:], strict=False) if after == before]
-    [row] = (table[bound + n] for n, s in enumerate(speeds) if s == dependent[0])
-    fixed = rank([*table[:bound], row]) == alone
+    [row] = (table[constraints + n] for n, s in enumerate(speeds) if s == dependent[0])
+    fixed = rank([*table[:constraints], row]) == alone
     freedom = size - alone
     listed = ", ".join(f"`{s.symbol}`" for s in dependent)
     one = len(dependent) == 1

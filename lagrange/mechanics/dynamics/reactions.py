@@ -1,13 +1,14 @@
 """Reactions as functions of position, velocity and time.
 
-The equations with multipliers and the constraints, differentiated until accelerations occur, are linear in both:
+Sign convention: m r'' = F + R with R = Σ λ_j ∂f_j/∂r (`newton.py`). The equations with multipliers and the constraints,
+differentiated until accelerations occur, are linear in both,
 
-    M q'' − Aᵀ λ = h ,      A q'' = β ,
+    M q'' − Aᵀ λ = h ,      A q'' = β :
 
-n + m equations for q'' and λ. They are solved by elimination, in the coordinates of the file, or with these rewritten
-in a choice, where the geometric constraints hold identically and the result is shorter: T = m g cos θ + m l θ'².
-Applied forces may be proportional to a multiplier (friction). Where the constraints are dependent, only some
-combinations of multipliers are determined. The work is bounded (`linear`); what is too large is left unsolved.
+n + m equations for q'' and λ. They are solved by elimination, in the coordinates of the file or rewritten in those of a
+choice, where the geometric constraints hold identically and the result is shorter: T = m g cos θ + m l θ'². Applied
+forces may be proportional to a multiplier (friction). Where the constraints are dependent, only some combinations of
+multipliers are determined. The work is bounded (`linear_systems`); a system that is too large is left unsolved.
 
 Shapes: M (n, n), A (m, n), h (n,), β (m,).
 """
@@ -20,23 +21,23 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.algebra.exact.exact import DivisionByZeroError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.fourier.fractions import as_one_quotient
+from lagrange.algebra.fourier.limits import MOST_CANCELLED
 from lagrange.algebra.fourier.linear_systems import (
-    MOST_CANCELLED,
     Decides,
     Tidy,
     solved_in_blocks,
     solved_linear,
     tidy_quotient,
 )
-from lagrange.algebra.fourier.textbook import common_factor, textbook_form
+from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector
-from lagrange.mechanics.constraints.kinematics import Configuration, admitted_states
-from lagrange.mechanics.dynamics.balance import Balance
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.dynamics.principle import Balance
 
 Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
 """A multiplier λ, and the generalized forces for the file's coordinates for λ = 1, shape (n,)."""
@@ -44,9 +45,9 @@ Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
 
 @record
 class Determined:
-    """A combination Σ c_j λ_j of multipliers that is determined where they are not: `terms` are pairs (c_j, λ_j).
+    """A combination Σ c_j λ_j that is determined although its multipliers are not: `terms` are pairs (c_j, λ_j).
 
-    written  both sides with the tensions that the file has names for, the first force with the factor 1
+    written  both sides with the tensions that the file names, the first force with the factor 1
     """
 
     terms: tuple[tuple[sp.Expr, sp.Symbol], ...]
@@ -56,15 +57,15 @@ class Determined:
 
 @record
 class Reactions:
-    """The reactions in one set of coordinates. What is None is too large to be written down.
+    """The reactions in one set of coordinates. None means too large to be written down.
 
     multipliers    by name of the constraint; without those that are not determined
-    tensions       of the rods, by name of the constraint
+    tensions       of the rods, positive where they pull, by name of the constraint
     directions     of the reaction of each constraint on each particle, for a multiplier of 1
-    couples        the same of its moment on each body, about the mass centre
+    couples        likewise of its moment on each body, about the mass centre
     accelerations  q'' of the file's coordinates
-    values         what was found: multipliers and accelerations, by symbol
-    combinations   of the multipliers that are not determined one by one
+    values         the known multipliers and accelerations, by symbol
+    combinations   of the multipliers that are not determined individually
     """
 
     configuration: Configuration
@@ -101,7 +102,7 @@ class Reactions:
 
 
 @record
-class LinearSystem:
+class ReactionSystem:
     """The equations rows · (unknowns) = right, in the file's coordinates."""
 
     rows: tuple[tuple[sp.Expr, ...], ...]
@@ -110,14 +111,14 @@ class LinearSystem:
 
 
 @record
-class Place:
-    """Where a system is solved: on the constraint surface, in the coordinates of a choice, at an equilibrium.
+class SolutionPlace:
+    """The place where a system is solved: the constraint surface, the coordinates of a choice, or an equilibrium.
 
-    write    an expression of the file's coordinates as it is there
-    surface  says what is zero there
-    states   says what is zero with the velocities that the system may have there
-    tidy     for what arises on the way
-    show     for results
+    write    rewrites an expression of the file's coordinates for this place
+    surface  decides whether an expression is zero there
+    states   the same with the velocities that are admissible there
+    tidy     simplifies intermediate results
+    show     simplifies results
     """
 
     write: Callable[[sp.Expr], sp.Expr]
@@ -137,7 +138,7 @@ class Place:
         return sp.S.Zero if vanishes else self.show(value)
 
 
-def motion_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
+def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSystem:
     """The equations with the multipliers of `used`, for accelerations and multipliers."""
     configuration = principle.configuration
     slots = configuration.slots
@@ -146,21 +147,21 @@ def motion_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
     rows, right = equations_with_multipliers(principle, used, unknowns)
     for r in used:
         rate = slots.time_derivative(r.row.velocity_form(slots))
-        at_rest = dict.fromkeys(slots.accelerations, sp.S.Zero)
+        no_acceleration = dict.fromkeys(slots.accelerations, sp.S.Zero)
         rows.append((*r.row.coefficients, *(sp.S.Zero for _ in multipliers)))
-        right.append(-rate.xreplace(at_rest))
-    return LinearSystem(tuple(rows), tuple(right), unknowns)
+        right.append(-rate.xreplace(no_acceleration))
+    return ReactionSystem(tuple(rows), tuple(right), unknowns)
 
 
-def equilibrium_system(principle: Balance, used: Sequence[Reaction]) -> LinearSystem:
-    """The same at rest: n equations for the multipliers, velocities and accelerations being zero."""
+def equilibrium_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSystem:
+    """The system at rest: n equations for the multipliers, with zero velocities and accelerations."""
     slots = principle.configuration.slots
     multipliers = tuple(r.multiplier for r in used)
-    still = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+    at_rest = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
     rows, right = equations_with_multipliers(principle, used, multipliers)
-    return LinearSystem(
-        tuple(tuple(e.xreplace(still) for e in row) for row in rows),
-        tuple(e.xreplace(still) for e in right),
+    return ReactionSystem(
+        tuple(tuple(e.xreplace(at_rest) for e in row) for row in rows),
+        tuple(e.xreplace(at_rest) for e in right),
         multipliers,
     )
 
@@ -181,7 +182,7 @@ def equations_with_multipliers(
 
 
 def solved_reactions(
-    system: LinearSystem,
+    system: ReactionSystem,
     newton: Newton,
     used: Sequence[Reaction],
     configuration: Configuration,
@@ -201,23 +202,26 @@ def solved_reactions(
     rows, right = _in_coordinates(system, configuration, dragging)
     for k, force in enumerate(applied):
         right[k] = right[k] + force
-    inside = {s for b in right for f in b.atoms(Unspecified) for s in f.free_symbols}  # F(x, x') stays as it is written
-    still = dict.fromkeys([v for v in resting if v not in inside], sp.S.Zero)
-    right = [b.xreplace(still) for b in right]
+    # In an unspecified force F(x, x') no argument is replaced: F(x, 0) would be another function.
+    arguments = {s for b in right for f in b.atoms(Unspecified) for s in f.free_symbols}
+    at_rest = dict.fromkeys([v for v in resting if v not in arguments], sp.S.Zero)
+    right = [b.xreplace(at_rest) for b in right]
     rule = _positions_and_velocities(configuration)
-    states = admitted_states(configuration.rows, configuration.slots)
-    place = Place(lambda e: e.xreplace(rule), configuration.states, states, tidy, over_one_denominator)
-    there = LinearSystem(tuple(tuple(row) for row in rows), tuple(right), system.unknowns)
-    return reactions_at(place, there, newton, used, configuration)
+    constrained = configuration.constrained
+    place = SolutionPlace(
+        lambda e: e.xreplace(rule), constrained.states, constrained.admitted_states, tidy, over_one_denominator
+    )
+    rewritten = ReactionSystem(tuple(tuple(row) for row in rows), tuple(right), system.unknowns)
+    return reactions_at(place, rewritten, newton, used, configuration)
 
 
 def reactions_at(
-    place: Place, system: LinearSystem, newton: Newton, used: Sequence[Reaction], configuration: Configuration
+    place: SolutionPlace, system: ReactionSystem, newton: Newton, used: Sequence[Reaction], configuration: Configuration
 ) -> Reactions:
-    """The unknowns of a system that is written as it is at a place."""
+    """The unknowns of a system that has been rewritten for a place."""
     accelerations = sum(s.name.endswith("''") for s in system.unknowns)
     moving = {*configuration.slots.coordinates, *configuration.slots.velocities, *configuration.slots.prescribed, t}
-    found = solved_in_blocks(
+    solved = solved_in_blocks(
         system.rows,
         system.right,
         accelerations,
@@ -226,32 +230,34 @@ def reactions_at(
         constant=lambda e: e.free_symbols.isdisjoint(moving) and not e.has(Unspecified),
         leading=not configuration.expressed,
     )
-    found = found or [None] * len(system.unknowns)
-    values = dict(zip(system.unknowns, map(place.shown, found), strict=True))
+    solved = solved or [None] * len(system.unknowns)
+    values = dict(zip(system.unknowns, map(place.shown, solved), strict=True))
     unused = [r for r in newton.reactions if r not in used]
     combinations = _combinations(used, unused, values, place) if unused else ()
-    loose = {symbol for c in combinations if len(c.terms) > 1 for _, symbol in c.terms}
-    sole = [r for r in used if r.multiplier not in loose]
-    multipliers = {r.name: values[r.multiplier] for r in sole}
+    undetermined = {symbol for c in combinations if len(c.terms) > 1 for _, symbol in c.terms}
+    determined = [r for r in used if r.multiplier not in undetermined]
+    multipliers = {r.name: values[r.multiplier] for r in determined}
     return Reactions(
         configuration=configuration,
         multipliers=multipliers,
         tensions={
             r.name: place.show(textbook_form(place.write(r.rod.factor) * v))
-            for r in sole
+            for r in determined
             if r.rod is not None and (v := values[r.multiplier]) is not None
         },
-        directions={r.name: {p: g.map(place.write) for p, g in r.directions.items()} for r in sole if r.directions},
-        couples={r.name: {b: g.map(place.write) for b, g in r.moments.items()} for r in sole if r.moments},
+        directions={
+            r.name: {p: g.map(place.write) for p, g in r.directions.items()} for r in determined if r.directions
+        },
+        couples={r.name: {b: g.map(place.write) for b, g in r.moments.items()} for r in determined if r.moments},
         accelerations={s: values[s] for s in system.unknowns if s.name.endswith("''")},
-        values={s: v for s, v in values.items() if v is not None and s not in loose},
+        values={s: v for s, v in values.items() if v is not None and s not in undetermined},
         combinations=tuple(c for c in combinations if len(c.terms) > 1),
         tidy=place.tidy,
     )
 
 
 def _in_coordinates(
-    system: LinearSystem, configuration: Configuration, dragging: Sequence[Dragging]
+    system: ReactionSystem, configuration: Configuration, dragging: Sequence[Dragging]
 ) -> tuple[list[list[sp.Expr]], list[sp.Expr]]:
     """Rows and right sides in the coordinates of a configuration, with forces proportional to multipliers."""
     rule = _positions_and_velocities(configuration)
@@ -263,7 +269,7 @@ def _in_coordinates(
     return rows, [e.xreplace(rule) for e in system.right]
 
 
-def written_out(system: LinearSystem, configuration: Configuration, dragging: Sequence[Dragging]) -> list[sp.Expr]:
+def written_out(system: ReactionSystem, configuration: Configuration, dragging: Sequence[Dragging]) -> list[sp.Expr]:
     """The equations of a system, each zero, in the coordinates of a configuration."""
     rows, right = _in_coordinates(system, configuration, dragging)
     return [
@@ -273,7 +279,7 @@ def written_out(system: LinearSystem, configuration: Configuration, dragging: Se
 
 
 def over_one_denominator(value: sp.Expr) -> sp.Expr:
-    """A sum whose terms have a denominator in common as one quotient, or one product: (m/l) (x'² + y'² + g y)."""
+    """A sum whose terms share a denominator, as one quotient or one product: (m/l) (x'² + y'² + g y)."""
     return as_one_quotient(_joined(value))
 
 
@@ -291,13 +297,13 @@ def _joined(value: sp.Expr) -> sp.Expr:
 
 
 def _unnested(value: sp.Expr) -> sp.Expr:
-    """A quotient without quotients in the sums above its line: g (l² − y²), not g l² (1 − y²/l²)."""
+    """A quotient without quotients in the sums of its numerator: g (l² − y²), not g l² (1 − y²/l²)."""
     numerator, _ = sp.fraction(value)
     sums = (s for s in numerator.atoms(sp.Add) if s.count_ops() <= MOST_CANCELLED)
     if numerator.count_ops() > MOST_CANCELLED or all(sp.fraction(term)[1].is_number for s in sums for term in s.args):
         return value
-    above, below = sp.fraction(sp.together(value))
-    formed = textbook_form(above) / textbook_form(below)
+    over, under = sp.fraction(sp.together(value))
+    formed = textbook_form(over) / textbook_form(under)
     return formed if formed.count_ops() < value.count_ops() else value
 
 
@@ -315,9 +321,9 @@ def _combinations(
     used: Sequence[Reaction],
     unused: Sequence[Reaction],
     values: Mapping[sp.Symbol, sp.Expr | None],
-    place: Place,
+    place: SolutionPlace,
 ) -> tuple[Determined, ...]:
-    """With a_u = Σ c_uj a_j for each dependent form, λ_j + Σ_u c_uj λ_u is what the equations determine."""
+    """With a_u = Σ c_uj a_j for each dependent form, the equations determine λ_j + Σ_u c_uj λ_u."""
     columns = range(len(used[0].row.coefficients)) if used else range(0)
     terms: dict[sp.Symbol, list[tuple[sp.Expr, sp.Symbol]]] = {r.multiplier: [(sp.S.One, r.multiplier)] for r in used}
     for u in unused:
@@ -338,9 +344,12 @@ def _combinations(
 
 
 def _with_tensions(
-    terms: Sequence[tuple[sp.Expr, sp.Symbol]], value: sp.Expr, reactions: Mapping[sp.Symbol, Reaction], place: Place
+    terms: Sequence[tuple[sp.Expr, sp.Symbol]],
+    value: sp.Expr,
+    reactions: Mapping[sp.Symbol, Reaction],
+    place: SolutionPlace,
 ) -> tuple[sp.Expr, sp.Expr]:
-    """Σ c_j λ_j = value with T/factor for the λ of rods that the file names, times the factor of the first."""
+    """Σ c_j λ_j = value with T/factor for the λ of rods named in the file, times the factor of the first."""
     scale = 1 / place.write(reactions[terms[0][1]].per_force)
     left = (textbook_form(scale * c * place.write(reactions[s].per_force)) * reactions[s].force for c, s in terms)
     return sp.Add(*left), place.show(textbook_form(scale * value))
@@ -375,7 +384,7 @@ def _on_surface(configuration: Configuration) -> Tidy:
 
 
 def _degree(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> int:
-    """The degree in those of the coordinates that occur; as if it were large, where it is no polynomial."""
+    """The degree in the coordinates that occur; a large number if it is not a polynomial."""
     own = sorted(e.free_symbols.intersection(coordinates), key=lambda s: s.name)
     if not own:
         return 0
@@ -383,7 +392,7 @@ def _degree(e: sp.Expr, coordinates: Sequence[sp.Symbol]) -> int:
 
 
 def _reduced(e: sp.Expr, relations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> sp.Expr:
-    """The remainder of a polynomial by the relations; the polynomial itself where that is longer."""
+    """The remainder of a polynomial modulo the relations, if that is shorter; otherwise the polynomial."""
     if not e.is_polynomial(*coordinates) or e.free_symbols.isdisjoint(coordinates):
         return e
     _, remainder = sp.reduced(e, relations, *coordinates, order="grevlex")

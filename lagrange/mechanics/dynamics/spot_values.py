@@ -1,8 +1,9 @@
-"""One numerical value of the equations of motion, to be checked on a pocket calculator.
+"""One numerical value of the equations of motion, to be verified on a pocket calculator.
 
-Simple numbers go in for parameters, positions and velocities; the equations, which are linear in the accelerations,
-give those as numbers. Where constraints bind the coordinates, the dependent ones and their velocities follow from them,
-so that the state is possible.
+Parameters, positions and velocities get simple numbers; the equations, linear in the accelerations, give those as
+numbers. Where constraints bind the coordinates, the dependent ones and their velocities follow from the constraints, so
+that the state is a possible one. The parameters get small numbers that differ from one another, because equal ones
+would hide interchanged letters.
 """
 
 from __future__ import annotations
@@ -16,49 +17,52 @@ from typing import Any
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
-from lagrange.algebra.exact.evaluation import Graph
-from lagrange.algebra.exact.exact import InadmissibleError, ZeroDivisorError
+from lagrange.algebra.exact.expression_graph import Graph
 from lagrange.algebra.exact.linear_algebra import row_reduced
-from lagrange.algebra.exact.reals import RealPoint, Reals
+from lagrange.algebra.exact.real_points import RealPoint, Reals
+from lagrange.algebra.exact.zero_test import InadmissibleError, ZeroDivisorError
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Unspecified, counting, t
 from lagrange.mechanics.constraints.coordinates import solved_for_one
-from lagrange.mechanics.constraints.kinematics import Configuration, is_pfaffian
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
+from lagrange.mechanics.dynamics.limits import (
+    DIGITS,
+    LARGEST_DENOMINATOR,
+    MOST_DEPENDENT_SETS,
+    MOST_ITERATIONS,
+    RECOGNISED_DIGITS,
+    SPOT_TRIALS,
+    ZERO_DIGITS,
+)
 
-DIGITS = 30
-TRIALS = 8
-ITERATIONS = 30
-TOLERANCE = sp.Float(10) ** -20
-RECOGNISED = 60
-LARGEST_DENOMINATOR = 1000
-MOST_ATTEMPTS = 24
-"""Sets of dependent coordinates for which Newton's iteration is tried."""
+TOLERANCE = sp.Float(10) ** -ZERO_DIGITS
+"""Smaller numbers are zero."""
 
 
 @record
-class Spot:
+class SpotValue:
     """Numbers in, accelerations out (to six figures)."""
 
     values: Mapping[sp.Symbol, sp.Expr]
     accelerations: Mapping[sp.Symbol, sp.Expr]
 
 
-def spot_value(system: System, given: Mapping[sp.Symbol, sp.Rational]) -> Spot | None:
-    """A spot value of a system; `given` are the numbers that the file gives to parameters. None if none was found."""
+def spot_value(system: System, given: Mapping[sp.Symbol, sp.Rational]) -> SpotValue | None:
+    """A spot value of a system; `given` are the values of parameters in the file. None if none was found."""
     if any(e.has(Unspecified) for e in system.equations):
         return None
-    for trial in range(TRIALS):
+    for trial in range(SPOT_TRIALS):
         try:
-            found = _at(system, given, trial)
+            value = _at(system, given, trial)
         except (ValueError, ZeroDivisionError, TypeError, InadmissibleError, ZeroDivisorError):
-            found = None
-        if found is not None:
-            return found
+            value = None
+        if value is not None:
+            return value
     return None
 
 
-def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> Spot | None:
+def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> SpotValue | None:
     configuration = system.configuration
     slots = configuration.slots
     used = set().union(*(e.free_symbols for e in _all_expressions(system)))
@@ -81,13 +85,13 @@ def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> S
     if accelerations is None:
         return None
     shown = {s: v for s, v in values.items() if s in used or s in slots.coordinates}
-    return Spot({s: _rounded(v) for s, v in shown.items()}, accelerations)
+    return SpotValue({s: _rounded(v) for s, v in shown.items()}, accelerations)
 
 
 def _positions(
     configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
 ) -> dict[sp.Basic, sp.Expr] | None:
-    """Simple numbers for the free coordinates, and what the finite constraints give for the others."""
+    """Simple numbers for the free coordinates, and the others from the finite constraints."""
     slots = configuration.slots
     chosen = {q: sp.Rational(n + 1, n + 2 + trial) for n, q in enumerate(slots.coordinates)}
     finite = configuration.finite_constraints
@@ -98,7 +102,7 @@ def _positions(
 
 
 def _in_turn(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Basic, sp.Expr] | None:
-    """Each equation solved for a coordinate that occurs in none before it, linear ones first; None where one is not."""
+    """Each equation solved for a coordinate that no earlier one contains, linear ones first; None if that fails."""
     steps: list[tuple[sp.Symbol, sp.Expr, int]] = []
     waiting, seen = list(equations), set[sp.Basic]()
     while waiting:
@@ -109,18 +113,18 @@ def _in_turn(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -
         waiting.remove(step[1])
         seen |= step[1].free_symbols
     dependent = {q for q, _, _ in steps}
-    found: dict[sp.Basic, sp.Expr] = {q: v for q, v in start.items() if q not in dependent}
+    values: dict[sp.Basic, sp.Expr] = {q: v for q, v in start.items() if q not in dependent}
     for q, f, degree in steps:
-        solved = solved_for_one(f.xreplace(found), [q], degree, 1)
+        solved = solved_for_one(f.xreplace(values), [q], degree, 1)
         if solved is None:
             return None
         value = solved[1].xreplace(dict.fromkeys(solved[2], sp.S.One))
         if not value.is_Rational:
-            value = value.evalf(RECOGNISED + DIGITS)
+            value = value.evalf(RECOGNISED_DIGITS + DIGITS)
         if not value.is_real:
             return None
-        found[q] = value
-    return found
+        values[q] = value
+    return values
 
 
 def _next_step(
@@ -135,11 +139,11 @@ def _next_step(
 
 
 def _by_newton(equations: Sequence[sp.Expr], start: Mapping[sp.Symbol, sp.Expr]) -> dict[sp.Basic, sp.Expr] | None:
-    """A solution near the start in which only as many coordinates differ from it as there are equations."""
-    for dependent in islice(combinations(reversed(start), len(equations)), MOST_ATTEMPTS):
+    """A solution that differs from the start in as many coordinates as there are equations."""
+    for dependent in islice(combinations(reversed(start), len(equations)), MOST_DEPENDENT_SETS):
         place = {q: sp.Float(v, DIGITS) for q, v in start.items()}
         jacobian = sp.Matrix([[f.diff(q) for q in dependent] for f in equations])
-        for _ in range(ITERATIONS):
+        for _ in range(MOST_ITERATIONS):
             residual = sp.Matrix([f.xreplace(place).evalf(DIGITS) for f in equations])
             if all(r.is_Float or r == 0 for r in residual) and max(map(abs, residual)) < TOLERANCE:
                 return {q: place[q] if q in dependent else start[q] for q in start}
@@ -171,7 +175,7 @@ def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], angle: bool) -> 
 
 
 def _angles(expressions: Iterable[sp.Expr]) -> set[sp.Expr]:
-    """The symbols that stand by themselves in the argument of a sine or cosine: α, and not ω in ω t."""
+    """The symbols that are terms in the argument of a sine or cosine: α, but not the ω in ω t."""
     functions = (f for e in expressions for f in e.atoms(TrigonometricFunction))
     terms = (term for f in functions for term in sp.Add.make_args(f.args[0]))
     return {symbol for term in terms for number, symbol in [term.as_coeff_Mul()] if symbol.is_Symbol}
@@ -180,10 +184,10 @@ def _angles(expressions: Iterable[sp.Expr]) -> set[sp.Expr]:
 def _velocities(
     configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
 ) -> dict[sp.Basic, sp.Expr]:
-    """Velocities 1, 2, ... for as many as are free, and those that the constraints give."""
+    """Velocities 1, 2, ... for the free ones, and the others from the constraints."""
     velocities = configuration.slots.velocities
-    if not is_pfaffian(configuration.rows):
-        return _admitted(configuration, values, trial)
+    if not configuration.constrained.is_pfaffian:
+        return _velocities_by_newton(configuration, values, trial)
     point = _point(values)
     rows = [point.values((*row.coefficients, row.drift)) for row in configuration.rows]
     reduced, pivots = row_reduced(point.arithmetic, rows)
@@ -191,21 +195,23 @@ def _velocities(
         raise ValueError("no velocities")
     free = [k for k in range(len(velocities)) if k not in pivots]
     chosen = {k: n + trial for n, k in enumerate(free, start=1)}
-    found: dict[sp.Basic, sp.Expr] = {velocities[k]: sp.Integer(n) for k, n in chosen.items()}
+    result: dict[sp.Basic, sp.Expr] = {velocities[k]: sp.Integer(n) for k, n in chosen.items()}
     for k, row in zip(pivots, reduced, strict=True):
-        found[velocities[k]] = _recognised(-row[-1] - sum(row[i] * n for i, n in chosen.items()))
-    return found
+        result[velocities[k]] = _recognised(-row[-1] - sum(row[i] * n for i, n in chosen.items()))
+    return result
 
 
-def _admitted(configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int) -> dict[sp.Basic, sp.Expr]:
-    """Velocities that satisfy constraints not linear in them."""
+def _velocities_by_newton(
+    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
+) -> dict[sp.Basic, sp.Expr]:
+    """Velocities that satisfy constraints that are not linear in them."""
     slots = configuration.slots
     rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
     start = {v: sp.Rational(3, 5) * (n + trial) for n, v in enumerate(slots.velocities, start=1)}
-    found = _by_newton(rows, start)
-    if found is None:
+    velocities = _by_newton(rows, start)
+    if velocities is None:
         raise ValueError("no velocities")
-    return found
+    return velocities
 
 
 def _solved(system: System, values: Mapping[sp.Basic, sp.Expr]) -> Mapping[sp.Symbol, sp.Expr] | None:
@@ -215,9 +221,9 @@ def _solved(system: System, values: Mapping[sp.Basic, sp.Expr]) -> Mapping[sp.Sy
     matrix = [row[:-1] for row in rows]
     if len(matrix) != len(accelerations) or point.rank(matrix) < len(accelerations):
         return None
-    found = point.solution(matrix, [-row[-1] for row in rows])
-    assert found is not None
-    numbers = [_recognised(x) for x in found]
+    solution = point.solution(matrix, [-row[-1] for row in rows])
+    assert solution is not None
+    numbers = [_recognised(x) for x in solution]
     return {
         a: x if x.is_Integer else _rounded(sp.Float(x, DIGITS)) for a, x in zip(accelerations, numbers, strict=True)
     }
@@ -231,15 +237,16 @@ def _point(values: Mapping[sp.Basic, sp.Expr]) -> RealPoint:
 
 
 def _recognised(number: Any) -> sp.Expr:
-    """A number of eighty digits; as a fraction, where it is one of a small denominator to sixty digits."""
+    """A number of eighty digits; as a fraction, if it equals one with a small denominator to sixty digits."""
     value = sp.Float(number, DIGITS)
-    fraction = Fraction(int(number * 10**RECOGNISED), 10**RECOGNISED).limit_denominator(LARGEST_DENOMINATOR)
+    scale = 10**RECOGNISED_DIGITS
+    fraction = Fraction(int(number * scale), scale).limit_denominator(LARGEST_DENOMINATOR)
     difference = abs(number * fraction.denominator - fraction.numerator)
-    return sp.Rational(fraction) if difference * 10**RECOGNISED < 1 else value
+    return sp.Rational(fraction) if difference * scale < 1 else value
 
 
 def _rounded(value: sp.Expr) -> sp.Expr:
-    """Simple numbers as they are, others to six figures; what is left of a zero by rounding is 0."""
+    """Rational numbers unchanged, others to six figures; the rounding error of a zero is 0."""
     if value.is_Rational:
         return value
     number = value.evalf(DIGITS)

@@ -5,9 +5,9 @@ virtual displacement,
 
     δW = Σ F·δr − δV = Σ Q_k δq_k = 0 .
 
-Where the δq_k are independent, each Q_k vanishes; where constraints bind them, A δq = 0 is put in first:
-Q_k + Σ_d B_dk Q_d = 0, together with the constraints. These conditions are solved in closed form as far as that goes.
-There, instead of dividing by pivots, multipliers stand for the reactions, Q + Aᵀ λ = 0, so that no position is lost.
+If the δq_k are independent, each Q_k vanishes; if constraints bind them, A δq = 0 is substituted first:
+Q_k + Σ_d B_dk Q_d = 0, together with the constraints. These conditions are solved in closed form as far as possible.
+Where a pivot would be divided by, multipliers stand in for the reactions, Q + Aᵀ λ = 0, so that no position is lost.
 Unknown forces are solved for first: as many of them as there are conditions are found for every position.
 
 Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechanics, ch. 3.
@@ -22,16 +22,18 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.closed_form import Values
+from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
-from lagrange.algebra.exact.exact import is_zero, rank
-from lagrange.algebra.fourier.common_factor import Factor, common_factor, normalised
-from lagrange.algebra.fourier.textbook import Textbook
-from lagrange.algebra.fourier.trigonometry import Element, Ring
+from lagrange.algebra.exact.zero_test import is_zero, rank
+from lagrange.algebra.fourier.ring import Element, FourierRing
+from lagrange.algebra.fourier.terms import CommonFactor, common_factor, normalised
+from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.records import record
 from lagrange.core.symbols import multiplier, variation
+from lagrange.core.verdicts import all_hold
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination
-from lagrange.mechanics.constraints.kinematics import Configuration, Row
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
 
@@ -51,24 +53,24 @@ class VirtualWork:
     textbook: Textbook
 
     @property
-    def ring(self) -> Ring:
+    def ring(self) -> FourierRing:
         """The ring of the coefficients."""
         return self.textbook.ring
 
 
 @record
 class ConditionOfEquilibrium:
-    """expression = 0, which multiplies the virtual displacement of `coordinate`.
+    """expression = 0, the coefficient of the virtual displacement of `coordinate`.
 
-    factor    what has been divided out; it cannot vanish
-    below     the denominator that it has been multiplied by; solutions are looked for where it vanishes as well
-    reversed  whether the sign has been changed too
+    factor    the factor divided out; it cannot vanish
+    below     the denominator multiplied by; solutions are sought where it vanishes as well
+    reversed  whether the sign has been changed as well
     """
 
     coordinate: sp.Symbol
     expression: sp.Expr
-    factor: Factor
-    below: Factor
+    factor: CommonFactor
+    below: CommonFactor
     reversed: bool
 
 
@@ -76,11 +78,11 @@ class ConditionOfEquilibrium:
 class Equilibrium:
     """The equilibria of one configuration.
 
-    independent_forces  what multiplies each independent δq once the dependent ones are put in: Q_k + Σ B_dk Q_d
-    reduced      Σ over the independent δq, the dependent ones put in
+    independent_forces  the coefficient of each independent δq after substituting the dependent ones: Q_k + Σ B_dk Q_d
+    reduced      Σ over the independent δq, after substituting the dependent ones
     conditions   each is zero; the finite constraints complete them
     forces       the unknown forces that occur
-    given        whether the position is taken as given, because the forces alone are determined
+    given        whether the position is arbitrary, because only the forces are determined
     solution     all solutions
     branches     those of the solution, without multipliers
     multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
@@ -100,12 +102,12 @@ class Equilibrium:
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
-        """Each of these is zero: the conditions, and the finite constraints."""
+        """Expressions that are zero: the conditions and the finite constraints."""
         return (*(c.expression for c in self.conditions), *self.configuration.finite_constraints)
 
     @property
     def binding(self) -> tuple[Row, ...]:
-        """The constraints that are no identities."""
+        """The constraints that are not identities."""
         return tuple(r for r in self.configuration.rows if not r.is_identity)
 
     def balance(self, multipliers: Sequence[sp.Symbol]) -> tuple[sp.Expr, ...]:
@@ -115,7 +117,7 @@ class Equilibrium:
 
     @cached_property
     def needs_multipliers(self) -> bool:
-        """Whether dividing by pivots may lose equilibria: one of them vanishes there, or no other was found."""
+        """Whether dividing by pivots may lose equilibria: a pivot vanishes at one, or no equilibrium was found."""
         pivots = self.elimination.pivots
         if not self.multipliers or not pivots or not self.elimination.independent:
             return False
@@ -127,7 +129,7 @@ class Equilibrium:
 
     @property
     def exists(self) -> bool | None:
-        """Whether there is an equilibrium in these coordinates; None where that is not known."""
+        """Whether there is an equilibrium in these coordinates; None if unknown."""
         if self.solution.solved:
             return bool(self.branches)
         return True if any(not b.left for b in self.branches) else None
@@ -140,7 +142,7 @@ class Equilibrium:
 
     @property
     def presupposed(self) -> tuple[sp.Expr, ...]:
-        """What must not vanish at a given position for the forces to be determined there: factors of conditions."""
+        """Factors of conditions that must not vanish at a given position for the forces to be determined there."""
         if not self.given or self.needs_multipliers:
             return ()
         coordinates = set(self.configuration.slots.coordinates)
@@ -151,8 +153,8 @@ class Equilibrium:
 def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None:
     """Whether there is equilibrium at a point; `at` gives the value of an expression there. None: undecided.
 
-    With constraints the generalized forces must be a combination of their rows, Q = −Aᵀ λ; nothing is divided by.
-    Finite constraints must hold. Raises what `at` raises.
+    With constraints the generalized forces must be a combination of their rows, Q = −Aᵀ λ, without a division.
+    Finite constraints must hold. Raises the errors of `at`.
     """
     rows = e.binding
     verdicts: list[bool | None] = [is_zero(at(f)) for f in e.configuration.finite_constraints]
@@ -162,12 +164,12 @@ def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None
         matrix = [[at(a) for a in row.coefficients] for row in rows]
         ranks = rank(matrix), rank([*matrix, [at(q) for q in e.work.forces]])
         verdicts.append(None if None in ranks else ranks[0] == ranks[1])
-    return False if False in verdicts else None if None in verdicts else True
+    return all_hold(verdicts)
 
 
 def virtual_work(configuration: Configuration) -> VirtualWork:
     """δW of the applied forces."""
-    ring = Ring()
+    ring = FourierRing()
     textbook = Textbook(ring)
     coefficients = generalized_forces(configuration, ring)
     displacements = [ring.from_sympy(variation(q)) for q in configuration.slots.coordinates]
@@ -183,17 +185,18 @@ def equilibrium(
 ) -> Equilibrium:
     """The equilibria of a configuration, in closed form as far as possible.
 
-    unknown_forces  the symbols to be found beside the coordinates
+    unknown_forces  the symbols to be found in addition to the coordinates
     work            of the forces at rest, if that is not the work of the applied forces
     """
     work = work or virtual_work(configuration)
     coordinates = configuration.slots.coordinates
-    left = of_independent(work.coefficients, work.ring, elimination)
+    forces_on_independent = of_independent(work.coefficients, work.ring, elimination)
     displacements = [work.ring.from_sympy(variation(coordinates[k])) for k in elimination.independent]
-    reduced = work.textbook.form(work.ring.total(q * v for q, v in zip(left, displacements, strict=True)))
+    virtual = work.ring.total(q * v for q, v in zip(forces_on_independent, displacements, strict=True))
+    reduced = work.textbook.form(virtual)
     conditions = tuple(
         condition
-        for k, q in zip(elimination.independent, left, strict=True)
+        for k, q in zip(elimination.independent, forces_on_independent, strict=True)
         if (condition := _condition(work, coordinates[k], q)).expression != 0
     )
     used = {s for c in conditions for s in c.expression.free_symbols}
@@ -202,7 +205,7 @@ def equilibrium(
         configuration,
         work,
         elimination,
-        tuple(map(work.textbook.form, left)),
+        tuple(map(work.textbook.form, forces_on_independent)),
         reduced,
         conditions,
         forces,
@@ -218,7 +221,7 @@ def _condition(work: VirtualWork, coordinate: sp.Symbol, force: Element) -> Cond
     expression = work.textbook.form(force)
     common = common_factor(expression)
     factor = common.only(lambda f: bool(f.is_nonzero))
-    below = Factor(sp.S.One, common.denominator.only(lambda f: not f.is_nonzero).powers)
+    below = CommonFactor(sp.S.One, common.denominator.only(lambda f: not f.is_nonzero).powers)
     kept = below.multiply(factor.divide(expression))
     if below.powers:
         kept = work.textbook.form(kept)
@@ -228,7 +231,7 @@ def _condition(work: VirtualWork, coordinate: sp.Symbol, force: Element) -> Cond
 
 
 def _for_forces(e: Equilibrium) -> Equilibrium | None:
-    """The unknown forces for every position, where they can be found so."""
+    """The equilibrium with the unknown forces as functions of any position; None if they cannot be found so."""
     if not e.forces or len(e.forces) < len(e.conditions):
         return None
     solution = solutions([c.expression for c in e.conditions], e.forces)
@@ -239,7 +242,7 @@ def _for_forces(e: Equilibrium) -> Equilibrium | None:
 
 
 def _for_all(e: Equilibrium) -> Equilibrium:
-    """Positions, and the forces that go with them."""
+    """The equilibrium with all positions, and the forces belonging to them."""
     multipliers = [multiplier(f"of_equilibrium_{n}") for n, _ in enumerate(e.binding)]
     if multipliers:
         equations = [*e.balance(multipliers), *e.configuration.finite_constraints]
@@ -253,18 +256,18 @@ def _for_all(e: Equilibrium) -> Equilibrium:
 
 
 def _without(branches: tuple[Branch, ...], multipliers: list[sp.Symbol]) -> tuple[Branch, ...]:
-    """The branches without what they say of multipliers; those that say the same are one."""
-    found: dict[object, Branch] = {}
+    """The branches without their relations for multipliers; branches that become equal are merged."""
+    merged: dict[object, Branch] = {}
     for b in (_turned(b, multipliers) for b in branches):
         relations = tuple(r for r in b.relations if r.lhs not in multipliers)
         key = (relations, b.conditions, b.left)
-        known = found.get(key)
-        found[key] = replace(b, relations=relations, points=(*(known.points if known else ()), *b.points))
-    return tuple(found.values())
+        known = merged.get(key)
+        merged[key] = replace(b, relations=relations, points=(*(known.points if known else ()), *b.points))
+    return tuple(merged.values())
 
 
 def _turned(b: Branch, multipliers: list[sp.Symbol]) -> Branch:
-    """The branch with a relation y = c λ that gives a coordinate by a free multiplier read as λ = y/c, y being free."""
+    """The branch with a relation y = c λ, a coordinate by a free multiplier, turned into λ = y/c with free y."""
     for m in multipliers:
         for r in b.relations:
             rate = sp.expand(r.rhs).diff(m)
@@ -283,5 +286,5 @@ def _turned(b: Branch, multipliers: list[sp.Symbol]) -> Branch:
 
 
 def _given_by(values: Values, free: sp.Symbol, rule: dict[sp.Symbol, sp.Expr]) -> Values:
-    """The values of letters with a multiplier given by a coordinate, which is free."""
+    """The values of letters with a multiplier expressed by a coordinate, which becomes free."""
     return {u: v.xreplace(rule) for u, v in values.items() if u != free} | rule

@@ -1,17 +1,18 @@
-"""Are small motions stable? M ξ'' + D ξ' + K ξ = 0, from the signs of what its matrices make.
+"""Stability of M ξ'' + D ξ' + K ξ = 0, from the signs of expressions in its matrices.
 
 D is symmetric where it damps and antisymmetric where it is gyroscopic. For symmetric K:
 
-    K positive definite, D takes no energy in          stable (Dirichlet, Thomson and Tait); dies away if D reaches all
-    D = 0 or damping fully, K takes negative values    unstable (Thomson, Tait, Chetaev)
+    K positive definite, D supplies no energy          stable (Dirichlet, Thomson and Tait); asymptotically if D damps
+                                                       every motion
+    D = 0 or full damping, K takes negative values     unstable (Thomson, Tait, Chetaev)
 
 and for any K:
 
     det K < 0, or some ω² < 0                          unstable: there is a real root p > 0
     otherwise                                          Hurwitz' conditions (n ≤ 2), or all ω² positive and different
 
-A sign that the parameters leave open becomes a condition. What hangs on a root p = 0 is undecided: the terms left out
-would have to be looked at.
+A sign that the parameters leave open becomes a condition. If the answer depends on a root p = 0, it is undecided: the
+neglected terms would have to be examined.
 
 Reference: N. G. Chetaev, The Stability of Motion, 1961.
 """
@@ -25,14 +26,15 @@ from enum import StrEnum
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
-from lagrange.algebra.closed_forms.signs import MOST_OPERATIONS, different_from_zero
+from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED
+from lagrange.algebra.closed_forms.signs import different_from_zero
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.algebra.exact.exact import is_zero
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import (
     Stability,
-    Verdict,
+    StabilityVerdict,
     conditions_for,
     definiteness,
     known_positive,
@@ -42,8 +44,8 @@ from lagrange.mechanics.equilibrium.stability import (
 )
 
 
-class Kind(StrEnum):
-    """What the terms with ξ' are."""
+class VelocityTerms(StrEnum):
+    """The kind of the terms with ξ'."""
 
     NONE = "none"
     GYROSCOPIC = "gyroscopic"
@@ -51,7 +53,7 @@ class Kind(StrEnum):
 
 
 class Ground(StrEnum):
-    """What the verdict rests on."""
+    """The criterion of the verdict."""
 
     POTENTIAL = "potential"  # the signs of K
     DETERMINANT = "determinant"  # det K < 0
@@ -60,8 +62,8 @@ class Ground(StrEnum):
 
 
 @record
-class Judgement:
-    """The verdict, what it rests on (None: on nothing), and whether, where it is stable, the motion dies away."""
+class StabilityJudgement:
+    """The verdict, its criterion (None: undecided), and whether a stable motion dies away."""
 
     stability: Stability
     ground: Ground | None
@@ -70,21 +72,21 @@ class Judgement:
 
 @record
 class LinearSystem:
-    """M, D, K, shape (f, f); `roots`: the coefficients of the characteristic polynomial, in ω² or in p, or None."""
+    """M, D, K, shape (f, f); `roots`: the coefficients of the characteristic polynomial in ω² or in p, or None."""
 
     mass: Matrix
     damping: Matrix
     stiffness: Matrix
-    kind: Kind
+    kind: VelocityTerms
     symmetric: bool
     roots: Sequence[sp.Expr] | None
     frequencies: tuple[Frequency, ...]
 
 
-def judged(s: LinearSystem, b: Branch, found: Equilibrium) -> Judgement:
-    """The verdict on stability at one equilibrium; of what is undecided, where some ω² is negative."""
-    judgement = _judged(s, b, found)
-    if judgement.stability.verdict is not Verdict.UNDECIDED:
+def judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgement:
+    """The verdict on stability at one equilibrium; if undecided, with the conditions for a negative ω²."""
+    judgement = _judged(s, b, resting)
+    if judgement.stability.verdict is not StabilityVerdict.UNDECIDED:
         return judgement
     known = known_positive(b)
     opposite = [-f.square for f in s.frequencies if f.square is not None and not _has_root(f.square)]
@@ -92,47 +94,51 @@ def judged(s: LinearSystem, b: Branch, found: Equilibrium) -> Judgement:
     return replace(judgement, stability=replace(judgement.stability, unstable=unstable))
 
 
-def _judged(s: LinearSystem, b: Branch, found: Equilibrium) -> Judgement:
+def _judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgement:
     known = known_positive(b)
     squares = [f.square for f in s.frequencies]
     negative = tuple(w for w in squares if w is not None and sign_on(w, known) == -1)
     if negative:
-        return Judgement(Stability(Verdict.UNSTABLE, negative), Ground.ROOTS)
+        return StabilityJudgement(Stability(StabilityVerdict.UNSTABLE, negative), Ground.ROOTS)
     if s.symmetric:
-        by_potential = _by_potential(s, b, found, known)
+        by_potential = _by_potential(s, b, resting, known)
         if by_potential is not None:
             return by_potential
-    constant = on_branch(b, sp.Matrix(s.stiffness).det(method="berkowitz"), found)
+    constant = on_branch(b, sp.Matrix(s.stiffness).det(method="berkowitz"), resting)
     if constant is not None and sign_on(constant, known) == -1:
-        return Judgement(Stability(Verdict.UNSTABLE, (constant,)), Ground.DETERMINANT)
+        return StabilityJudgement(Stability(StabilityVerdict.UNSTABLE, (constant,)), Ground.DETERMINANT)
     if s.roots is None:
         return UNKNOWN
-    return _by_hurwitz(s.roots, known) if s.kind is Kind.DAMPED else _by_roots(s.roots, known)
+    return _by_hurwitz(s.roots, known) if s.kind is VelocityTerms.DAMPED else _by_roots(s.roots, known)
 
 
-UNKNOWN = Judgement(Stability(Verdict.UNDECIDED), None)
+UNKNOWN = StabilityJudgement(Stability(StabilityVerdict.UNDECIDED), None)
 
 
-def _by_potential(s: LinearSystem, b: Branch, found: Equilibrium, known: Sequence[sp.Expr]) -> Judgement | None:
-    """The verdict from the signs of K; None where D leaves it open."""
-    of_stiffness = definiteness(s.stiffness, b, found)
-    if s.kind is Kind.NONE:
+def _by_potential(
+    s: LinearSystem, b: Branch, resting: Equilibrium, known: Sequence[sp.Expr]
+) -> StabilityJudgement | None:
+    """The verdict from the signs of K; None if it depends on D."""
+    of_stiffness = definiteness(s.stiffness, b, resting)
+    if s.kind is VelocityTerms.NONE:
         squares = [f.square for f in s.frequencies if f.square is not None]
-        if of_stiffness.verdict is Verdict.CONDITIONAL and len(squares) == len(s.frequencies):
+        if of_stiffness.verdict is StabilityVerdict.CONDITIONAL and len(squares) == len(s.frequencies):
             simple = conditions_for(squares, known) if not any(map(_has_root, squares)) else None
             if simple is not None:
-                return Judgement(Stability(Verdict.CONDITIONAL, of_stiffness.minors, simple), Ground.POTENTIAL)
-        return Judgement(of_stiffness, Ground.POTENTIAL)
+                return StabilityJudgement(
+                    Stability(StabilityVerdict.CONDITIONAL, of_stiffness.minors, simple), Ground.POTENTIAL
+                )
+        return StabilityJudgement(of_stiffness, Ground.POTENTIAL)
     size = len(s.damping)
     loss = tuple(tuple((s.damping[i][j] + s.damping[j][i]) / 2 for j in range(size)) for i in range(size))
-    full = s.kind is Kind.DAMPED and definiteness(loss, b, found).verdict is Verdict.STABLE
+    full = s.kind is VelocityTerms.DAMPED and definiteness(loss, b, resting).verdict is StabilityVerdict.STABLE
     if full:
-        return Judgement(of_stiffness, Ground.POTENTIAL, asymptotic=True)
-    passive = s.kind is Kind.GYROSCOPIC or _is_passive(loss, known)
-    if passive and of_stiffness.verdict is Verdict.STABLE:
-        reaches = s.kind is Kind.DAMPED and s.roots is not None
-        dies = reaches and _by_hurwitz(s.roots or (), known).stability.verdict is Verdict.STABLE
-        return Judgement(of_stiffness, Ground.POTENTIAL, asymptotic=dies)
+        return StabilityJudgement(of_stiffness, Ground.POTENTIAL, asymptotic=True)
+    passive = s.kind is VelocityTerms.GYROSCOPIC or _is_passive(loss, known)
+    if passive and of_stiffness.verdict is StabilityVerdict.STABLE:
+        reaches = s.kind is VelocityTerms.DAMPED and s.roots is not None
+        dies = reaches and _by_hurwitz(s.roots or (), known).stability.verdict is StabilityVerdict.STABLE
+        return StabilityJudgement(of_stiffness, Ground.POTENTIAL, asymptotic=dies)
     return None
 
 
@@ -140,75 +146,87 @@ def _has_root(e: sp.Expr) -> bool:
     return any(p.exp.is_Rational and not p.exp.is_Integer for p in e.atoms(sp.Pow))
 
 
-def kind_of(damping: Matrix) -> Kind:
-    """What the terms with ξ' do."""
+def kind_of(damping: Matrix, symmetric: bool) -> VelocityTerms:
+    """The kind of the terms with ξ': none, gyroscopic, or damping; `symmetric`: whether K is.
+
+    An antisymmetric D is gyroscopic only beside a symmetric K: otherwise the characteristic polynomial has odd powers
+    of the exponent, as with damping.
+    """
     if all(e == 0 for row in damping for e in row):
-        return Kind.NONE
+        return VelocityTerms.NONE
     pairs = ((damping[i][j], damping[j][i]) for i in range(len(damping)) for j in range(i + 1))
-    return Kind.GYROSCOPIC if all(is_zero(a + b) is True for a, b in pairs) else Kind.DAMPED
+    gyroscopic = symmetric and all(is_zero(a + b) is True for a, b in pairs)
+    return VelocityTerms.GYROSCOPIC if gyroscopic else VelocityTerms.DAMPED
 
 
 def _is_passive(loss: Matrix, known: Sequence[sp.Expr]) -> bool:
-    """Whether damping takes no energy in: all principal minors are not negative, for two coordinates at most."""
+    """Whether damping supplies no energy: no principal minor is negative, for at most two coordinates."""
     size = len(loss)
     if any(sign_on(loss[n][n], known) not in (0, 1) for n in range(size)) or size > 2:
         return False
     return size == 1 or sign_on(sp.expand(loss[0][0] * loss[1][1] - loss[0][1] ** 2), known) in (0, 1)
 
 
-def _by_hurwitz(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> Judgement:
+def _by_hurwitz(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> StabilityJudgement:
     """All roots p have negative real parts, up to the fourth degree: a_j > 0 and a_1 a_2 a_3 > a_0 a_3² + a_1² a_4."""
-    a = _led(a, known)
+    a = _with_positive_leading(a, known)
     if len(a) not in (3, 5):
         return UNKNOWN
-    wanted = list(a[1:])
+    expressions = list(a[1:])
     if len(a) == 5:
-        wanted.append(sp.expand(a[1] * a[2] * a[3] - a[0] * a[3] ** 2 - a[1] ** 2 * a[4]))
-    return _if_positive(wanted, known, Ground.HURWITZ, dies=True)
+        expressions.append(sp.expand(a[1] * a[2] * a[3] - a[0] * a[3] ** 2 - a[1] ** 2 * a[4]))
+    return _if_positive(expressions, known, Ground.HURWITZ, dies=True)
 
 
-def _by_roots(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> Judgement:
-    """All ω² real, positive and different, for two of them at most."""
-    a = _led(a, known)
+def _by_roots(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> StabilityJudgement:
+    """All ω² real, positive and different, for at most two of them."""
+    a = _with_positive_leading(a, known)
     if len(a) not in (2, 3):
         return UNKNOWN
     if len(a) == 2:
         return _if_positive([-a[1]], known, Ground.ROOTS, dies=False)
     discriminant = sp.expand(a[1] ** 2 - 4 * a[0] * a[2])
-    found = _if_positive([a[2], -a[1], discriminant], known, Ground.ROOTS, dies=False)
-    return _where_different(found, discriminant)
+    judgement = _if_positive([a[2], -a[1], discriminant], known, Ground.ROOTS, dies=False)
+    return _where_different(judgement, discriminant)
 
 
-def _where_different(found: Judgement, discriminant: sp.Expr) -> Judgement:
-    """Stable only where the roots are different: a discriminant (c J − κ m)² is positive unless c J = κ m."""
-    stability = found.stability
-    if stability.verdict not in (Verdict.STABLE, Verdict.CONDITIONAL) or discriminant.count_ops() > MOST_OPERATIONS:
-        return found
+def _where_different(judgement: StabilityJudgement, discriminant: sp.Expr) -> StabilityJudgement:
+    """Stable only if the roots are different: a discriminant (c J − κ m)² is positive unless c J = κ m."""
+    stability = judgement.stability
+    if (
+        stability.verdict not in (StabilityVerdict.STABLE, StabilityVerdict.CONDITIONAL)
+        or discriminant.count_ops() > LARGEST_SIGNED
+    ):
+        return judgement
     powers = (f.as_base_exp() for f in sp.Mul.make_args(sp.factor(discriminant)))
     apart = tuple(c for base, e in powers if e.is_even for c in different_from_zero(base))
     if not apart:
-        return found
-    conditional = replace(stability, verdict=Verdict.CONDITIONAL, conditions=(*stability.conditions, *apart))
-    return replace(found, stability=conditional)
+        return judgement
+    conditional = replace(stability, verdict=StabilityVerdict.CONDITIONAL, conditions=(*stability.conditions, *apart))
+    return replace(judgement, stability=conditional)
 
 
-def _led(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> list[sp.Expr]:
-    """The coefficients with a positive first one; none where its sign is not known."""
+def _with_positive_leading(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """The coefficients with a positive leading one; none if its sign is not known."""
     sign = sign_on(a[0], known) if a else None
     return [] if sign not in (1, -1) else [sign * c for c in a]
 
 
-def _if_positive(wanted: Sequence[sp.Expr], known: Sequence[sp.Expr], ground: Ground, dies: bool) -> Judgement:
-    """Stable where all of them are positive, unstable where one is negative."""
-    signs = [sign_on(w, known) for w in wanted]
-    values = tuple(wanted)
+def _if_positive(
+    expressions: Sequence[sp.Expr], known: Sequence[sp.Expr], ground: Ground, dies: bool
+) -> StabilityJudgement:
+    """Stable where all expressions are positive, unstable where one is negative."""
+    signs = [sign_on(w, known) for w in expressions]
+    values = tuple(expressions)
     if -1 in signs:
-        return Judgement(Stability(Verdict.UNSTABLE, values), ground)
+        return StabilityJudgement(Stability(StabilityVerdict.UNSTABLE, values), ground)
     if 0 in signs:
-        return Judgement(Stability(Verdict.UNDECIDED, values), ground)
+        return StabilityJudgement(Stability(StabilityVerdict.UNDECIDED, values), ground)
     if None not in signs:
-        return Judgement(Stability(Verdict.STABLE, values), ground, dies)
-    conditions = conditions_for(wanted, known)
+        return StabilityJudgement(Stability(StabilityVerdict.STABLE, values), ground, dies)
+    conditions = conditions_for(expressions, known)
     return (
-        UNKNOWN if conditions is None else Judgement(Stability(Verdict.CONDITIONAL, values, conditions), ground, dies)
+        UNKNOWN
+        if conditions is None
+        else StabilityJudgement(Stability(StabilityVerdict.CONDITIONAL, values, conditions), ground, dies)
     )

@@ -1,20 +1,18 @@
 """Small oscillations: the equations of motion to first order about their equilibria.
 
-At an equilibrium of the equations of motion, q' = q'' = 0 solves them: the forces, those of inertia among them that a
-prescribed rotation brings, are balanced. With q = q_0 + ξ and what is small of second order left out,
+At an equilibrium q' = q'' = 0 solves the equations of motion: the forces balance, including the inertial forces of a
+prescribed rotation. With q = q_0 + ξ and terms of second order neglected,
 
     M ξ'' + D ξ' + K ξ = 0 ,    M_kj = ∂D_k/∂q_j'' ,  D_kj = ∂D_k/∂q_j' ,  K_kj = ∂D_k/∂q_j − Σ_i λ_i ∂a_ik/∂q_j ,
 
 all taken at q_0; the D_k on the right are those of d'Alembert's principle, λ the multipliers that balance them there,
-and a_ik the constraints. Where constraints bind the coordinates they bind their small changes, A ξ = 0 with A at q_0,
-and ξ = N η with independent η leaves Nᵀ M N, Nᵀ D N, Nᵀ K N: the constraint is needed to second order, and λ brings it
-in. A kinematic constraint gives A ξ' = 0; the displacements with A ξ = 0 are studied, the others lead from one
-equilibrium to its neighbours. D is symmetric where it damps, antisymmetric where it is gyroscopic.
+and a_ik the constraints. If constraints bind the coordinates, then A ξ = 0 with A at q_0, and ξ = N η with independent
+η leaves Nᵀ M N, Nᵀ D N, Nᵀ K N: the constraint is needed to second order, which the terms with λ provide. A kinematic
+constraint gives A ξ' = 0; only displacements with A ξ = 0 are studied, since the others lead from one equilibrium to a
+neighbouring one. D is symmetric where it damps, antisymmetric where it is gyroscopic.
 
-Small oscillations are ξ = a cos ωt, with damping a e^{pt}: `pencils` has frequencies and modes, `linear_stability`
-the verdict.
-
-Reference: Lagrange 1788, part 2, section 6; Whittaker, Analytical Dynamics, ch. 7 and 8.
+Small oscillations are ξ = a cos ωt, with damping a e^{pt}: `eigenmodes` has frequencies and modes, `linear_stability`
+the verdict. Reference: Lagrange 1788, part 2, section 6; Whittaker, Analytical Dynamics, ch. 7 and 8.
 """
 
 from __future__ import annotations
@@ -28,21 +26,29 @@ from lagrange.algebra.closed_forms.eigenmodes import (
     Frequency,
     Matrix,
     determinant,
-    factored,
     frequencies,
+    letter_factors,
     without_minus,
 )
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.algebra.exact.exact import DivisionByZeroError, Surface, is_zero
-from lagrange.algebra.fourier.textbook import common_factor, normalised, textbook_form
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
+from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import prime
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
-from lagrange.mechanics.constraints.kinematics import Configuration, Row
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.linear_stability import Judgement, Kind, LinearSystem, judged, kind_of
+from lagrange.mechanics.equilibrium.limits import LONGEST_COEFFICIENT, MOST_EQUILIBRIA, MOST_OSCILLATING
+from lagrange.mechanics.equilibrium.linear_stability import (
+    LinearSystem,
+    StabilityJudgement,
+    VelocityTerms,
+    judged,
+    kind_of,
+)
 from lagrange.mechanics.equilibrium.relative_equilibrium import (
     branches_at_rest,
     check_rest,
@@ -50,18 +56,13 @@ from lagrange.mechanics.equilibrium.relative_equilibrium import (
     is_time,
     without_time,
 )
-from lagrange.mechanics.equilibrium.stability import Verdict, on_branch
-
-MOST_EQUILIBRIA = 16
-MOST_COORDINATES = 6
-MOST_OPERATIONS = 100
-"""Operations of a coefficient that is still factored."""
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict, on_branch
 
 ZERO = sp.S.Zero
 
 
 @record
-class Damped:
+class DampedOscillation:
     """One coordinate with damping, ξ'' + 2δ ξ' + ω₀² ξ = 0: ω₀², δ = ζ ω₀, and ω² = ω₀² (1 − ζ²)."""
 
     own: sp.Expr
@@ -77,10 +78,10 @@ class SmallOscillations:
     shape           (n, f): ξ = N η, the small changes of all coordinates
     system          M, D, K of the independent ones, shape (f, f), and the frequencies
     equations       each zero, common factors divided out
-    characteristic  a polynomial in ω or, with damping, in the exponent p, in factors; None: too large
+    characteristic  the polynomial in ω or, with damping, in the exponent p, in factors; None: too large
     unknown         ω or p
     judgement       the verdict on stability
-    damped          where one coordinate is damped and would oscillate without damping
+    damped          if a single coordinate is damped, and stable
     """
 
     free: tuple[int, ...]
@@ -89,13 +90,13 @@ class SmallOscillations:
     equations: tuple[sp.Expr, ...]
     characteristic: sp.Expr | None
     unknown: sp.Symbol
-    judgement: Judgement
-    damped: Damped | None = None
+    judgement: StabilityJudgement
+    damped: DampedOscillation | None = None
 
     @property
     def oscillates(self) -> bool:
         """Whether the characteristic equation is one for ω²."""
-        return self.system.kind is not Kind.DAMPED
+        return self.system.kind is not VelocityTerms.DAMPED
 
     @property
     def frequencies(self) -> tuple[Frequency, ...]:
@@ -103,7 +104,7 @@ class SmallOscillations:
         return self.system.frequencies
 
     def remaining(self, f: Frequency) -> sp.Expr:
-        """The polynomial in ω that a frequency is a root of."""
+        """The polynomial in ω with this frequency as a root."""
         return f.factor.xreplace({f.letter: self.unknown**2})
 
 
@@ -111,14 +112,14 @@ class SmallOscillations:
 class Linearization:
     """The linear equations about all equilibria of the equations of motion, in one set of coordinates.
 
-    equilibrium   of the equations of motion: its forces are all that is left of them at rest
-    branches      its branches, long unsolved equations left out
-    complete      whether all equilibria are among them
+    equilibrium   of the equations of motion: its forces are those equations at rest
+    branches      its branches, without long unsolved equations
+    complete      whether these are all equilibria
     displacements ξ, one for each coordinate
     omega         the letter for a frequency
     exponent      the letter p
     driven        whether positions contain time, which cancels
-    at            by branch; None where there is none to first order, or it cannot be worked out
+    at            for each branch; None if the mass matrix is singular there, or nothing in closed form was found
     """
 
     motion: EquationsOfMotion
@@ -140,36 +141,37 @@ class Linearization:
 def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Linearization:
     """Small oscillations about the equilibria of the equations of motion.
 
-    taken  names that the letters ξ, ω, p must not be
+    taken  names that the letters ξ, ω, p must not use
 
-    Raises NotCoveredError where the equations depend on time, or where rest is not possible.
+    Raises NotCoveredError if the equations depend on time, or rest is not possible.
     """
     check_rest(motion.configuration)
     rows = [r for n, r in enumerate(motion.configuration.rows) if n not in motion.elimination.unused]
-    configuration = replace(motion.configuration, rows=tuple(rows))
+    configuration = replace(motion.configuration, constrained=motion.configuration.constrained.with_rows(rows))
     motion = replace(motion, configuration=configuration, elimination=replace(motion.elimination, unused=()))
     form = matrix_form(motion)
-    found = equilibria_of_motion(form, motion)
+    resting = equilibria_of_motion(form, motion)
     names = displacement_names(configuration.slots.coordinates, taken)
     omega = sp.Symbol(_letter(("omega", "Omega", "nu", "varpi"), taken), real=True)
     exponent = sp.Symbol(_letter(("p", "s", "sigma", "zeta"), taken), real=True)
-    branches, complete = branches_at_rest(found)
+    branches, complete = branches_at_rest(resting)
     places = (c for p in configuration.points for c in p.position.fixed().components)
     driven = any(is_time(s, configuration) for c in places for s in c.free_symbols)
     at = tuple(
-        _about(b, form, found, names, omega, exponent) if n < MOST_EQUILIBRIA else None for n, b in enumerate(branches)
+        _about(b, form, resting, names, omega, exponent) if n < MOST_EQUILIBRIA else None
+        for n, b in enumerate(branches)
     )
-    return Linearization(motion, found, branches, complete, names, omega, exponent, driven, at)
+    return Linearization(motion, resting, branches, complete, names, omega, exponent, driven, at)
 
 
 def _letter(letters: Sequence[str], taken: frozenset[str]) -> str:
-    """The first letter that no name begins with, whatever its index."""
+    """The first letter that no name uses, with or without an index."""
     stems = {n.split("_")[0].rstrip("'0123456789") for n in taken}
     return next((n for n in letters if n not in stems), letters[-1])
 
 
 def displacement_names(coordinates: Sequence[sp.Symbol], taken: frozenset[str]) -> tuple[sp.Symbol, ...]:
-    """ξ of one coordinate, ξ_1, ξ_2, ... of several."""
+    """ξ for one coordinate, ξ_1, ξ_2, ... for several."""
     letter = _letter(("xi", "eta", "zeta", "chi"), taken)
     if len(coordinates) == 1:
         return (sp.Symbol(letter, real=True),)
@@ -179,106 +181,112 @@ def displacement_names(coordinates: Sequence[sp.Symbol], taken: frozenset[str]) 
 def _about(
     b: Branch,
     form: MatrixForm,
-    found: Equilibrium,
+    resting: Equilibrium,
     names: Sequence[sp.Symbol],
     omega: sp.Symbol,
     exponent: sp.Symbol,
 ) -> SmallOscillations | None:
-    """The linear equations on one branch; None where that is not in closed form, or the coordinates fail there."""
+    """The linear equations on one branch; None if it is not in closed form, or the coordinates fail there."""
     if b.left or b.special:
         return None
     try:
-        taken = matrices_on(b, form, found)
-        if taken is None:
+        matrices = matrices_on(b, form, resting)
+        if matrices is None:
             return None
-        free, shape, mass, damping, stiffness = taken
-        if len(free) > MOST_COORDINATES or not free:
+        free, shape, mass, damping, stiffness = matrices
+        if len(free) > MOST_OSCILLATING or not free:
             return None
-        regular = is_zero(sp.Matrix(mass).det(method="berkowitz"))
+        singular = is_zero(sp.Matrix(mass).det(method="berkowitz"))
     except (DivisionByZeroError, ZeroDivisionError):
         return None
-    if regular is not False:
+    if singular is not False:
         return None
-    kind = kind_of(damping)
     symmetric = all(is_zero(stiffness[i][j] - stiffness[j][i]) is True for i in range(len(free)) for j in range(i))
-    damped = kind is Kind.DAMPED
+    kind = kind_of(damping, symmetric)
+    damped = kind is VelocityTerms.DAMPED
     letter = exponent if damped else sp.Dummy("omega_squared", real=True)
     polynomial = _characteristic(mass, damping, stiffness, kind, letter)
     written, coefficients = None, None
     roots: tuple[Frequency, ...] = ()
     if polynomial is not None:
-        pieces = factored(polynomial, letter)
+        pieces = letter_factors(polynomial, letter)
         written = sp.Mul(*(_in_powers(f, letter) ** n for f, n in pieces))
         written = written if damped else written.xreplace({letter: omega**2})
         coefficients = tuple(sp.Poly(polynomial, letter).all_coeffs())
-        roots = () if damped else frequencies(mass, stiffness, pieces, letter, with_modes=kind is Kind.NONE)
+        roots = () if damped else frequencies(mass, stiffness, pieces, letter, with_modes=kind is VelocityTerms.NONE)
     system = LinearSystem(mass, damping, stiffness, kind, symmetric, coefficients, roots)
     equations = tuple(_equations(mass, damping, stiffness, tuple(names[k] for k in free)))
     unknown = exponent if damped else omega
-    judgement = judged(system, b, found)
+    judgement = judged(system, b, resting)
     return SmallOscillations(free, shape, system, equations, written, unknown, judgement, _damped(system, judgement))
 
 
 def _in_powers(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:
-    """A polynomial in a letter, its coefficients in factors where they are short."""
+    """A polynomial in a letter, with short coefficients in factors."""
     terms = sp.Poly(f, letter).terms()
-    return sp.Add(*((sp.factor(c) if c.count_ops() <= MOST_OPERATIONS else c) * letter**n for (n,), c in terms))
+    return sp.Add(*((sp.factor(c) if c.count_ops() <= LONGEST_COEFFICIENT else c) * letter**n for (n,), c in terms))
 
 
-def _damped(system: LinearSystem, judgement: Judgement) -> Damped | None:
-    """What is said of one damped coordinate."""
-    if system.kind is not Kind.DAMPED or len(system.mass) > 1 or judgement.stability.verdict is not Verdict.STABLE:
+def _damped(system: LinearSystem, judgement: StabilityJudgement) -> DampedOscillation | None:
+    """The constants of a single damped coordinate, if it is stable."""
+    if (
+        system.kind is not VelocityTerms.DAMPED
+        or len(system.mass) > 1
+        or judgement.stability.verdict is not StabilityVerdict.STABLE
+    ):
         return None
     [[m]], [[d]], [[k]] = system.mass, system.damping, system.stiffness
     own = sp.factor(k / m)
-    return Damped(own, sp.factor(d / (2 * m)), without_minus(sp.factor(own - d**2 / (4 * m**2))))
+    return DampedOscillation(own, sp.factor(d / (2 * m)), without_minus(sp.factor(own - d**2 / (4 * m**2))))
 
 
 def matrices_on(
-    b: Branch, form: MatrixForm, found: Equilibrium
+    b: Branch, form: MatrixForm, resting: Equilibrium
 ) -> tuple[tuple[int, ...], Matrix, Matrix, Matrix, Matrix] | None:
-    """The free coordinates, N, and M, D, K reduced by it, as they are on a branch; None where that is not written."""
+    """The free coordinates, N, and the reduced M, D, K on a branch; None if they cannot be written in closed form."""
     slots = form.configuration.slots
-    still = dict.fromkeys(slots.velocities, sp.S.Zero)
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
     rows = [r for r in form.configuration.rows if not r.is_identity]
-    constraints = [[on_branch(b, a, found) for a in r.coefficients] for r in rows]
-    pulls = [
-        f.xreplace(still) + sp.Add(*(m * r.coefficients[k] for m, r in zip(found.multipliers, rows, strict=True)))
+    constraints = [[on_branch(b, a, resting) for a in r.coefficients] for r in rows]
+    # K is minus the derivative of Q + Aᵀ λ at constant λ: without λ the curvature of the constraints would be missing,
+    # and a pendulum in x, y would have no stiffness.
+    forces = [
+        f.xreplace(at_rest) + sp.Add(*(m * r.coefficients[k] for m, r in zip(resting.multipliers, rows, strict=True)))
         for k, f in enumerate(form.force)
     ]
 
     def value(e: sp.Expr) -> sp.Expr | None:
-        return on_branch(b, without_time(e, form.configuration), found, in_parameters=True)
+        return on_branch(b, without_time(e, form.configuration), resting, in_parameters=True)
 
     mass = [[value(e) for e in row] for row in form.mass]
-    damping = [[value((-f.diff(v)).xreplace(still)) for v in slots.velocities] for f in form.force]
-    stiffness = [[value(-p.diff(q)) for q in slots.coordinates] for p in pulls]
+    damping = [[value((-f.diff(v)).xreplace(at_rest)) for v in slots.velocities] for f in form.force]
+    stiffness = [[value(-p.diff(q)) for q in slots.coordinates] for p in forces]
     known = [*constraints, *mass, *damping, *stiffness]
     if any(e is None or not _is_smooth(e, form.configuration) for row in known for e in row):
         return None
     fixed = [Row(r.name, tuple(row), ZERO) for r, row in zip(rows, constraints, strict=True)]
-    there = eliminate(fixed, len(slots.coordinates), Surface())
-    if len(there.independent) != len(found.elimination.independent):
-        return None  # the constraints bind more or fewer displacements here than elsewhere
-    shape = there.shape(len(slots.coordinates))
-    reduced = [_reduced(matrix, shape, b, found) for matrix in (mass, damping, stiffness)]
+    displacements = eliminate(fixed, len(slots.coordinates), Surface())
+    if len(displacements.independent) != len(resting.elimination.independent):
+        return None  # here the constraints leave more or fewer displacements free than elsewhere
+    shape = displacements.shape(len(slots.coordinates))
+    reduced = [_reduced(matrix, shape, b, resting) for matrix in (mass, damping, stiffness)]
     if any(r is None for r in reduced):
         return None
     m, d, k = (r for r in reduced if r is not None)
-    return there.independent, shape, m, d, k
+    return displacements.independent, shape, m, d, k
 
 
 def _is_smooth(e: sp.Expr, configuration: Configuration) -> bool:
-    """Whether an entry is a function of parameters that exists: no 1/0, no derivative of a jump, no time."""
+    """Whether an entry is a finite function of parameters: no 1/0, no derivative of a jump, no time."""
     bad = e.has(sp.zoo, sp.nan, sp.oo, sp.DiracDelta, sp.Heaviside, sp.Derivative)
     return not bad and not any(is_time(s, configuration) for s in e.free_symbols)
 
 
-def _reduced(matrix: list[list[sp.Expr | None]], shape: Matrix, b: Branch, found: Equilibrium) -> Matrix | None:
+def _reduced(matrix: list[list[sp.Expr | None]], shape: Matrix, b: Branch, resting: Equilibrium) -> Matrix | None:
     """Nᵀ X N on a branch."""
     n = sp.Matrix(shape)
-    whole = n.T * sp.Matrix(matrix) * n
-    written = [[on_branch(b, e, found, in_parameters=True) for e in whole.row(k)] for k in range(whole.rows)]
+    product = n.T * sp.Matrix(matrix) * n
+    written = [[on_branch(b, e, resting, in_parameters=True) for e in product.row(k)] for k in range(product.rows)]
     if any(e is None for row in written for e in row):
         return None
     return tuple(tuple(_shorter(e) for e in row if e is not None) for row in written)
@@ -297,15 +305,18 @@ def _equations(mass: Matrix, damping: Matrix, stiffness: Matrix, moved: Sequence
         yield normalised(common_factor(formed).only(lambda f: bool(f.is_nonzero)).divide(formed))
 
 
-def _characteristic(mass: Matrix, damping: Matrix, stiffness: Matrix, kind: Kind, letter: sp.Symbol) -> sp.Expr | None:
+def _characteristic(
+    mass: Matrix, damping: Matrix, stiffness: Matrix, kind: VelocityTerms, letter: sp.Symbol
+) -> sp.Expr | None:
     """det(K − ω² M), det(K − ω² M + iω G) as a polynomial in ω², or det(K + p D + p² M)."""
-    if kind is Kind.NONE:
+    if kind is VelocityTerms.NONE:
         return determinant(_sum_of((stiffness, sp.S.One), (mass, -letter)))
-    p = sp.Dummy("p", real=True) if kind is Kind.GYROSCOPIC else letter
-    found = determinant(_sum_of((stiffness, sp.S.One), (damping, p), (mass, p**2)))
-    if found is None or kind is Kind.DAMPED:
-        return found
-    terms = sp.Poly(found, p).terms()  # even in p: p² = −ω²
+    p = sp.Dummy("p", real=True) if kind is VelocityTerms.GYROSCOPIC else letter
+    polynomial = determinant(_sum_of((stiffness, sp.S.One), (damping, p), (mass, p**2)))
+    if polynomial is None or kind is VelocityTerms.DAMPED:
+        return polynomial
+    # Even in p for symmetric K, because transposing reverses the sign of the antisymmetric D only: p² = −ω².
+    terms = sp.Poly(polynomial, p).terms()
     return sp.expand(sp.Add(*(c * (-letter) ** (n // 2) for (n,), c in terms)))
 
 

@@ -1,10 +1,10 @@
-"""Where a system can rest: the equilibria of its equations of motion.
+"""Relative equilibria: the equilibria of the equations of motion.
 
-With q' = q'' = 0 the equations of motion leave conditions for q_0: the forces are balanced, those of inertia among them
-that a prescribed uniform rotation brings. A bead on a hoop that turns with ω has m R² ω² sin θ cos θ beside its weight;
-they are those of an effective potential. Positions may contain time as long as it cancels from the equations.
+With q' = q'' = 0 the equations of motion become conditions for q_0: the forces balance, including the inertial forces
+of a prescribed uniform rotation. A bead on a hoop rotating at ω has m R² ω² sin θ cos θ besides its weight; these are
+the forces of an effective potential. Positions may contain time as long as it cancels from the equations.
 
-Only rest in the coordinates is meant. Steady motions, in which a coordinate grows at a constant rate, are equilibria of
+Only rest in the coordinates is meant. Steady motions, in which a coordinate grows at a constant rate, are equilibria in
 other coordinates.
 """
 
@@ -15,50 +15,47 @@ from itertools import product
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.closed_form import Relation
+from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.exact import DivisionByZeroError
-from lagrange.algebra.fourier.textbook import Textbook
-from lagrange.algebra.fourier.trigonometry import Ring
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.symbols import base, t, variation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium, is_balanced
+from lagrange.mechanics.equilibrium.limits import LONGEST_UNSOLVED, MOST_TRIVIAL_COORDINATES
 
-LONGEST_LEFT = 60
-"""Operations of conditions that are still shown where they are not solved."""
-MOST_SEEN = 4
-"""Coordinates whose values 0 and π are tried."""
 ZERO = sp.S.Zero
 
 
 def equilibria_of_motion(form: MatrixForm, motion: EquationsOfMotion) -> Equilibrium:
-    """The equilibria; the forces of the result are all that is left of the equations at rest.
+    """The equilibria; the forces of the result are the equations of motion at rest, −D_k.
 
-    Raises NotCoveredError where the equations depend on time.
+    Raises NotCoveredError if the equations depend on time.
     """
     return equilibrium(motion.configuration, motion.elimination, work=_forces_at_rest(form))
 
 
-def branches_at_rest(found: Equilibrium) -> tuple[tuple[Branch, ...], bool]:
-    """The branches; with those at 0 and π that are seen at once, where conditions are long and not solved."""
-    long = [b for b in found.branches if sum(e.count_ops() for e in b.left) > LONGEST_LEFT]
+def branches_at_rest(resting: Equilibrium) -> tuple[tuple[Branch, ...], bool]:
+    """The branches, and whether they are all; instead of long unsolved conditions the trivial ones at 0 and π."""
+    long = [b for b in resting.branches if sum(e.count_ops() for e in b.left) > LONGEST_UNSOLVED]
     if not long:
-        return found.branches, found.solution.solved
-    kept = [b for b in found.branches if b not in long]
+        return resting.branches, resting.solution.solved
+    kept = [b for b in resting.branches if b not in long]
     stated = [set(b.relations) for b in kept]
-    seen = [b for b in _at_zero(found) if not any(s <= set(b.relations) for s in stated)]
-    return (*kept, *seen), False
+    trivial = [b for b in _at_zero(resting) if not any(s <= set(b.relations) for s in stated)]
+    return (*kept, *trivial), False
 
 
-def _at_zero(found: Equilibrium) -> Iterator[Branch]:
-    """The equilibria of independent coordinates at which each of them is 0, or π for an angle."""
-    letters = found.solution.letters
-    coordinates = found.configuration.slots.coordinates
-    if found.configuration.rows or len(coordinates) > MOST_SEEN:
+def _at_zero(resting: Equilibrium) -> Iterator[Branch]:
+    """The equilibria of independent coordinates with each coordinate 0 or, for an angle, π."""
+    letters = resting.solution.letters
+    coordinates = resting.configuration.slots.coordinates
+    if resting.configuration.rows or len(coordinates) > MOST_TRIVIAL_COORDINATES:
         return
     angles = {q for q in coordinates if q in letters.angles and letters.angles[q].measure == q}
     for place in product(*(((ZERO, sp.pi) if q in angles else (ZERO,)) for q in coordinates)):
@@ -68,7 +65,7 @@ def _at_zero(found: Equilibrium) -> Iterator[Branch]:
                 point |= {letters.angles[q].cosine: sp.cos(value), letters.angles[q].sine: ZERO}
             point |= {q: value}
         try:
-            holds = is_balanced(found, lambda e, p=point: found.solution.at(p, e))  # type: ignore[misc]
+            holds = is_balanced(resting, lambda e, p=point: resting.solution.at(p, e))  # type: ignore[misc]
         except (NotAlgebraicError, DivisionByZeroError):
             continue
         if holds:
@@ -77,7 +74,7 @@ def _at_zero(found: Equilibrium) -> Iterator[Branch]:
 
 
 def check_rest(configuration: Configuration) -> None:
-    """Refuses constraints with which nothing can rest, or that are not linear in the velocities."""
+    """Refuse constraints that exclude rest or are not linear in the velocities."""
     for row in configuration.rows:
         if row.nonlinear is not None:
             raise NotCoveredError(f"small oscillations with `{row.name}`, which is not linear in the velocities,")
@@ -87,17 +84,17 @@ def check_rest(configuration: Configuration) -> None:
 
 
 def is_time(symbol: sp.Symbol, configuration: Configuration) -> bool:
-    """Whether a symbol moves by itself: t, or a prescribed motion."""
+    """Whether a symbol is t or a prescribed motion."""
     return symbol == t or base(symbol) in configuration.slots.prescribed
 
 
 def _forces_at_rest(form: MatrixForm) -> VirtualWork:
-    """What is left of the equations of motion at rest, −D_k, as the virtual work of forces. Raises NotCoveredError."""
+    """The equations of motion at rest, −D_k, as the virtual work of forces. Raises NotCoveredError."""
     configuration = form.configuration
     slots = configuration.slots
-    still = dict.fromkeys(slots.velocities, sp.S.Zero)
-    forces = [without_time(f.xreplace(still), configuration) for f in form.force]
-    ring = Ring()
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+    forces = [without_time(f.xreplace(at_rest), configuration) for f in form.force]
+    ring = FourierRing()
     textbook = Textbook(ring)
     coefficients = tuple(ring.from_sympy(f) for f in forces)
     displacements = [ring.from_sympy(variation(q)) for q in slots.coordinates]
@@ -106,7 +103,7 @@ def _forces_at_rest(form: MatrixForm) -> VirtualWork:
 
 
 def without_time(e: sp.Expr, configuration: Configuration) -> sp.Expr:
-    """An expression in which time occurs and cancels, without it. Raises NotCoveredError where it does not cancel."""
+    """An expression after cancelling time. Raises NotCoveredError if it does not cancel."""
     if any(s != t and is_time(s, configuration) for s in e.free_symbols):
         raise NotCoveredError("small oscillations under a prescribed motion that is not uniform")
     if t not in e.free_symbols:

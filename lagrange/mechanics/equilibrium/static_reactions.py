@@ -1,14 +1,14 @@
 """Reactions at rest: the multipliers at each equilibrium.
 
 With multipliers for the reactions of the file's constraints, n equations in its n coordinates balance the applied
-forces,
+forces (λ with a plus sign, as in `newton.py`),
 
     Q_k + Σ_j λ_j a_jk = 0 ,
 
-in general more than there are multipliers: only at an equilibrium do they agree. So the branch of equilibria (and of
-unknown forces) is put in first, exactly, as far as its points share it: with tan θ = a there, cos θ stays in λ. What is
-left is linear in the λ and solved by elimination; a pivot is one that vanishes at no point of the branch. Where
-constraints are redundant, or become dependent at that position, only combinations of multipliers are determined.
+in general more equations than multipliers: they are consistent only at an equilibrium. So the branch of equilibria (and
+of unknown forces) is substituted first, exactly, as far as its points share it: with tan θ = a there, cos θ remains in
+λ. The result is linear in λ and solved by elimination; a pivot must vanish at no point of the branch. Where constraints
+are redundant, or become dependent at that position, only combinations of multipliers are determined.
 
 Shapes: a (m, n), Q (n,), λ (m,). Reference: Lagrange 1788, part 1, section IV.
 """
@@ -19,32 +19,36 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.closed_form import Values
-from lagrange.algebra.closed_forms.presentation import shown
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved
+from lagrange.algebra.closed_forms.single_equation import Values
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, parameters_given, resolved, shortest_form
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.exact import DivisionByZeroError, Surface, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.algebra.fourier.linear_systems import tidy_quotient
 from lagrange.core.records import record
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
-from lagrange.mechanics.dynamics.reactions import LinearSystem, Place, Reactions, over_one_denominator, reactions_at
+from lagrange.mechanics.dynamics.reactions import (
+    Reactions,
+    ReactionSystem,
+    SolutionPlace,
+    over_one_denominator,
+    reactions_at,
+)
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-
-MOST_TRIED = 12
-"""Points of a branch beyond which its reactions are not looked for."""
+from lagrange.mechanics.equilibrium.limits import MOST_BRANCH_POINTS
 
 
 @record
 class Points:
-    """The points of one branch of equilibria, and what holds at all of them.
+    """The points of one branch of equilibria.
 
     values  of the letters at each point
-    given   a parameter, where the branch exists for particular ones only
-    around  where the coordinates that the branch leaves open lie
-    alone   the constraints leave single positions, not found in closed form: `around` may miss some of them, and only
-            an identity is zero at all
+    given   a parameter, if the branch exists for particular values only
+    around  the surface of the coordinates that the branch leaves open
+    alone   the constraints leave isolated positions, not found in closed form: `around` may miss some of them, and only
+            an identity is certain to be zero at all
     """
 
     solution: SolutionSet
@@ -55,33 +59,33 @@ class Points:
 
     def at(self, point: Values, e: sp.Expr) -> sp.Expr:
         """An expression at one of the points. Raises NotAlgebraicError, DivisionByZeroError."""
-        there = self.solution.at(point, e.xreplace(dict(self.given)))
-        if there.has(sp.zoo, sp.nan, sp.oo):
+        value = self.solution.at(point, e.xreplace(dict(self.given)))
+        if value.has(sp.zoo, sp.nan, sp.oo):
             raise DivisionByZeroError(e)
-        return there
+        return value
 
     def verdicts(self, e: sp.Expr, numbers: Mapping[sp.Symbol, sp.Expr] | None = None) -> Iterator[bool | None]:
         """Whether an expression is zero, point by point, for given parameters. Raises DivisionByZeroError."""
         for point in self.values:
             try:
-                there = self.at(point, e).xreplace(dict(numbers or {}))
-                zero = self.around.is_zero(there)
-                yield None if zero and self.alone and not is_zero(there) else zero
+                value = self.at(point, e).xreplace(dict(numbers or {}))
+                zero = self.around.is_zero(value)
+                yield None if zero and self.alone and not is_zero(value) else zero
             except NotAlgebraicError:
                 yield None
 
     def is_zero(self, expression: sp.Expr) -> bool | None:
         """Whether an expression is zero at all points, or at none; None: neither, or undecided."""
         try:
-            found = {*self.verdicts(expression)}
+            verdicts = {*self.verdicts(expression)}
         except DivisionByZeroError:
             return None
-        return found.pop() if len(found) == 1 else None
+        return verdicts.pop() if len(verdicts) == 1 else None
 
     def holds(self, expression: sp.Expr, numbers: Mapping[sp.Symbol, sp.Expr] | None = None) -> bool | None:
         """Whether an expression is zero at every point, for given parameters. Raises DivisionByZeroError."""
-        found = [*self.verdicts(expression, numbers)]
-        return False if False in found else None if None in found or not found else True
+        verdicts = [*self.verdicts(expression, numbers)]
+        return False if False in verdicts else None if None in verdicts or not verdicts else True
 
 
 @record
@@ -99,18 +103,18 @@ class ReactionsAtRest:
 
     @property
     def rule(self) -> dict[sp.Symbol, sp.Expr]:
-        """What is known of the multipliers; of a combination, the first by the others."""
-        found = {s: v for s, v in self.reactions.values.items() if s not in self.open}
+        """The values of the multipliers; in a combination, that of the first in terms of the others."""
+        values = {s: v for s, v in self.reactions.values.items() if s not in self.open}
         for c in self.reactions.combinations:
             (_, first), *rest = c.terms
             if c.value is not None:
-                found[first] = sp.Add(c.value, *(-share * other for share, other in rest))
-        return found
+                values[first] = sp.Add(c.value, *(-share * other for share, other in rest))
+        return values
 
 
 @record
 class StaticReactions:
-    """The reactions at the equilibria of one configuration: `at` goes with the branches; None: not found there."""
+    """The reactions at the equilibria of one configuration; `at` has one for each branch; None: not found there."""
 
     equilibrium: Equilibrium
     at: tuple[ReactionsAtRest | None, ...]
@@ -122,38 +126,37 @@ class StaticReactions:
 
 
 def static_reactions(
-    found: Equilibrium, original: Equilibrium, newton: Newton, used: Sequence[Reaction]
+    resting: Equilibrium, original: Equilibrium, newton: Newton, used: Sequence[Reaction]
 ) -> StaticReactions:
     """The reactions at every equilibrium of a configuration.
 
     original  the equilibrium in the file's coordinates
     used      the reactions of independent constraints
     """
-    return StaticReactions(found, tuple(_at(b, found, original, newton, used) for b in found.branches))
+    return StaticReactions(resting, tuple(_at(b, resting, original, newton, used) for b in resting.branches))
 
 
 def _at(
-    b: Branch, found: Equilibrium, original: Equilibrium, newton: Newton, used: Sequence[Reaction]
+    b: Branch, resting: Equilibrium, original: Equilibrium, newton: Newton, used: Sequence[Reaction]
 ) -> ReactionsAtRest | None:
-    """The reactions at one branch; None where they cannot be written down, or not be proved."""
-    if len(b.points) > MOST_TRIED or not b.points:
+    """The reactions at one branch; None if they cannot be written in closed form, or not be verified."""
+    if len(b.points) > MOST_BRANCH_POINTS or not b.points:
         return None
-    if b.left and (len(found.branches) > 1 or original.elimination.independent):
+    if b.left and (len(resting.branches) > 1 or original.elimination.independent):
         return None
-    points = _points(b, found)
+    points = _points(b, resting)
     common = {} if b.left else b.common
-    configuration, letters = found.configuration, found.solution.letters
+    configuration, letters = resting.configuration, resting.solution.letters
 
     def write(e: sp.Expr) -> sp.Expr:
-        there = letters.read(configuration.rewritten(e).xreplace(dict(points.given)))
-        there = letters.write(resolved(there, common))
-        return there.xreplace(dict(points.given))
+        algebraic = letters.read(configuration.rewritten(e).xreplace(dict(points.given)))
+        return letters.write(resolved(algebraic, common)).xreplace(dict(points.given))
 
-    place = Place(write, points, points, tidy_quotient, lambda e: over_one_denominator(shown(e)))
+    place = SolutionPlace(write, points, points, tidy_quotient, lambda e: over_one_denominator(shortest_form(e)))
     slots = original.configuration.slots
     try:
         rows = tuple(tuple(write(r.row.coefficients[k]) for r in used) for k, _ in enumerate(slots.coordinates))
-        system = LinearSystem(rows, tuple(-write(q) for q in original.work.forces), tuple(r.multiplier for r in used))
+        system = ReactionSystem(rows, tuple(-write(q) for q in original.work.forces), tuple(r.multiplier for r in used))
         reactions = reactions_at(place, system, newton, used, configuration)
         opened = _open(system, reactions, points)
         if opened is None:
@@ -167,24 +170,24 @@ def _at(
     return ReactionsAtRest(points, reactions, opened, verified)
 
 
-def _points(b: Branch, found: Equilibrium) -> Points:
+def _points(b: Branch, resting: Equilibrium) -> Points:
     given: Mapping[sp.Symbol, sp.Expr] = {}
     if b.special:
-        _, given = parameters_given([r.residual for r in b.relations], found.solution.unknowns)
-    configuration = found.configuration
-    around = configuration.surface if found.given else Surface()
+        _, given = parameters_given([r.residual for r in b.relations], resting.solution.unknowns)
+    configuration = resting.configuration
+    around = configuration.surface if resting.given else Surface()
     if b.left:
-        return Points(found.solution, ({},), given, configuration.surface, alone=True)
-    return Points(found.solution, tuple({**p, **given} for p in b.points), given, around)
+        return Points(resting.solution, ({},), given, configuration.surface, alone=True)
+    return Points(resting.solution, tuple({**p, **given} for p in b.points), given, around)
 
 
-def _open(system: LinearSystem, reactions: Reactions, points: Points) -> tuple[sp.Symbol, ...] | None:
-    """The multipliers that the equations do not determine at any of the points; None where some are just not found.
+def _open(system: ReactionSystem, reactions: Reactions, points: Points) -> tuple[sp.Symbol, ...] | None:
+    """The multipliers that the equations do not determine at any point; None if some are determined but not found.
 
-    λ_j is determined where its unit row is a combination of the rows.
+    λ_j is determined if and only if its unit row is a combination of the rows.
     """
-    loose = {s for c in reactions.combinations for _, s in c.terms}
-    known = {*reactions.values} | loose
+    combined = {s for c in reactions.combinations for _, s in c.terms}
+    known = {*reactions.values} | combined
     missing = [s for s in system.unknowns if s not in known]
     if any(c.value is None for c in reactions.combinations):
         return None
@@ -198,17 +201,17 @@ def _open(system: LinearSystem, reactions: Reactions, points: Points) -> tuple[s
     return tuple(missing)
 
 
-def _balance(found: ReactionsAtRest, original: Equilibrium, newton: Newton) -> bool | None:
-    """Whether the multipliers balance the forces that Lagrange's equations have at rest, at every point."""
+def _balance(trial: ReactionsAtRest, original: Equilibrium, newton: Newton) -> bool | None:
+    """Whether the multipliers balance the forces of Lagrange's equations at rest, at every point."""
     configuration = original.configuration
     slots = configuration.slots
-    still = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
-    rewritten = found.reactions.configuration.rewritten
+    at_rest = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+    rewritten = trial.reactions.configuration.rewritten
     verdicts = []
     for k, left in enumerate(lagrange_equations(configuration).left):
-        balance = sp.Add(left.xreplace(still), *(-r.multiplier * r.row.coefficients[k] for r in newton.reactions))
-        claim = rewritten(balance).xreplace(found.rule)
-        holds = found.points.holds(claim)
-        if holds is True or not claim.free_symbols & {*found.open}:
+        balance = sp.Add(left.xreplace(at_rest), *(-r.multiplier * r.row.coefficients[k] for r in newton.reactions))
+        claim = rewritten(balance).xreplace(trial.rule)
+        holds = trial.points.holds(claim)
+        if holds is True or not claim.free_symbols & {*trial.open}:
             verdicts.append(holds)  # otherwise it determines a combination of the open ones
-    return False if False in verdicts else None if None in verdicts else True
+    return all_hold(verdicts)

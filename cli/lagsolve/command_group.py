@@ -1,0 +1,186 @@
+"""How the command line behaves as a whole: default command, help page, exit statuses, errors, shell completion.
+
+Errors are shown as messages on standard error, without a traceback; the exit status follows from the kind of error, or
+of `check` from the verdict.
+
+A shell completes files itself if nothing else is offered: then it knows `~` and adds no blank after a folder. So where
+names of the library fit, problem files of the current folder are offered beside them, and where none fits the shell is
+told to complete a file.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import click
+
+if TYPE_CHECKING:
+    from click.shell_completion import CompletionItem
+
+    from lagrange.answers.verdicts import Verdict
+
+OK, WRONG, UNREADABLE, UNDECIDED = 0, 1, 2, 3
+INTERRUPTED, BROKEN_PIPE = 130, 141
+"""128 plus the number of the signal, as a shell reports a program that SIGINT or SIGPIPE has ended."""
+
+_OF_VERDICTS = {
+    "equivalent": OK,
+    "wrong": WRONG,
+    "incomplete": WRONG,
+    "trivial": WRONG,
+    "unreadable": UNREADABLE,
+    "undecided": UNDECIDED,
+}
+
+
+def write_stderr(text: str) -> None:
+    """A message, on standard error."""
+    click.echo(text, err=True)
+
+
+def status_of_verdict(verdict: Verdict) -> int:
+    """The exit status of `check` for a verdict on an answer."""
+    return _OF_VERDICTS[verdict.value]
+
+
+def status_of_error(error: Exception) -> int:
+    """The exit status of a command that an error has ended."""
+    from lagrange.core.diagnostics import NotCoveredError, ProblemError, UndecidedError
+
+    if isinstance(error, ProblemError) and not isinstance(error, UndecidedError | NotCoveredError):
+        return UNREADABLE
+    return UNDECIDED
+
+
+def report_error(error: Exception, heading: str = "") -> int:
+    """Shows an error, and returns its exit status.
+
+    An error that is not the user's is a bug: it is shown as one message, with its traceback only if LAGSOLVE_DEBUG is
+    set in the environment.
+    """
+    from lagrange.core.diagnostics import Diagnostic, ProblemError
+    from lagsolve.limits import LONGEST_INTERNAL_ERROR
+
+    if isinstance(error, ProblemError):
+        write_stderr(heading + error.show())
+        return status_of_error(error)
+    if os.environ.get("LAGSOLVE_DEBUG"):
+        import traceback
+
+        write_stderr("".join(traceback.format_exception(error)))
+    text = " ".join(f"{type(error).__name__}: {error}".split())
+    shortened = text if len(text) <= LONGEST_INTERNAL_ERROR else f"{text[:LONGEST_INTERNAL_ERROR]}..."
+    help_ = "please report it, with the problem file; LAGSOLVE_DEBUG=1 in the environment shows where it happened"
+    write_stderr(heading + str(Diagnostic("internal", f"a mistake of lagsolve, not of yours: {shortened}", help=help_)))
+    return status_of_error(error)
+
+
+def use_utf8() -> None:
+    """Formulas need UTF-8, whatever the locale says."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure and (stream.encoding or "").lower().replace("-", "") != "utf8":
+            reconfigure(encoding="utf-8", errors=stream.errors)
+
+
+COMMANDS = ("solve", "check", "grade", "list", "show", "new", "schema", "completion")
+"""In the order of the help page."""
+
+FLAGS = ("-h", "--help", "--version")
+
+
+class CommandLine(click.Group):
+    """The commands; `solve` need not be named."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Prepends `solve` where no command is named; `help COMMAND` is `COMMAND --help`."""
+        if args[:1] == ["help"]:
+            args = [*(name for name in args[1:2] if name in self.commands), "--help"]
+        if args and args[0] not in self.commands and args[0] not in FLAGS:
+            args = ["solve", *args]
+        return super().parse_args(ctx, args)
+
+    def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002
+        """The commands in the order of `COMMANDS`."""
+        return [c for c in COMMANDS if c in self.commands]
+
+    def shell_complete(self, ctx: click.Context, incomplete: str) -> list[CompletionItem]:
+        """Completions of the first argument: a command, or whatever may follow `solve`.
+
+        The request to complete a file comes first: bash drops what precedes it.
+        """
+        solving = click.Context(self.commands["solve"], parent=ctx, info_name="solve")
+        if incomplete.startswith("-"):
+            options = (*super().shell_complete(ctx, incomplete), *solving.command.shell_complete(solving, incomplete))
+            return list({option.value: option for option in options}.values())
+        [problems] = (p for p in solving.command.params if p.name == "problems")
+        return [*problems.shell_complete(solving, incomplete), *super().shell_complete(ctx, incomplete)]
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Runs a command. Any error is shown as a message, and determines the exit status."""
+        use_utf8()
+        try:
+            return super().invoke(ctx)
+        except (click.ClickException, click.exceptions.Exit, click.Abort):
+            raise  # click shows these
+        except KeyboardInterrupt:
+            click.echo("interrupted", err=True)
+            sys.exit(INTERRUPTED)
+        except BrokenPipeError:
+            sys.exit(BROKEN_PIPE)
+        except Exception as error:
+            sys.exit(report_error(error))
+
+    def format_usage(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """Both forms of the command line."""
+        formatter.write_usage(ctx.command_path, "PROBLEM... [OPTIONS]")
+        formatter.write_usage(ctx.command_path, "COMMAND [ARGS]...", prefix="       ")
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """The options, those of the default command included."""
+        options = [p for p in self.commands["solve"].params if isinstance(p, click.Option)]
+        with formatter.section("Options of solving"):
+            formatter.write_dl([r for o in options if (r := o.get_help_record(ctx))])
+        super().format_options(ctx, formatter)
+
+
+Completer = Callable[[click.Context, click.Parameter, str], "list[CompletionItem]"]
+
+
+def complete_names(_context: click.Context, _parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """The shipped problems with this prefix: by their last part, or with the topic if the prefix has one."""
+    from click.shell_completion import CompletionItem
+
+    from lagrange.problem import library
+    from lagsolve.shipped import title_of
+
+    paths = library.entries()
+    names = {name: name for name in paths} if "/" in incomplete else {s: n for n, s in library.short_names().items()}
+    return [
+        CompletionItem(written, help=title_of(paths[name]))
+        for written, name in names.items()
+        if written.startswith(incomplete)
+    ]
+
+
+def complete_problems(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """The shipped problems, and files."""
+    from click.shell_completion import CompletionItem
+
+    names = complete_names(context, parameter, incomplete)
+    if not names or incomplete.startswith((".", "/", "~")):
+        return complete_files(context, parameter, incomplete)
+    from pathlib import Path
+
+    near = sorted(str(p) for pattern in ("*.yaml", "*.yml") for p in Path().glob(pattern))
+    return [*(CompletionItem(f, help="a file") for f in near if f.startswith(incomplete)), *names]
+
+
+def complete_files(_context: click.Context, _parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """A file, which the shell completes."""
+    from click.shell_completion import CompletionItem
+
+    return [CompletionItem(incomplete, type="file")]

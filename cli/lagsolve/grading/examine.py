@@ -1,0 +1,126 @@
+"""Grading the submissions of a batch: what a worker does, and how its executor is kept busy.
+
+A worker solves the problem once and then compares one submission after another with it. Submissions are handed to the
+executor, which is any of `concurrent.futures`, a few at a time, and outcomes come back as they are ready. Whatever
+happens to one submission is its outcome: a limit that it exceeds, an error of this program, or a process that was
+killed during it (which is tried once more, because it may not be its fault).
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Generator, Iterator
+from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
+from functools import lru_cache, partial
+from typing import Any
+
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.submissions import Graded, Grader, Submission
+from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import Source
+from lagrange.core.records import record
+from lagrange.problem.loader import read_problem
+from lagsolve.grading.worker import CallFailedError, Limits, LostError, SetupError, StoppedError, Worker
+from lagsolve.limits import IDLE_SECONDS, POLL_SECONDS, TRIES
+
+
+@lru_cache(maxsize=1)
+def grader(problem: Source) -> Grader:
+    """The grader of a problem, which is solved for it. Raises ProblemError."""
+    return Grader.of(Examiner.of(read_problem(problem)))
+
+
+def prepare(problem: Source) -> None:
+    """Solves the problem, before submissions come."""
+    grader(problem)
+
+
+def examine(submission: Submission, problem: Source) -> Graded:
+    """The verdict on a submission."""
+    return grader(problem).grade(submission)
+
+
+_of_thread = threading.local()
+
+
+def examine_within_limits(submission: Submission, problem: Source, limits: Limits, setup_seconds: float) -> Graded:
+    """The same in a process of this thread alone: for a cluster, whose workers cannot stop a task.
+
+    Raises StoppedError, or SetupError where the problem cannot be solved within the limits.
+    """
+    worker: Worker | None = getattr(_of_thread, "worker", None)
+    same = getattr(_of_thread, "batch", None) == (problem, limits)
+    if worker is None or not worker.is_fresh or not same:
+        if worker is not None:
+            worker.stop()
+        _of_thread.worker, _of_thread.batch = None, (problem, limits)
+        worker = Worker(limits, IDLE_SECONDS)
+        try:
+            worker.prepare(partial(prepare, problem), setup_seconds)
+        except BaseException:
+            worker.stop()
+            raise
+        _of_thread.worker = worker
+    return worker.call(examine, submission, problem)
+
+
+@record
+class _Trial:
+    submission: Submission
+    number: int = 1
+
+
+def outcomes(
+    submissions: Iterator[Submission], executor: Executor, examine: Callable[..., Graded], *common: Any, ahead: int
+) -> Generator[tuple[Submission, Graded] | None]:
+    """The outcome of each submission, `examine(submission, *common)`, in the order in which they are ready.
+
+    ahead  how many are handed to the executor before the first is ready; so many are held in memory
+
+    Yields None from time to time while nothing is ready. Raises SetupError where no submission can be graded,
+    BrokenExecutor or CancelledError where the executor gives up.
+    """
+    running: dict[Future[Graded], _Trial] = {}
+
+    def start(trial: _Trial) -> None:
+        running[executor.submit(examine, trial.submission, *common)] = trial
+
+    exhausted = False
+    while running or not exhausted:
+        while not exhausted and len(running) < ahead:
+            submission = next(submissions, None)
+            if submission is None:
+                exhausted = True
+            else:
+                start(_Trial(submission))
+        done = wait(running, timeout=POLL_SECONDS, return_when=FIRST_COMPLETED).done
+        if not done:
+            yield None
+        for future in done:
+            trial = running.pop(future)
+            graded = _graded(future, last=trial.number == TRIES)
+            if graded is None:
+                start(_Trial(trial.submission, trial.number + 1))
+            else:
+                yield trial.submission, graded
+
+
+def _graded(future: Future[Graded], last: bool) -> Graded | None:
+    """The outcome; None where it is to be tried again. Raises whatever concerns the whole batch."""
+    try:
+        return future.result()
+    except (SetupError, BrokenExecutor, CancelledError):
+        raise
+    except LostError as error:
+        return _not_judged(f"it {error}") if last else None
+    except CallFailedError as error:
+        return _not_judged(f"it could not be graded ({error})")
+    except StoppedError as error:
+        return _not_judged(f"it {error}")
+    except Exception as error:
+        return _not_judged(f"it could not be graded ({type(error).__name__}: {error})")
+
+
+def _not_judged(reason: str) -> Graded:
+    """The outcome `undecided`: a person must look at it."""
+    return Graded(Verdict.UNDECIDED, f"undecided: {' '.join(reason.split())[:300]}")

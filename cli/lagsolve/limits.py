@@ -1,0 +1,62 @@
+"""Sizes and times that the command keeps to. Those of progress on a terminal are in `progress_line`."""
+
+# -- output ------------------------------------------------------------------------------------------------------------
+
+NARROWEST = 20
+"""Columns of a terminal that formulas are still broken for."""
+
+PIPED_WIDTH = 80
+"""Columns where there is no terminal and COLUMNS says nothing: what terminals and mail have by convention."""
+
+LONGEST_INTERNAL_ERROR = 300
+"""Characters of an exception that is a mistake of this program: SymPy may put a whole equation into one."""
+
+WATCH_SECONDS = 0.25
+"""Between two looks at the files of --watch: an answer within half a second of a save, for four `stat` a second."""
+
+# -- grading: submissions and pages ------------------------------------------------------------------------------------
+
+MOST_FILES = 50
+"""In the folder of one submission; whoever has more has named the wrong folder."""
+
+LONGEST_REMARK = 300
+"""Characters of a remark in the table: four lines of a terminal."""
+
+LONGEST_PAGE_NAME = 80
+"""Bytes of the name of a page without its extension; with a hash and `.md` that is less than half of the 255 that file
+systems allow.
+"""
+
+# -- grading: processes ------------------------------------------------------------------------------------------------
+
+AHEAD = 4
+"""Submissions handed over for each process, so that none waits for the next; a thousand are not held in memory."""
+
+TRIES = 2
+"""Of a submission whose process is lost: once may be somebody else's fault (the system was short of memory)."""
+
+STARTS = 3
+"""Of a process that is lost before it is ready, after which the batch gives up."""
+
+POLL_SECONDS = 0.5
+"""Between two looks at the clock while no submission is ready, for the line of progress and for Ctrl-C."""
+
+PROGRESS_ON_TERMINAL, PROGRESS_ELSEWHERE = 0.2, 15.0
+"""Seconds between two lines of progress: one that is replaced, and one that stays in a log."""
+
+PARENT_SECONDS = 1.0
+"""Between two looks of a worker process at whether its parent is there."""
+
+SPARE_SECONDS = 5
+"""By which processor time may exceed the limit before the system stops a process, should its parent not have."""
+
+MAX_FRAME = 1 << 26
+"""Bytes sent between processes at once; a submission has 1 MiB at most, a verdict on it less."""
+
+# -- grading: a cluster ------------------------------------------------------------------------------------------------
+
+CLUSTER_SECONDS = 20
+"""Within which the scheduler and a first worker must answer, so that a wrong address is soon reported."""
+
+IDLE_SECONDS = 60.0
+"""After which a process without work ends on a cluster, where nothing tells it that the batch is over."""

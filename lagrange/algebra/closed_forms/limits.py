@@ -1,0 +1,33 @@
+"""Limits of closed-form solving: beyond them an equation stays in its branch, and is reported as unsolved.
+
+A number in brackets is the largest value met in the 129 shipped problems, read off when the limits were gathered.
+"""
+
+# Branchings of one search [11]; a system that branches more is given back unsolved (`branching`).
+MOST_BRANCHINGS = 300
+# Points of a branch that are verified one by one, seven independent signs of roots: 2^7. With more, whether all of them
+# satisfy the equations is undecided.
+MOST_BRANCH_POINTS = 130
+# Unknowns of which all combinations of 0 and π are tried (`single_equation`) [2]: at most 2^4 points.
+MOST_TRIVIAL_UNKNOWNS = 4
+# Multiples of an angle expanded in its cosine and sine (`unit_circle`).
+HIGHEST_MULTIPLE = 12
+
+# Polynomials (`polynomial_roots`): operations [123] and symbols [10] of one that is factored, degree of one whose roots
+# are sought [3]. Twice to four times as much is still brought over one denominator, which is cheaper.
+LARGEST_FACTORED = 400
+MOST_FACTORED_SYMBOLS = 14
+HIGHEST_DEGREE = 8
+# Operations of an expression that is factored to find its sign (`signs`) [45].
+LARGEST_SIGNED = 300
+# Operations of a value of which several forms are compared (`solution_sets`) [75].
+LONGEST_REWRITTEN = 150
+
+# Characteristic equations (`eigenmodes`): rows [3], operations of all entries [53] and symbols [6] of a matrix whose
+# determinant is worked out.
+MOST_MATRIX_ROWS = 6
+LARGEST_MATRIX = 400
+MOST_MATRIX_SYMBOLS = 12
+# Operations of a factor whose roots are sought [20] and of a root that is written down [22]; longer ones fill lines.
+LONGEST_SOLVED_FACTOR = 80
+LONGEST_ROOT = 80

@@ -1,0 +1,52 @@
+"""Limits of the Fourier ring and of the textbook form: beyond them an expression is left as it is, never wrong.
+
+All bound the time of one step or the length of what is printed. A number in brackets is the largest value met in the
+129 shipped problems, read off when the limits were gathered; "beyond" counts the times that a limit was exceeded there.
+"""
+
+# Powers read into the ring (`ring`): terms of a power multiplied out [45], and the highest multiple of an angle, or
+# power of a sum, that is one [10]. cos^60 has 31 terms; cos(10^6 θ) becomes an angle of its own (test_trigonometry).
+LONGEST_POWER = 20_000
+HIGHEST_MULTIPLE = 64
+
+# Exact division (`division`): terms of dividend times divisor [392; 4 beyond, up to 1,139], and length of one chain
+# e^{i(v + 2kw)} when a sine or cosine is divided out [5].
+LARGEST_DIVISION = 400
+LONGEST_CHAIN = 64
+
+# Sums as products (`product_to_sum`): terms of a sum in which all pairs are joined, else only the first pair of equal
+# coefficient [155 beyond, up to 18]; angles and degree of a polynomial in single sines and cosines [3; 8], of which
+# 2^angles forms are compared.
+LONGEST_SEARCHED = 4
+MOST_SEPARATED_ANGLES = 3
+HIGHEST_SEPARATED = 12
+
+# Terms of a sum that is factored or grouped (`textbook_form`, `terms`) [24; 3 beyond, up to 47]. A longer one is
+# printed as it is (test_textbook: a sum of forty squares).
+LONGEST_FACTORED = 24
+
+# Quotients in lowest terms (`fractions`): terms of numerator or denominator [99; 1 beyond], the highest multiple of an
+# angle in them [6; 1 beyond, 12], terms in the half-angle tangents [430] (four links of a chain have thousands, commit
+# 868d2ca), and operations of a quotient whose common factors are sought [674].
+LONGEST_CANCELLED = 120
+HIGHEST_HALF_ANGLE = 8
+MOST_HALF_ANGLE_TERMS = 600
+MOST_QUOTIENT_OPERATIONS = 800
+
+# Linear systems (`linear_systems`). Operations of an entry before it is tidied [349; 8 beyond]: the equations are given
+# up, because a result that fills pages is of no use.
+MOST_ENTRY_OPERATIONS = 400
+# Operations of all entries together, each counted whenever it is tidied [2,412; 2 beyond].
+MOST_WORK = 2500
+# Operations of a quotient that is still brought to lowest terms with its sines as they are [108; 53 beyond].
+MOST_CANCELLED = 120
+# Unknowns coupled by entries that vary [3]: of a chain of six links no tension fits on a page. One of the bounds that
+# took a chain of eight links from 30 s to 2 (commit 95098ff).
+MOST_COUPLED = 5
+# Unknowns found by Cramer's rule [2; 4 systems beyond]; determinants of three rows would have six products each.
+MOST_BY_DETERMINANTS = 2
+
+# Cleaning up after vector products (`vector_cleanup`): nodes of an expression [309], and terms that any part of it has
+# when multiplied out [42]; (x + y + z)^20 has 231 (commit 7900170).
+LARGEST_CLEANED = 600
+MOST_CLEANED_TERMS = 60

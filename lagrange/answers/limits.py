@@ -1,0 +1,87 @@
+"""Bounds and numbers of random states in checking answers, each with its evidence.
+
+"Shipped" refers to the 129 problems in `problems/`, 74 of them with equations of motion. Outside these bounds nothing
+is guessed: an answer is refused with a message, a diagnosis is left out, or a condition is given without its factor.
+"""
+
+# What an answer may be
+
+MAX_EQUATIONS = 12
+"""Equations in an answer. The longest shipped answer has 6 (six degrees of freedom, problems/motion/aircraft.yaml)."""
+
+MAX_ALTERNATIVES = 32
+"""Alternatives in an answer about equilibria: five equations with two solutions each. The shipped maximum is 4."""
+
+# Random states
+
+STATES = 2
+"""States at which a diagnosis or a recognised form is tested: the first to find it, the second to confirm it.
+
+A wrong one passes the second with a probability of degree/p ≈ 10^-24 (Schwartz 1980), as p ≈ 2^89.
+"""
+
+BRANCHING_STATES = 12
+"""States in a prime field if there are roots or absolute values, whose branches are random at each state (7 of 74).
+
+A change that is right on one branch only passes with probability 2^-12. With six states and two real ones, a verdict
+was wrong in one run of a hundred: |φ'| in place of φ' passed.
+"""
+
+REAL_STATES = 4
+"""Real states in addition, at which the branches have their true signs."""
+
+# The search for one change that makes an equation right
+
+MAX_TERMS = 60
+"""Terms of an equation, multiplied out. The largest shipped equation has 16 (problems/motion/aircraft.yaml)."""
+
+MAX_CLEARED_SIZE = 400
+"""Nodes of an equation that is cleared of denominators. Shipped answers with sums in denominators have up to 103."""
+
+MAX_NUMERATOR = 2000
+"""Numerator and denominator of a wrong factor, so that 9.81 = 981/100 and 0.333 are included.
+
+There are 5·10^6 such fractions among 6·10^26 residues: none occurs by chance.
+"""
+
+MAX_FACTOR_PARAMETERS = 9
+MAX_FACTOR_COORDINATES = 4
+MAX_FACTOR_ANGLES = 4
+"""Symbols of which wrong factors are composed: 127 shipped problems have no more parameters, 110 no more coordinates.
+
+The number of factors grows with the square; in shipped problems there are up to 1,500.
+"""
+
+MAX_SCALE_OPERATIONS = 12
+"""Operations in the ratio of a term of the answer to a derived one, as a scale: m l² sin θ cos θ has 6."""
+
+# Recognising equations that are not equations of motion
+
+MAX_POWER = 20
+"""Highest recognised power of a right equation: two evaluations each; the tests have cubes."""
+
+MAX_ANGLES = 6
+"""Coordinates beside a radius, of which one or two are turned: in 72 ways, each with an exact test of all positions."""
+
+# Where an answer is valid
+
+MAX_EXPANDED_TERMS = 24
+"""Terms, multiplied out, of a factor that is brought to textbook form. With 81 terms that takes eight times as long as
+with 16 (products of sums of cosines)."""
+
+MAX_NAMED_SIZE = 60
+"""Nodes of a factor that is named in a remark: about a line of text. A longer one is mentioned without its formula."""
+
+MAX_DETERMINANT = 4
+"""Rows of a determinant that is expanded symbolically: 4! = 24 products, or 5! = 120 for the derived equations."""
+
+MAX_CONDITIONS = 8
+"""Factors of one equation that are tested for real zeros: each may take a run of Newton's iteration."""
+
+# Text
+
+WIDEST = 100
+"""Characters in a line of a verdict: longer lines are hard to read."""
+
+MAX_SHOWN_CHARACTERS = 1000
+"""Characters of an equation that are shown. An answer may have 2,000; the longest shipped equation has 177."""

@@ -1,0 +1,128 @@
+"""Reading the equations of an answer, and radii among its coordinates.
+
+An equation is a text, or comes from SymPy and needs no reading. Its components are zero; what cannot be read is part of
+the result, because the other equations still count.
+
+In x = r cos φ, y = r sin φ nothing makes r positive: (−r, φ + π) is the same place as (r, φ), the distance from the
+origin is |r|, and Newton's attraction G/(r |r|). Books take r > 0, which excludes no place, and write G/r². So an
+answer that is right for r > 0 is right, with a remark. A coordinate r is a radius if every place with r < 0 is also one
+with r > 0: positions do not change when r changes sign and one or two angles become φ + π or π − θ. No body may be
+turned by that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
+from itertools import combinations, product
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.answers.limits import MAX_ANGLES
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.reader import Scope, read_equation
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.comparison import System
+
+
+@record
+class Reading:
+    """One equation of an answer: its two sides and its components, each zero; or the error in reading it."""
+
+    text: str
+    components: tuple[sp.Expr, ...] = ()
+    error: ProblemError | None = None
+    notes: list[Diagnostic] = field(default_factory=list)
+    sides: tuple[sp.Expr | Vector, ...] = ()
+
+    @property
+    def surprising(self) -> tuple[sp.Expr | Vector, ...]:
+        """The two sides, if they may have been misread or were written in LaTeX; otherwise empty."""
+        return self.sides if self.notes or set(self.text) & {"\\", "$"} else ()
+
+
+@record
+class GivenEquation(Fragment):
+    """An equation of an answer that is not a text, with its reading."""
+
+    reading: Reading = field(default_factory=lambda: Reading(""))
+
+    @classmethod
+    def of_reading(cls, reading: Reading, name: str) -> GivenEquation:
+        """The equation with this name in messages."""
+        plain = Fragment.of(reading.text, name)
+        return cls(plain.text, plain.whole, plain.start, reading)
+
+
+def read_answer(fragment: Fragment, scope: Scope) -> Reading:
+    """One equation of an answer, or its error."""
+    if isinstance(fragment, GivenEquation):
+        return fragment.reading
+    notes: list[Diagnostic] = []
+    text = fragment.text.strip()
+    try:
+        equation = read_equation(fragment, scope, notes, MAX_ANSWER_CHARACTERS, latex=True)
+    except ProblemError as error:
+        return Reading(text, error=error)
+    lhs, rhs = equation.lhs, equation.rhs
+    if isinstance(lhs, Vector) and isinstance(rhs, Vector):
+        parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
+        return Reading(text, parts, notes=notes, sides=(lhs, rhs))
+    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
+
+
+def radii(system: System) -> tuple[sp.Symbol, ...]:
+    """The radii on whose signs the equations of a system depend."""
+    signed = {s for e in system.equations for part in _magnitudes(e) for s in part.free_symbols}
+    coordinates = system.configuration.slots.coordinates
+    return tuple(q for q in coordinates if q in signed and _is_radius(q, system.configuration))
+
+
+def with_positive_radii(e: sp.Expr, positive: Sequence[sp.Symbol]) -> sp.Expr:
+    """An expression for positive values of some coordinates: |r| and √(r² cos² φ + r² sin² φ) become r."""
+    symbols = {q: sp.Symbol(q.name, positive=True) for q in positive}
+    e = e.xreplace(symbols)
+    roots = [p for p in _magnitudes(e) if not p.free_symbols.isdisjoint(symbols.values())]
+    e = e.xreplace({p: textbook_form(p) for p in roots if not isinstance(p, sp.sign)})
+    return e.xreplace({symbol: q for q, symbol in symbols.items()})
+
+
+def _magnitudes(e: sp.Expr) -> Iterator[sp.Expr]:
+    """The parts of an expression that depend on a sign: magnitudes and roots."""
+    yield from e.atoms(sp.Abs, sp.sign)
+    yield from (p for p in e.atoms(sp.Pow) if p.exp.is_Rational and not p.exp.is_Integer)
+
+
+def _is_radius(r: sp.Symbol, configuration: Configuration) -> bool:
+    """Whether every place with r < 0 is also one with r > 0."""
+    others = [q for q in configuration.slots.coordinates if q != r]
+    places = [c for p in configuration.points for c in p.position.fixed().components]
+    if len(others) > MAX_ANGLES or not any(r in c.free_symbols for c in places):
+        return False
+    coordinates = configuration.slots.coordinates
+    turning = {
+        q for b in configuration.rotations for q, w in zip(coordinates, b.partials, strict=True) if not w.is_zero
+    }
+    angles = [q for q in others if q not in turning and any(_is_turned_by(c, q) for c in places)]
+    return r not in turning and any(_unchanged(places, {r: -r, **turned}) for turned in _turns(angles))
+
+
+def _is_turned_by(e: sp.Expr, q: sp.Symbol) -> bool:
+    return any(q in w.free_symbols for w in e.atoms(sp.sin, sp.cos))
+
+
+def _turns(angles: Sequence[sp.Symbol]) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+    """φ + π or π − θ, of one angle or two."""
+    for number in (1, 2):
+        for chosen in combinations(angles, number):
+            for signs in product((1, -1), repeat=number):
+                yield {q: sp.pi + sign * q for q, sign in zip(chosen, signs, strict=True)}
+
+
+def _unchanged(places: Sequence[sp.Expr], rule: Mapping[sp.Symbol, sp.Expr]) -> bool:
+    return all(is_zero(c.xreplace(dict(rule)) - c) is True for c in places)

@@ -1,0 +1,297 @@
+r"""Submissions: the equations in a file, and the verdict on all that somebody has handed in for a problem.
+
+A submission is a file, or the files of a folder, whose equations together are the answer. It comes from a stranger:
+what cannot be read is a verdict on it like any other, never an exception; bounds on time and memory are the caller's
+task. Of the `required` independent equations, those that follow from the submitted ones are `right`; a wrong equation
+counts for nothing. Messages name what is wrong, never the equations asked for.
+
+Where a file has its equations depends on its extension:
+
+    .tex             between `$`, in displays and in environments, if there is a `=`; without any mathematics and
+                     without `\begin{document}`, each line
+    .md              the same, fenced code and code spans; without any of these, each line
+    everything else  each line, and displays and environments over several lines
+
+A line without a `=` is prose. A line with one is an equation, which may follow a number, a label or a bullet; if it has
+a `$`, the equation is between them. Comments are lines that begin with `#` or `%`, and in LaTeX everything after a `%`.
+Every equation knows its place in the file.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import PurePath
+from time import perf_counter
+
+from lagrange.answers.equations import WHAT_IT_IS, check_equations
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.recognition import Recognised
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
+from lagrange.core.records import record
+from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
+from lagrange.problem.model import Answers
+from lagrange.problem.sources import decode
+from lagrange.problem.stated_answers import read_answers
+
+_BULLET = re.compile(r"\s*(?:[*•◦▪]\s+)?")
+_MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-+*]\s+)?")
+_NUMBER = re.compile(r"(?:\(\s*(?P<round>[0-9]{1,2})\s*\)\s*|(?P<point>[0-9]{1,2})\.\s+)")
+_ENUMERATION = re.compile(r"(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\s?\)\s*")
+_LABEL = re.compile(r"[^=:\\${}()+*/^]{0,60}:(?!=)\s*")
+_FENCE = re.compile(r"\s{0,3}(?:[-*+]\s+|[0-9]{1,2}[.)]\s+)?(?P<fence>`{3,}|~{3,})")
+_SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=ticks)(?!`)")
+_BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
+_CONTINUES = re.compile(r"\s*(?:[-+*/−·]|\\cdot|\\times)")
+_WORDS = re.compile(r"[^\W\d_]{2,}")
+_INLINE = ("$", r"\(", r"\)")
+
+
+def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
+    """The equations in a text; `ending` is the file's extension: `.tex`, `.md`, ...
+
+    Raises ProblemError at mathematics that is not closed, and at a line that continues another.
+    """
+    fragment = Fragment(source.text, Span(source, 0, len(source.text)), 0)
+    match ending.lower():
+        case ".tex" | ".latex" | ".ltx":
+            return tuple(_in_latex(fragment))
+        case ".md" | ".markdown":
+            return tuple(_in_markdown(fragment))
+        case _:
+            return tuple(_in_lines(fragment))
+
+
+def _part(fragment: Fragment, start: int, end: int) -> Fragment:
+    return Fragment(fragment.text[start:end], fragment.span(start, end), (fragment.start or 0) + start)
+
+
+def _regions(fragment: Fragment, marks: Sequence[Mark]) -> list[Region]:
+    """The mathematics with equations in it."""
+    regions, unclosed = delimited(marks)
+    if unclosed:
+        first = unclosed[0]
+        message = f"this `{fragment.text[first.start : first.end]}` is not closed"
+        span = fragment.span(first.start, first.end)
+        raise ProblemError(Diagnostic("not-closed", message, span, help="close the mathematics where it ends"))
+    return [r for r in regions if has_equation(marks, r)]
+
+
+def _in_latex(fragment: Fragment) -> Iterator[Fragment]:
+    begins, ends = _BODY.search(fragment.text), _END.search(fragment.text)
+    start = begins.end() if begins else 0
+    body = _part(fragment, start, ends.start() if ends and ends.start() > start else len(fragment.text))
+    marks = marks_of(body.text)
+    regions = _regions(body, marks)
+    if regions or begins:
+        yield from (equation for r in regions for equation in rows(body, marks, r))
+    else:
+        yield from _in_lines(body)
+
+
+def _in_markdown(fragment: Fragment) -> Iterator[Fragment]:
+    blanked, placed = _code(fragment)
+    marks = marks_of(blanked)
+    for region in _regions(Fragment(blanked, fragment.whole, fragment.start), marks):
+        placed += [(region.start, equation) for equation in rows(fragment, marks, region)]
+    if placed:
+        yield from (equation for _, equation in sorted(placed, key=lambda pair: pair[0]))
+    else:
+        yield from _in_lines(fragment, _MARKDOWN_BULLET)
+
+
+def _code(fragment: Fragment) -> tuple[str, list[tuple[int, Fragment]]]:
+    """The text with blanks in place of its code, and the equations in the code, each with its place."""
+    blanked: list[str] = []
+    placed: list[tuple[int, Fragment]] = []
+    fence, begins = "", 0
+    for start, end in [*_lines(fragment.text), (len(fragment.text), len(fragment.text))]:
+        line = fragment.text[start:end]
+        opens = _FENCE.match(line)
+        last = start == len(fragment.text) and bool(fence)
+        if fence and (last or (opens and opens["fence"].startswith(fence) and not line[opens.end() :].strip())):
+            placed += [(begins, equation) for equation in _in_lines(_part(fragment, begins, max(begins, start)))]
+            fence, line = "", " " * len(line)
+        elif fence:
+            line = " " * len(line)
+        elif opens:
+            fence, begins, line = opens["fence"], min(end + 1, len(fragment.text)), " " * len(line)
+        else:
+            kept, at = [], 0
+            for span in _SPAN.finditer(line):
+                if "=" in span["code"]:
+                    code = _part(fragment, start + span.start("code"), start + span.end("code"))
+                    placed += [(start + span.start(), equation) for equation in equations(code)]
+                    kept += [line[at : span.start()], " " * len(span[0])]
+                    at = span.end()
+            line = "".join([*kept, line[at:]])
+        blanked.append(line)
+    return "\n".join(blanked[:-1]), placed
+
+
+def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator[Fragment]:
+    """The lines that are equations, and mathematics in displays and environments, over several lines too."""
+    marks = [m for m in marks_of(fragment.text) if m.kind not in _INLINE]
+    regions = _regions(fragment, marks)
+    number, next_region, last = 0, 0, -2
+    for index, (start, end) in enumerate(_lines(fragment.text)):
+        line = fragment.text[start:end]
+        if next_region and start < regions[next_region - 1].closes:
+            pass
+        elif next_region == len(regions) or regions[next_region].opens >= end:
+            if not line.strip() or line.lstrip().startswith(("#", "%")):
+                continue
+            if "=" in line:
+                yield from equations(_part(fragment, start + _beginning(line, number, bullet), end))
+                number, last = number + 1, index
+            elif last == index - 1 and _CONTINUES.match(line) and len(_WORDS.findall(line)) < 3:
+                message = "this line continues the equation before it"
+                help_ = "write an equation on one line, or in an environment of LaTeX"
+                raise ProblemError(Diagnostic("continued-line", message, fragment.span(start, end), help=help_))
+            continue
+        while next_region < len(regions) and regions[next_region].opens < end:
+            in_region = rows(fragment, marks, regions[next_region])
+            number, next_region = number + len(in_region), next_region + 1
+            yield from in_region
+
+
+def _beginning(line: str, number: int, bullet: re.Pattern[str]) -> int:
+    """Where the equation begins in a line: after a bullet, its number, or a label that ends with a colon.
+
+    `(2)` and `2.` are numbers before the second equation, and factors elsewhere.
+    """
+    matched = bullet.match(line)
+    at = matched.end() if matched else 0
+    if (numbered := _NUMBER.match(line, at)) and int(numbered["round"] or numbered["point"]) == number + 1:
+        at = numbered.end()
+    elif not numbered and (enumerated := _ENUMERATION.match(line, at)):
+        at = enumerated.end()
+    label = _LABEL.match(line, at)
+    return label.end() if label else at
+
+
+def _lines(text: str) -> Iterator[tuple[int, int]]:
+    """Where each line begins and ends."""
+    start = 0
+    while start <= len(text):
+        end = text.find("\n", start)
+        end = len(text) if end < 0 else end
+        yield start, end
+        start = end + 1
+
+
+@record
+class Submission:
+    """A submission to be graded.
+
+    name   its name, which is safe to be shown
+    files  name and content of each file
+    notes  what was ignored in it
+    """
+
+    name: str
+    files: tuple[tuple[str, bytes], ...]
+    notes: tuple[str, ...] = ()
+
+
+@record
+class Graded:
+    """The outcome for one submission: texts and numbers only, since it goes from one process to another.
+
+    headline   the verdict in one sentence
+    equations  the verdict on each equation
+    others     the verdicts on answers to other questions, without their parts
+    messages   errors and notes with their places, for the author of the submission
+    right      the number of independent equations that it has; None if that is not known
+    required   the number asked for; None if equations are not what is counted
+    """
+
+    verdict: Verdict
+    headline: str
+    equations: tuple[EquationVerdict, ...] = ()
+    messages: tuple[str, ...] = ()
+    right: int | None = None
+    required: int | None = None
+    seconds: float = 0.0
+    others: tuple[AnswerVerdict, ...] = ()
+
+    @property
+    def remark(self) -> str:
+        """The most important remark: the first diagnosis, or else the first other remark."""
+        diagnoses = (e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT)
+        wrong = [diagnosis.removeprefix(f"{WHAT_IT_IS[Recognised.OTHER]}; ") for diagnosis in diagnoses]
+        remarks = [r for e in self.equations for r in e.remarks]
+        if wrong or self.verdict is Verdict.EQUIVALENT:
+            return next(iter([*wrong, *remarks]), "")
+        return self.headline.partition(": ")[2]
+
+
+@record
+class Grader:
+    """Grades any number of submissions to one problem. `required` is as in `Graded`."""
+
+    examiner: Examiner
+    required: int | None
+
+    @classmethod
+    def of(cls, examiner: Examiner) -> Grader:
+        """A grader with the number of equations asked for. Raises ProblemError if there is nothing to compare with."""
+        nothing = (Fragment.of("0 = 0"),)
+        if examiner.solution is not None and examiner.solution.own.motion is None:
+            examiner.check(nothing)
+            return cls(examiner, None)
+        return cls(examiner, check_equations(nothing, examiner.reference).missing)
+
+    def grade(self, submission: Submission) -> Graded:
+        """The verdict on a submission."""
+        start = perf_counter()
+        try:
+            judgement = self._checked(submission)
+            if judgement is None:
+                return self._unread(Verdict.UNREADABLE, "there is no equation in it", submission.notes)
+        except ProblemError as error:
+            undecided = isinstance(error, UndecidedError | NotCoveredError)
+            verdict = Verdict.UNDECIDED if undecided else Verdict.UNREADABLE
+            messages = (*(str(d) for d in error.diagnostics), *submission.notes)
+            return self._unread(verdict, error.diagnostics[0].message, messages)
+        return Graded(
+            judgement.verdict,
+            judgement.headline,
+            tuple(EquationVerdict(e.text, e.verdict, e.diagnosis, e.remarks) for e in judgement.each),
+            (*(str(d) for d in judgement.messages), *submission.notes),
+            self._right(judgement),
+            None if judgement.statics else self.required,
+            perf_counter() - start,
+            tuple(AnswerVerdict(a.verdict, name=a.name, diagnosis=a.diagnosis) for a in judgement.others),
+        )
+
+    def _checked(self, submission: Submission) -> Judgement | None:
+        """The verdict on all that was handed in; None if there is nothing. Raises ProblemError."""
+        fragments: list[Fragment] = []
+        answers: Answers | None = None
+        for name, content in submission.files:
+            source, ending = decode(content, name), PurePath(name).suffix.lower()
+            if ending not in (".yaml", ".yml"):
+                fragments += equations_in_file(source, ending)
+            elif answers is None:
+                answers = read_answers(source, self.examiner.problem)
+            else:
+                message = f"there are several files of answers, and {name} is one too many"
+                raise ProblemError(Diagnostic("several-answer-files", message, help="put all answers into one file"))
+        if answers is not None:
+            return self.examiner.check_answers(answers, tuple(fragments))
+        return self.examiner.check(tuple(fragments)) if fragments else None
+
+    def _unread(self, verdict: Verdict, reason: str, messages: Sequence[str]) -> Graded:
+        right = 0 if verdict is Verdict.UNREADABLE and self.required is not None else None
+        return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required)
+
+    def _right(self, judgement: Judgement) -> int | None:
+        """The number of independent equations that follow; None if some could not be judged."""
+        verdicts = [e.verdict for e in judgement.each]
+        if self.required is None or judgement.statics or Verdict.UNDECIDED in verdicts:
+            return None
+        if Verdict.EQUIVALENT not in verdicts:
+            return 0
+        return max(0, self.required - judgement.missing)

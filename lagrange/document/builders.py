@@ -1,0 +1,46 @@
+"""Short ways to build the blocks of a derivation: `prose("With ", math(x), ", ", Ref("motion"), " becomes")`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from lagrange.document.derivation import Detail, Display, Equation, Math, Mathematics, Part, Prose
+
+
+def prose(*parts: Part, detail: Detail = Detail.STEPS) -> Prose:
+    """A paragraph from text and mathematics."""
+    return Prose(parts, detail)
+
+
+def math(*sides: Mathematics, relation: str = "=") -> Math:
+    """Inline mathematics a = b = c."""
+    return Math(sides, relation)
+
+
+def paragraph(*sentences: Prose) -> Prose:
+    """Sentences as one paragraph."""
+    parts: list[Part] = []
+    for n, sentence in enumerate(sentences):
+        parts += [" ", *sentence.parts] if n else sentence.parts
+    return Prose(tuple(parts), min(s.detail for s in sentences))
+
+
+def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.STEPS) -> Display:
+    """Displayed equations."""
+    return Display(equations, boxed, detail)
+
+
+def listed(parts: Iterable[Part], last: str = " and ") -> tuple[Part, ...]:
+    """`a, b and c`, as parts of a paragraph."""
+    return series(((part,) for part in parts), last)
+
+
+def series(items: Iterable[Sequence[Part]], last: str = " and ") -> tuple[Part, ...]:
+    """`a of b, c of d and e of f`: a list of which each item has several parts."""
+    clauses = list(items)
+    parts: list[Part] = []
+    for n, clause in enumerate(clauses):
+        if n:
+            parts.append(last if n == len(clauses) - 1 else ", ")
+        parts += clause
+    return tuple(parts)

@@ -1,0 +1,12 @@
+"""Sizes at which mathematics is written in another way, each with the reason for its value."""
+
+LONGEST_LIST = 3
+"""Arguments of an undefined function that are written at each occurrence: f(x, y, t) is read at a glance, F_x of seven
+arguments is not."""
+LONG_LATEX = 120
+"""Characters of LaTeX in a denominator or under a root that is too long to stay in one piece: about 19 em, half a line
+(6.2 characters an em, counted in the rows of twelve shipped problems)."""
+LONG_MATHML = 12
+"""Letters of a denominator that is too long to stay in one piece: about half of what a phone shows on a line."""
+LONGEST_RATE = 8
+"""Characters below which a quantity is written dp_θ/dt, and from which on d/dt (...)."""

@@ -1,0 +1,147 @@
+"""The pictures of a derivation and their places: the system, its free bodies, the coordinates of a choice.
+
+Nothing is drawn here: a picture is drawn when a renderer asks for it, and then once. Each has a caption, and a
+description in words for readers who cannot see it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
+from functools import cache
+from itertools import takewhile
+
+import sympy as sp
+
+from lagrange.document.builders import listed, math
+from lagrange.document.derivation import Block, Part, Picture, Prose, Rule, Step
+from lagrange.document.notation import Notation
+from lagrange.document.scene import Scene
+from lagrange.explain.words import plural, spoken
+from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.solution import Solution
+
+CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
+"""Below the picture of the system."""
+
+
+def caption_of_choice(symbols: Sequence[Part]) -> tuple[Part, ...]:
+    """Below the picture of the system in other coordinates."""
+    return (plural(len(symbols), "The system with the coordinate ", "The system with the coordinates "),
+            *listed(symbols), ".")  # fmt: skip
+
+
+def caption_of_free_bodies(newton: Newton) -> tuple[Part, ...]:
+    """Below the free-body diagrams."""
+    bodies = newton.bodies or ()
+    what = "The free body" if len(bodies) == 1 else "The free bodies"
+    if not any(b.bound for b in bodies):
+        return (f"{what}.",)
+    if len([r for b in bodies for r in b.bound]) == 1:
+        return (f"{what}; the unknown force is drawn in its positive direction.",)
+    return (f"{what}; unknown forces are drawn in their positive directions.",)
+
+
+def system_in_words(solution: Solution) -> str:
+    """`Drawing of the system: P1, P2; upper rod, lower rod.`"""
+    things = [p.name for p in solution.problem.masses]
+    links = [s.name for s in solution.own.configuration.links]
+    constraints = [c.name for c in solution.problem.constraints]
+    everything = "; ".join(", ".join(map(spoken, group)) for group in (things, links, constraints) if group)
+    return f"Drawing of the system: {everything}."
+
+
+def free_bodies_in_words(newton: Newton) -> str:
+    """`Free-body diagrams. P1: weight, upper rod.`"""
+    sentences = []
+    for b in newton.bodies or ():
+        acting = [*(spoken(n) if n else "field" for n in b.loads), *(f"reaction of {spoken(r.name)}" for r in b.bound)]
+        sentences.append(f"{spoken(b.name)}: {', '.join(acting)}." if acting else f"{spoken(b.name)}.")
+    return " ".join(["Free-body diagrams.", *sentences])
+
+
+def symbols_of(coordinates: Sequence[sp.Symbol]) -> tuple[Part, ...]:
+    """Coordinates as parts of a sentence."""
+    return tuple(math(q) for q in coordinates)
+
+
+def illustrated(steps: Iterable[Step], solution: Solution, notation: Notation) -> Iterator[Step]:
+    """The steps with their pictures."""
+    choices = iter(solution.choices)
+    steps = tuple(steps)
+    free = solution.law is not None and bool(solution.law.newton.bodies)
+    later = any(s.rule is Rule.REACTIONS for s in steps)
+    for step in steps:
+        match step.rule:
+            case Rule.STATEMENT:
+                words = len([*takewhile(lambda b: isinstance(b, Prose), step.body[:2])])
+                step = _with(step, words, _of_system(solution, notation, with_loads=not free))
+                if free and not later:
+                    step = _with(step, len(step.body), _of_free_bodies(solution, notation))
+                yield step
+            case Rule.REACTIONS if free:
+                yield _with(step, 1, _of_free_bodies(solution, notation))
+            case Rule.GENERALIZED_COORDINATES:
+                choice = next(choices, None)
+                drawn = choice is not None and _has_new(choice.coordinates, solution)
+                if choice is not None and drawn:
+                    yield _with(step, len(step.body), _of_choice(solution, choice.coordinates, notation))
+                else:
+                    yield step
+            case _:
+                yield step
+
+
+def _has_new(coordinates: GeneralizedCoordinates, solution: Solution) -> bool:
+    """Whether a choice has coordinates that the file does not have."""
+    return not set(coordinates.configuration.slots.coordinates) <= set(solution.own.configuration.slots.coordinates)
+
+
+def _with(step: Step, place: int, picture: Picture) -> Step:
+    body: tuple[Block, ...] = (*step.body[:place], picture, *step.body[place:])
+    return replace(step, body=body)
+
+
+def _picture(draw: Callable[[], Scene | None], caption: tuple[Part, ...], alt: str) -> Picture:
+    return Picture(cache(draw), caption, alt)
+
+
+def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> Picture:
+    def draw() -> Scene | None:
+        from lagrange.pictures.configurations import configuration_scene
+        from lagrange.pictures.systems import system_in_file
+
+        system = system_in_file(solution)
+        return None if system is None else configuration_scene(system, notation, with_loads)
+
+    return _picture(draw, CAPTION_OF_SYSTEM, system_in_words(solution))
+
+
+def _of_free_bodies(solution: Solution, notation: Notation) -> Picture:
+    def draw() -> Scene | None:
+        from lagrange.pictures.free_bodies import free_body_scene
+        from lagrange.pictures.systems import system_in_file
+
+        system = system_in_file(solution)
+        return None if system is None else free_body_scene(system, notation)
+
+    assert solution.law is not None
+    newton = solution.law.newton
+    return _picture(draw, caption_of_free_bodies(newton), free_bodies_in_words(newton))
+
+
+def _of_choice(solution: Solution, coordinates: GeneralizedCoordinates, notation: Notation) -> Picture:
+    configuration = coordinates.configuration
+    chosen = configuration.slots.coordinates
+
+    def draw() -> Scene | None:
+        from lagrange.pictures.configurations import configuration_scene
+        from lagrange.pictures.systems import system_in_choice
+
+        system = system_in_choice(solution, configuration)
+        scene = None if system is None else configuration_scene(system, notation, with_loads=False)
+        marked = scene is not None and {label.content for label in scene.labels} >= set(chosen)
+        return scene if marked else None
+
+    return _picture(draw, caption_of_choice(symbols_of(chosen)), system_in_words(solution))

@@ -1,0 +1,318 @@
+"""The forces that a constraint form stands for, and the constraints that keep a distance.
+
+A particle can be placed along its vectors ∂r/∂q_k, and a body can also be turned about its ω_k. The form Σ a_k dq_k is,
+for a multiplier 1, the work of forces g_P and of moments h_B about the mass centres with
+
+    Σ_P g_P·∂r_P/∂q_k + Σ_B h_B·ω_Bk = a_k       for every coordinate q_k that moves something,
+
+each g_P a combination of the ∂r_P/∂q_k, each h_B of the ω_Bk. They are determined where the coordinates place
+everything one by one; then g_P = ∂f/∂r_P for particles that are placed freely in space or in a plane.
+
+A relation f(q, t) = 0 keeps P and Q at a distance if and only if its gradient is, everywhere on it, parallel to that of
+d·d, d = r_P − r_Q: then d·d is constant on it at a fixed time. The reaction is along d,
+
+    R_P = λ κ d = −T d/|d| ,     R_Q = −R_P ,     T = −κ |d| λ :
+
+T > 0 is a tension, T < 0 a thrust. Q may be a fixed point, or a driven one; then f does not distinguish a rod from a
+sphere. The relation is recognised by its gradient, never by its name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import combinations
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots
+from lagrange.core.vectors import Triad, Vector
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.coordinates import solved_constraints
+from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+
+
+@record
+class Freedom:
+    """The ways in which one particle or mass centre can be placed, or one body turned.
+
+    partials  shape (n,): ∂r/∂q_k, or ω_k
+    triad     of the components of the law
+    basis     indices of independent partials
+    """
+
+    name: str
+    turning: bool
+    partials: tuple[Vector, ...]
+    triad: Triad
+    basis: tuple[int, ...] = ()
+
+    def moves(self, column: int) -> bool:
+        """Whether a coordinate moves it."""
+        return not self.partials[column].is_zero
+
+    @property
+    def units(self) -> list[Vector]:
+        """The unit vectors along which a law is written: those of the coordinates, or of the triad.
+
+        They span the directions in which it can be placed, or the axes about which it can be turned.
+        """
+        partials = [p for p in self.partials if not p.is_zero]
+        chosen = [self.partials[b] for b in self.basis]
+        sizes = [textbook_form(p.dot(p)) for p in chosen]
+        used = [n for n in range(3) if any(p.along(self.triad).components[n] != 0 for p in partials)]
+        aligned = len(used) == len(self.basis)
+        orthonormal = all(size == 1 for size in sizes) and all(
+            textbook_form(a.dot(b)) == 0 for n, a in enumerate(chosen) for b in chosen[:n]
+        )
+        if aligned and not (orthonormal and len(partials) == len(self.basis)):
+            units = [tuple(sp.S.One if n == m else sp.S.Zero for m in range(3)) for n in used]
+            return [Vector(u, self.triad) for u in units]
+        return [(p / _root(size)).map(textbook_form) for p, size in zip(chosen, sizes, strict=True)]
+
+
+Placed = tuple[Freedom, ...]
+
+
+@record
+class Forces:
+    """The forces on particles and mass centres, and the moments on bodies, equivalent to a form."""
+
+    forces: Mapping[str, Vector]
+    moments: Mapping[str, Vector]
+
+
+def placed_freely(configuration: Configuration) -> Placed | None:
+    """What the coordinates place, one by one; None if they satisfy some constraints by themselves."""
+    everything = _freedoms(configuration)
+    moved = _moved(everything, configuration)
+    anywhere = Surface((), configuration.slots.coordinates)
+    chosen: list[Freedom] = []
+    reached: set[int] = set()
+    for freedom, needed in everything:
+        columns = [k for k in moved if freedom.moves(k)]
+        if not columns or (not needed and reached.issuperset(columns)):
+            continue
+        reached.update(columns)
+        basis: list[int] = []
+        for k in columns:
+            if anywhere.rank([freedom.partials[n].components for n in (*basis, k)]) == len(basis) + 1:
+                basis.append(k)
+        chosen.append(replace(freedom, basis=tuple(basis)))
+    total = sum(len(f.basis) for f in chosen)
+    if total != len(moved) or not chosen or not _act_where_they_are(configuration):
+        return None
+    stacked = [[c for f in chosen for c in f.partials[k].fixed().components] for k in moved]
+    if configuration.states.rank(stacked) != total:
+        return None
+    order = [p.name for p in configuration.points]
+    return tuple(sorted(chosen, key=lambda f: (order.index(f.name), f.turning)))
+
+
+def left_out(row: Row, configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The nonzero coefficients of coordinates that move nothing."""
+    moved = _moved(_freedoms(configuration), configuration)
+    pairs = enumerate(zip(configuration.slots.coordinates, row.coefficients, strict=True))
+    return {q: a for k, (q, a) in pairs if a != 0 and k not in moved}
+
+
+def form_as_forces(row: Row, placed: Placed, surface: Surface) -> Forces | None:
+    """The forces and moments equivalent to a form; None: not found."""
+    moved = [k for k, _ in enumerate(row.coefficients) if any(f.moves(k) for f in placed)]
+    if all(row.coefficients[k] == 0 for k in moved):
+        return Forces({}, {})
+    columns = [(f, b) for f in placed for b in f.basis]
+    matrix = [
+        [textbook_form(f.partials[b].dot(f.partials[k])) if f.moves(k) else sp.S.Zero for f, b in columns]
+        for k in moved
+    ]
+    shares = solved_linear(matrix, [row.coefficients[k] for k in moved], surface)
+    if shares is None or None in shares:
+        return None
+    total: dict[bool, dict[str, Vector]] = {False: {}, True: {}}
+    for (f, b), c in zip(columns, shares, strict=True):
+        if c != 0 and c is not None:
+            vectors = total[f.turning]
+            vectors[f.name] = vectors.get(f.name, Vector.zero(f.triad)) + f.partials[b] * c
+    return Forces(_tidied(total[False]), _tidied(total[True]))
+
+
+def _root(square: sp.Expr) -> sp.Expr:
+    """A square root of either sign, because the sense of a unit vector is free: R − r and a sin θ without their moduli,
+    2a cos(φ/2) for the root of 2a² (1 + cos φ).
+    """
+    factors = sp.Mul.make_args(textbook_form(sp.sqrt(square)))
+    root = sp.Mul(*(f.args[0] if isinstance(f, sp.Abs) else _half_angle(f) for f in factors))
+    return textbook_form(root)
+
+
+def _half_angle(factor: sp.Expr) -> sp.Expr:
+    """√(1 + cos φ) as √2 cos(φ/2), √(1 − cos φ) as √2 sin(φ/2); any other factor unchanged."""
+    below, exponent = factor.as_base_exp()
+    number, wave = (below - 1).as_coeff_Mul()
+    if exponent != sp.Rational(1, 2) or abs(number) != 1 or not isinstance(wave, sp.cos):
+        return factor
+    half = wave.args[0] / 2
+    return sp.sqrt(2) * (sp.cos(half) if number == 1 else sp.sin(half))
+
+
+def _tidied(vectors: Mapping[str, Vector]) -> dict[str, Vector]:
+    tidied = {name: g.map(lambda c: textbook_form(c) if c.count_ops() > 1 else c) for name, g in vectors.items()}
+    return {name: g for name, g in tidied.items() if not g.is_zero}
+
+
+def _freedoms(configuration: Configuration) -> list[tuple[Freedom, bool]]:
+    """Everything that can be placed or turned, and whether it has inertia or is acted on; such things first."""
+    loaded = {load.on for load in configuration.loads}
+    ranked = []
+    for p in configuration.points:
+        ranked.append((Freedom(p.name, False, p.partials, p.position.triad), p.mass != 0, p.name in loaded))
+    for r in configuration.rotations:
+        turned = bool(configuration.moments_on(r.name))
+        ranked.append((Freedom(r.name, True, r.partials, r.angular_velocity.triad), r.has_inertia, turned))
+    ranked.sort(key=lambda item: (not item[1], not item[2]))
+    return [(freedom, heavy or acted_on) for freedom, heavy, acted_on in ranked]
+
+
+def _moved(everything: Iterable[tuple[Freedom, bool]], configuration: Configuration) -> list[int]:
+    freedoms = [f for f, _ in everything]
+    return [k for k, _ in enumerate(configuration.slots.coordinates) if any(f.moves(k) for f in freedoms)]
+
+
+def _act_where_they_are(configuration: Configuration) -> bool:
+    """Whether every applied force on a particle acts at its position; on a body it may act anywhere."""
+    positions = {p.name: p.position for p in configuration.points}
+    turning = {r.name for r in configuration.rotations}
+    return all(
+        f.on in turning or (f.on in positions and (f.point - positions[f.on]).is_zero) for f in configuration.loads
+    )
+
+
+@record
+class Rod:
+    """A constant or prescribed distance between two points.
+
+    ends    names of the points; the second is empty if it is not a particle
+    centre  the second end, if it is not a particle
+    span    d = r_P − r_Q, or r_P − centre
+    length  |d|, as the constraint gives it
+    ratio   κ
+    factor  T = factor · λ, a tension where positive
+    """
+
+    ends: tuple[str, str]
+    centre: Vector | None
+    span: Vector
+    length: sp.Expr
+    ratio: sp.Expr
+    factor: sp.Expr
+
+
+def recognised_rod(
+    row: Row, points: Sequence[MassPoint], directions: dict[str, Vector], slots: Slots, surface: Surface
+) -> Rod | None:
+    """The distance that a constraint keeps; None if it is not a distance constraint, or not recognised as one.
+
+    points      the particles
+    directions  of the constraint's reactions on them, R_P = λ · direction
+    """
+    if row.finite is None or not 1 <= len(directions) <= 2:
+        return None
+    for ends, centre, d in _candidates(points, directions, slots):
+        squared = textbook_form(d.dot(d))
+        slopes = [squared.diff(q) for q in slots.coordinates]
+        ratio = _ratio(row, slopes, surface)
+        if ratio is not None:
+            length = _length(row, d, squared, ratio, slots)
+            if length is None:
+                continue
+            factor = textbook_form(-(ratio * length).xreplace({squared: length**2}))
+            return Rod(ends, centre, d, length, ratio, factor)
+    return None
+
+
+def _candidates(
+    points: Sequence[MassPoint], directions: dict[str, Vector], slots: Slots
+) -> Iterator[tuple[tuple[str, str], Vector | None, Vector]]:
+    """The pairs of points that may be kept at a distance, with the vector from the second to the first."""
+    if len(directions) == 2:
+        chosen = [p for p in points if p.name in directions]
+        for p, q in combinations(chosen, 2):
+            yield (p.name, q.name), None, p.position - q.position
+        return
+    [name] = directions
+    point = next(p for p in points if p.name == name)
+    yield (name, ""), Vector.zero(), point.position
+    centre = _centre(point, directions[name], slots)
+    if centre is not None and not centre.is_zero:
+        yield (name, ""), centre, point.position.fixed() - centre
+
+
+def _centre(point: MassPoint, direction: Vector, slots: Slots) -> Vector | None:
+    """The point c with direction = μ (r − c), μ constant: the centre of a circle or sphere given by squares."""
+    gradient = direction.fixed()
+    for q, partial in zip(slots.coordinates, point.partials, strict=True):
+        along = partial.fixed()
+        size = textbook_form(along.dot(along))
+        if size == 0:
+            continue
+        rate = textbook_form(gradient.partial(q).dot(along) / size)
+        if rate == 0 or rate.free_symbols & {*slots.coordinates}:
+            return None
+        centre = (point.position.fixed() - gradient / rate).map(textbook_form)
+        is_fixed = all(c.free_symbols.isdisjoint(slots.coordinates) for c in centre.components)
+        return centre if is_fixed else None
+    return None
+
+
+def _ratio(row: Row, slopes: Sequence[sp.Expr], surface: Surface) -> sp.Expr | None:
+    """κ with ∂f/∂q = κ/2 ∂(d·d)/∂q where the constraint holds; None if there is none, or it is undecided."""
+    pivot = next((k for k, s in enumerate(slopes) if s != 0 and surface.is_zero(s) is False), None)
+    if pivot is None:
+        return None
+    a, b = row.coefficients[pivot], slopes[pivot]
+    for a_k, b_k in zip(row.coefficients, slopes, strict=True):
+        minor = a_k * b - b_k * a
+        if minor != 0 and surface.is_zero(minor) is not True:
+            return None
+    return tidy_quotient(2 * a / b)
+
+
+def _length(row: Row, d: Vector, squared: sp.Expr, ratio: sp.Expr, slots: Slots) -> sp.Expr | None:
+    """|d| as the constraint gives it, free of coordinates; or the coordinate that is the distance."""
+    assert row.finite is not None
+    moving = set(slots.coordinates)
+    shown = [c for c in d.components if c != 0]
+    if d.triad.directions is not None and len(shown) == 1 and shown[0] in moving:
+        return shown[0]
+    square = None
+    if ratio.free_symbols.isdisjoint(moving):
+        square = sp.factor(textbook_form(squared - 2 * row.finite / ratio))
+    if square is None or square.free_symbols & moving:
+        square = _by_elimination(row, squared, slots) or _of_root(row, squared, moving)
+    if square is None or square.free_symbols & moving:
+        return None
+    return sp.sqrt(square)
+
+
+def _by_elimination(row: Row, squared: sp.Expr, slots: Slots) -> sp.Expr | None:
+    """d·d after solving the constraint for one coordinate."""
+    used = [q for q in slots.coordinates if q in row.finite.free_symbols]  # type: ignore[union-attr]
+    solution = solved_constraints([row], used[-1:])
+    if not solution.expressed:
+        return None
+    return sp.factor(textbook_form(squared.xreplace(dict(solution.expressed))))
+
+
+def _of_root(row: Row, squared: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr | None:
+    """|d|² from a relation that is linear in |d| = sqrt(d·d)."""
+    length = sp.Dummy("length", positive=True)
+    f = sp.sympify(row.finite, strict=True).xreplace({squared: length**2})
+    slope = f.diff(length)
+    if f.free_symbols & moving or slope == 0 or length in slope.free_symbols:
+        return None
+    return (-f.xreplace({length: sp.S.Zero}) / slope) ** 2

@@ -1,0 +1,27 @@
+"""Limits of statics and small oscillations: beyond them nothing is claimed, "undecided" or no result.
+
+Sizes are operations (`count_ops`). A number in brackets is the largest value met in the 129 shipped problems, measured
+when the limits were gathered; "beyond" is how often a limit was exceeded there.
+"""
+
+# Free coordinates whose leading minors are worked out [3].
+MOST_MINORS = 4
+# Order of the derivatives of V, where V'' vanishes in one coordinate: x⁶ is the highest that is recognised as stable.
+HIGHEST_ORDER = 6
+
+# Points of one branch of equilibria for which reactions are sought [2]: each is a root of its own, and every zero test
+# is made at all of them.
+MOST_BRANCH_POINTS = 12
+
+# Unsolved conditions of equilibrium that are still shown [1 beyond, 324 operations], and coordinates of a system for
+# which 0 and π are tried instead [2]: 2^4 places.
+LONGEST_UNSOLVED = 60
+MOST_TRIVIAL_COORDINATES = 4
+
+# Small oscillations: equilibria [3], independent coordinates [3], operations of a coefficient of the characteristic
+# polynomial that is factored [9].
+MOST_EQUILIBRIA = 16
+MOST_OSCILLATING = 6
+LONGEST_COEFFICIENT = 100
+# Points of one equilibrium at which the check compares the linear equations.
+MOST_COMPARED_POINTS = 4

@@ -1,0 +1,412 @@
+"""The keys of problem files, each declared once: what its value may be, what it means, whether it is required.
+
+The reader accepts these keys and no others; `lagsolve schema` and `lagsolve new` are made from this module, and a test
+compares the tables of docs/problem-files.md with it. A new key is declared here and read in the module of its section.
+
+A `Kind` is what a value may be: the name of a primitive kind (`PRIMITIVE`) or of a part (`PARTS`), words, a list, names
+with values of one kind, a form (a mapping with known keys), or one of several kinds. Values are text to the reader, so
+what an expression may contain is not decided by its kind.
+
+SymPy is not imported here: schema and template must not wait for it.
+"""
+
+from __future__ import annotations
+
+from enum import StrEnum
+
+from lagrange.core.records import record
+
+PRIMITIVE = ("text", "name", "argument", "expression", "equation", "number", "nothing")
+"""`number` is a natural number; `nothing` is an empty section, such as one whose entries are all commented out."""
+
+
+@record
+class Words:
+    """One of several words."""
+
+    words: tuple[str, ...]
+
+
+@record
+class ListOf:
+    """A list; `most` is None where it may have any length."""
+
+    item: Kind
+    least: int = 0
+    most: int | None = None
+
+
+@record
+class Named:
+    """name -> value. `new`: whether the names are declared here, and must be spelled like symbols."""
+
+    value: Kind
+    new: bool = True
+
+
+@record
+class AnyOf:
+    """One of several kinds."""
+
+    kinds: tuple[Kind, ...]
+
+
+@record
+class Key:
+    """A key of a form.
+
+    meaning   one or two sentences for whoever writes a file
+    required  whether it must be there in every case
+    example   a value to suggest where it is missing; empty for keys that no error suggests
+    """
+
+    name: str
+    kind: Kind
+    meaning: str
+    required: bool = False
+    example: str = ""
+
+
+@record
+class Form:
+    """A mapping with known keys; `title` is what it is called in editors and in the documentation."""
+
+    title: str
+    keys: tuple[Key, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The names of the keys."""
+        return tuple(key.name for key in self.keys)
+
+    def example(self, name: str) -> str:
+        """The example of a key."""
+        return next(key.example for key in self.keys if key.name == name)
+
+    @property
+    def required(self) -> tuple[str, ...]:
+        """The names of the keys that must be there."""
+        return tuple(key.name for key in self.keys if key.required)
+
+
+Kind = str | Words | ListOf | Named | AnyOf | Form
+
+
+def _or_nothing(*kinds: Kind) -> AnyOf:
+    return AnyOf((*kinds, "nothing"))
+
+
+def _one_or_list(kind: Kind) -> AnyOf:
+    return AnyOf((kind, ListOf(kind)))
+
+
+def _three(kind: Kind) -> ListOf:
+    return ListOf(kind, 3, 3)
+
+
+# -- words -------------------------------------------------------------------------------------------------------------
+
+
+class Assumption(StrEnum):
+    """What is assumed of a parameter."""
+
+    POSITIVE = "positive"
+    NONNEGATIVE = "nonnegative"
+    REAL = "real"
+    SIGN = "sign"
+
+
+class Find(StrEnum):
+    """What is asked."""
+
+    CONSTRAINTS = "constraints"
+    EQUILIBRIUM = "equilibrium"
+    MOTION = "motion"
+    LINEARIZATION = "linearization"
+
+
+class FrameType(StrEnum):
+    """The frames that a file may name."""
+
+    CARTESIAN = "cartesian"
+    POLAR = "polar"
+    CYLINDRICAL = "cylindrical"
+    SPHERICAL = "spherical"
+
+
+FRAME_COORDINATES = {
+    FrameType.CARTESIAN: ("x", "y", "z"),
+    FrameType.POLAR: ("r", "phi"),
+    FrameType.CYLINDRICAL: ("rho", "phi", "z"),
+    FrameType.SPHERICAL: ("r", "theta", "phi"),
+}
+"""The coordinates of a frame in their order, under their usual names. A Cartesian frame need not list them."""
+
+SEQUENCES = ("121", "123", "131", "132", "212", "213", "231", "232", "312", "313", "321", "323")
+"""The sequences of three rotations about body axes of which no two neighbours agree."""
+
+CLASSES = ("holonomic", "nonholonomic", "scleronomic", "rheonomic", "catastatic", "acatastatic")
+"""The classes of systems; the two of each pair exclude each other."""
+
+SENSES = {"positive": 1, "negative": -1}
+
+WAYS_OF_TURNING = (("angle",), ("orientation",), ("axes", "angular_velocity"))
+"""How a body is turned: the keys of exactly one of these are given. The first is planar, the others are in space."""
+
+
+# -- forms -------------------------------------------------------------------------------------------------------------
+
+AXES = Form("words for the axes", tuple(Key(axis, "text", f"The direction of {axis}.") for axis in "ijk"))
+
+PARAMETER = Form(
+    "what a parameter is",
+    (
+        Key("assume", Words(tuple(a.value for a in Assumption)), "What is assumed of it; positive by default."),
+        Key("unit", "text", "Its unit, such as kg*m^2."),
+        Key("meaning", "text", "What it is, in words."),
+        Key("value", "expression", "Its value, a rational number: 9.81, 1e-3, 2/3."),
+    ),
+)
+
+COORDINATE = Form(
+    "what a coordinate is",
+    (Key("meaning", "text", "What it measures, in words."), Key("unit", "text", "Its unit.")),
+)
+
+FRAME = Form(
+    "a frame",
+    (
+        Key(
+            "type",
+            Words(tuple(t.value for t in FrameType)),
+            "One of cartesian, polar [r, phi], cylindrical [rho, phi, z] or spherical [r, theta, phi].",
+            required=True,
+            example="polar",
+        ),
+        Key("coordinates", ListOf("name"), "The coordinates of the file that these are, in this order."),
+    ),
+)
+
+PARTICLE = Form(
+    "a particle",
+    (
+        Key("mass", "expression", "Its mass; without one it is a massless point."),
+        Key("position", "vector", "Where it is.", required=True, example="x*i + y*j"),
+    ),
+)
+
+ORIENTATION = Form(
+    "three rotations",
+    (
+        Key("axes", Words(SEQUENCES), "About which axes, in their order: 313.", required=True, example="313"),
+        Key(
+            "angles",
+            _three("expression"),
+            "By which angles: [phi, theta, psi].",
+            required=True,
+            example="[phi, theta, psi]",
+        ),
+    ),
+)
+
+BODY = Form(
+    "a rigid body",
+    (
+        Key("mass", "expression", "Its mass; 0 by default."),
+        Key(
+            "inertia",
+            AnyOf(("expression", _three("expression"))),
+            "About the mass centre: one moment about k, or three principal moments [A, B, C].",
+            required=True,
+            example="I_G",
+        ),
+        Key("position", "vector", "Where the mass centre is.", required=True, example="x*i + y*j"),
+        Key("angle", "expression", "Of a planar body: its angle about k.", example="theta"),
+        Key(
+            "orientation",
+            ORIENTATION,
+            "In space: three rotations about axes of the body.",
+            example="{axes: 313, angles: [phi, theta, psi]}",
+        ),
+        Key("axes", _three("vector"), "In space: the triad that the inertia refers to.", example="[e1, e2, e3]"),
+        Key("angular_velocity", "vector", "With `axes`: the angular velocity, a vector.", example="theta'*k"),
+    ),
+)
+
+CONSTRAINT = Form(
+    "a constraint in full",
+    (
+        Key(
+            "equation",
+            "equation",
+            "The equation; a vector equation counts as its components.",
+            required=True,
+            example='"x^2 + y^2 = l^2"',
+        ),
+        Key("note", "text", "A remark, in words."),
+        Key("reaction", "name", "What its force of constraint is called."),
+    ),
+)
+
+_ON = Key("on", "name", "The particle or body that is acted on.", required=True, example="P")
+_ON_BODY = Key("on", "name", "The body that is acted on.", required=True, example="rod")
+_BETWEEN = Key(
+    "between", ListOf("vector", 2, 2), "The two ends: particles, bodies or positions.", required=True, example="[P, Q]"
+)
+
+FORCES = {
+    "vector": Form(
+        "a force",
+        (
+            Key("vector", "vector", "A force: its vector.", required=True, example="F*i"),
+            _ON,
+            Key("at", "vector", "Where a force acts, if not at that point itself."),
+        ),
+    ),
+    "moment": Form(
+        "a moment", (Key("moment", "vector", "A moment on a body: its vector.", required=True, example="M*k"), _ON_BODY)
+    ),
+    "spring": Form(
+        "a spring",
+        (
+            Key("spring", "expression", "A spring: its stiffness.", required=True, example="c"),
+            _BETWEEN,
+            Key("length", "expression", "The free length of the spring; 0 by default.", example="l_0"),
+            Key("sense", "sense", "The sign of the second end's coordinate minus the first's, on a line."),
+        ),
+    ),
+    "damper": Form(
+        "a damper", (Key("damper", "expression", "A damper: its coefficient.", required=True, example="b"), _BETWEEN)
+    ),
+    "potential": Form(
+        "a field of force",
+        (Key("potential", "expression", "A field of force: its potential energy.", required=True, example="m*g*y"),),
+    ),
+    "friction": Form(
+        "Coulomb friction",
+        (
+            Key("friction", "expression", "Coulomb friction: its coefficient.", required=True, example="mu"),
+            Key("constraint", "name", "The constraint whose reaction presses.", required=True, example="surface"),
+            _ON,
+            Key("surface_velocity", "vector", "The velocity of the surface."),
+            Key("slip", "sense", "The sense of the slip along the coordinate, when known."),
+            Key("contact", "sense", "The sign of the multiplier, when known."),
+        ),
+    ),
+}
+"""The kinds of forces, each recognised by the key of its name."""
+
+CHOICE = Form(
+    "a choice of coordinates",
+    (
+        Key(
+            "coordinates",
+            ListOf("name", 1),
+            "Its coordinates: new ones, and old ones that it keeps.",
+            required=True,
+            example="[theta]",
+        ),
+        Key("substitute", Named("expression"), "The other old coordinates in terms of these: {x: l*sin(theta)}."),
+    ),
+)
+
+ANSWERS = Form(
+    "answers",
+    (
+        Key("degrees_of_freedom", "number", "How many there are."),
+        Key("classification", _one_or_list(Words(CLASSES)), "Such as [holonomic, scleronomic]."),
+        Key(
+            "integrable",
+            Named(Words(("true", "false")), new=False),
+            "Which constraints are integrable: {rod: true}.",
+        ),
+        Key("equations", _one_or_list("equation"), "The equations of motion."),
+        Key("equilibrium", "alternatives", "A list is one system; lists in a list are alternatives."),
+        Key("reactions", Named("expression", new=False), "Reactions by the names of their constraints."),
+        Key(
+            "frequencies",
+            "alternatives",
+            "Of small oscillations; lists in a list are those of several equilibria.",
+        ),
+    ),
+)
+
+PROBLEM = Form(
+    "a problem for lagsolve",
+    (
+        Key("title", "text", "What the problem is called.", required=True, example="..."),
+        Key("source", "text", "Where it is from: book, chapter, number."),
+        Key("description", "text", "The system in words."),
+        Key(
+            "axes",
+            _or_nothing(AXES),
+            "Words for the unit vectors, for the prose and the pictures: {i: right, j: up}.",
+        ),
+        Key(
+            "parameters",
+            _or_nothing(ListOf("name"), Named("parameter")),
+            "Constants: a list of names, all positive, or each name with its assumption.",
+        ),
+        Key(
+            "coordinates",
+            AnyOf((ListOf("name", 1), Named("coordinate"))),
+            "What the system is described with; coordinates need not be independent. A list, or each with its meaning.",
+            required=True,
+            example="[x, y]",
+        ),
+        Key(
+            "functions",
+            _or_nothing(Named(ListOf("argument", 1))),
+            "Undefined functions with their arguments: {f: [X, Y]}. A function of [t] alone is a prescribed motion.",
+        ),
+        Key("let", _or_nothing(Named("vector")), "Abbreviations, scalars or vectors."),
+        Key("frame", "frame", "Unit vectors that turn: e_r, e_phi, ..., named after the coordinates."),
+        Key("particles", _or_nothing(Named("particle")), "Particles with mass and position."),
+        Key("bodies", _or_nothing(Named("body")), "Rigid bodies."),
+        Key(
+            "constraints",
+            _or_nothing(Named(AnyOf(("equation", "constraint")))),
+            "Equations between coordinates, velocities and time. One with velocities is kinematic, one without is "
+            "geometric.",
+        ),
+        Key("gravity", "vector", "The acceleration of gravity, a vector; it adds a weight to every mass."),
+        Key("forces", _or_nothing(Named("force")), "What else acts."),
+        Key("unknowns", _or_nothing(ListOf("name")), "Unknown forces, to be found as well."),
+        Key(
+            "speeds",
+            _or_nothing(Named("expression")),
+            "Quasi-velocities in which the equations are given too: {u: \"x'*cos(theta) + y'*sin(theta)\"}.",
+        ),
+        Key(
+            "generalized_coordinates",
+            _or_nothing(Named("choice")),
+            "Choices of generalized coordinates, any number of them; each is verified.",
+        ),
+        Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
+        Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
+        Key("answers", "answers", "What the textbook says; every run compares."),
+    ),
+)
+
+PARTS: dict[str, Kind] = {
+    "vector": AnyOf(("expression", ListOf("expression", 2, 3))),
+    "equations": _or_nothing(_one_or_list("equation")),
+    "alternatives": AnyOf((_one_or_list("expression"), ListOf(ListOf("expression")))),
+    "sense": Words(tuple(SENSES)),
+    "parameter": _or_nothing(Words(tuple(a.value for a in Assumption)), PARAMETER),
+    "coordinate": AnyOf(("text", COORDINATE)),
+    "frame": _or_nothing(FRAME),
+    "particle": PARTICLE,
+    "body": BODY,
+    "constraint": CONSTRAINT,
+    "force": AnyOf(tuple(FORCES.values())),
+    "choice": CHOICE,
+    "answers": _or_nothing(ANSWERS),
+}
+"""Kinds with a name of their own."""
+
+FORMS = (
+    *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, CONSTRAINT),
+    *(*FORCES.values(), CHOICE, ANSWERS),
+)
+"""All forms, in the order in which the documentation has them."""

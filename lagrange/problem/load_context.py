@@ -1,0 +1,236 @@
+"""The context in which a problem file is read: what is declared so far, and how its expressions are read.
+
+Every expression of a file goes through here: it is read in the scope of what is declared before it, and checked for
+quantities that are not allowed at its place. An expression that uses a name whose declaration has failed is skipped
+without a message.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from itertools import pairwise
+from typing import TypeVar
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span
+from lagrange.core.expression_size import Sizes
+from lagrange.core.symbols import base
+from lagrange.core.vectors import Vector
+from lagrange.expressions.bounded_arithmetic import WorkBudget
+from lagrange.expressions.reader import EquationRead, Scope, Value, read_equation, read_scalar, read_value, read_vector
+from lagrange.expressions.scope import UNITS
+from lagrange.expressions.tokens import TokenKind, tokens
+from lagrange.problem.declared_names import DeclaredNames, Namespace, derivatives_in
+from lagrange.problem.diagnostic_collector import Diagnostics
+from lagrange.problem.limits import MAX_WRITTEN_OUT, MOST_REDUCED, MOST_TESTED
+from lagrange.problem.sections import (
+    ANYTHING,
+    POSITION,
+    Allowed,
+    AllowedQuantity,
+    first_refused,
+    items_of,
+    scalar_of,
+    wrong_kind,
+)
+from lagrange.problem.yaml_nodes import ListNode, Node, Scalar, ScalarText
+
+T = TypeVar("T", bound=sp.Expr | Vector | EquationRead)
+Reader = Callable[[Fragment, Scope, list[Diagnostic]], T]
+
+
+class LoadContext:
+    """What is known while a file is being read.
+
+    things    the names of particles and bodies; `bodies` are those of bodies only
+    points    their positions, by name; None where one could not be read
+    values    the numbers that the file gives to parameters
+    """
+
+    def __init__(self, diagnostics: Diagnostics) -> None:
+        self.diagnostics = diagnostics
+        self.names = DeclaredNames(diagnostics)
+        self.things = Namespace(self.names)
+        self.constraints = Namespace(self.names)
+        self.forces = Namespace(self.names)
+        self.choices = Namespace(self.names)
+        self.scope = Scope()
+        self.budget = WorkBudget()
+        self.unknowns: tuple[sp.Symbol, ...] = ()
+        self.values: dict[sp.Symbol, sp.Rational] = {}
+        self.points: dict[str, Vector | None] = {}
+        self.bodies: list[str] = []
+        self._tested = 0
+        self._reduced = 0
+        self._written_out = 0
+        self._sizes: dict[str, int] = {}
+
+    def scalar(self, node: Node, what: str, allowed: Allowed, scope: Scope | None = None) -> sp.Expr:
+        """A scalar expression. Raises ProblemError where it cannot be read, or a quantity in it is not allowed."""
+        fragment = _text(node, what)
+        value = self._read(read_scalar, fragment, scope)
+        self._check(value, fragment, what, allowed, scope)
+        return value
+
+    def vector(self, node: Node, what: str, allowed: Allowed = POSITION) -> Vector:
+        """A vector: one expression, or a list of components. Raises as `scalar`."""
+        if isinstance(node, ListNode):
+            return self._components(node, what, allowed)
+        fragment = _text(node, what)
+        value = self._read(read_vector, fragment)
+        self._check(value, fragment, what, allowed)
+        return value
+
+    def value(self, node: Node, what: str) -> Value:
+        """A scalar or a vector. Raises as `scalar`."""
+        if isinstance(node, ListNode):
+            return self._components(node, what, ANYTHING)
+        return self._read(read_value, _text(node, what))
+
+    def equation(self, fragment: Fragment, scope: Scope | None = None) -> EquationRead:
+        """An equation. Raises as `scalar`."""
+        return self._read(read_equation, fragment, scope)
+
+    def _components(self, node: ListNode, what: str, allowed: Allowed) -> Vector:
+        items = items_of(node, what, "[x, y]")
+        if len(items) not in (2, 3):
+            message = f"{what} has {len(items)} component{'s' if len(items) != 1 else ''}"
+            raise ProblemError(wrong_kind(node, message, "give two or three"))
+        parts = [self.diagnostics.attempt(lambda i=i: self.scalar(i, what, allowed)) for i in items]  # type: ignore[misc]
+        if None in parts:
+            raise ProblemError(())
+        x, y, z = (p if p is not None else sp.S.Zero for p in (*parts, sp.S.Zero)[:3])
+        return Vector((x, y, z))
+
+    def is_known(self, name: str) -> bool:
+        """Whether a name may be used in an expression, or could if its declaration had not failed."""
+        return self.names.has_failed(name) or name in self.scope.names() or name in UNITS
+
+    def is_zero(self, expression: sp.Expr) -> bool | None:
+        """Whether an expression is identically zero; None where testing it would take too long.
+
+        Raises DivisionByZeroError where it divides by what is identically zero.
+        """
+        length = size(expression)
+        self._tested += length
+        return is_zero(expression) if length <= MOST_TESTED and self._tested <= 5 * MOST_TESTED else None
+
+    def may_reduce(self, expression: sp.Expr) -> bool:
+        """Whether a constraint is small enough to be reduced, after those that already were."""
+        length = size(expression)
+        self._reduced += length
+        return length <= MOST_REDUCED and self._reduced <= 10 * MOST_REDUCED
+
+    # -- scope -------------------------------------------------------------------------------------------------------
+
+    def add_scalars(self, more: Mapping[str, sp.Expr]) -> None:
+        """Adds scalars to the scope."""
+        self.scope = replace(self.scope, scalars={**self.scope.scalars, **more})
+        self._sizes.update({name: size(value) for name, value in more.items() if value.args})
+
+    def add_vectors(self, more: Mapping[str, Vector]) -> None:
+        """Adds vectors to the scope."""
+        self.scope = replace(self.scope, vectors={**self.scope.vectors, **more})
+        self._sizes.update({name: sum(size(c) for c in v.components) for name, v in more.items()})
+
+    # -- reading -----------------------------------------------------------------------------------------------------
+
+    def _read(self, reader: Reader[T], fragment: Fragment, scope: Scope | None = None) -> T:
+        notes: list[Diagnostic] = []
+        value = self.read_quietly(reader, fragment, scope or self.scope, notes)
+        self.diagnostics.report_all(notes)
+        return value
+
+    def read_quietly(self, reader: Reader[T], fragment: Fragment, scope: Scope, notes: list[Diagnostic]) -> T:
+        """The text as a reader of expressions understands it; remarks on the reading are appended to `notes`.
+
+        Raises ProblemError; without a diagnostic where the declaration of a name has failed, or the work budget is
+        used up.
+        """
+        if self.names.uses_failed(fragment.text) or self.budget.left < 0:
+            raise ProblemError(())
+        self.diagnostics.report_all(_halved_primes(fragment))
+        self._charge(fragment)
+        return reader(fragment, replace(scope, budget=self.budget), notes)
+
+    def _charge(self, fragment: Fragment) -> None:
+        """Counts the sizes of abbreviations wherever they are used; a derivative is about four times as large."""
+        if not self._sizes:
+            return
+        if self._written_out > MAX_WRITTEN_OUT:
+            raise ProblemError(())  # it has been reported
+        self._written_out += sum(self._sizes.get(name, 0) * 4**order for name, order in derivatives_in(fragment.text))
+        if self._written_out > MAX_WRITTEN_OUT:
+            message = "the abbreviations and positions of this file, written out where they are used, are too large"
+            help_ = "use simpler ones"
+            span = fragment.span(0, len(fragment.text))
+            raise ProblemError(Diagnostic("expression-too-large", message, span, help=help_))
+
+    def _check(
+        self, value: sp.Expr | Vector, fragment: Fragment, what: str, allowed: Allowed, scope: Scope | None = None
+    ) -> None:
+        """Raises ProblemError where an expression contains a quantity that is not allowed."""
+        slots = (scope or self.scope).slots
+        for part in value.components if isinstance(value, Vector) else (value,):
+            refused = first_refused(part, allowed, slots, self.unknowns)
+            if refused is not None:
+                raise ProblemError(_refusal(*refused, what, fragment, allowed))
+
+    def check(self, equation: EquationRead, fragment: Fragment, what: str, allowed: Allowed) -> None:
+        """Refuses quantities that do not belong into an equation."""
+        for side in (equation.lhs, equation.rhs):
+            self._check(side, fragment, what, allowed)
+
+
+def _text(node: Node, what: str) -> Fragment:
+    """The text of an expression."""
+    if isinstance(node, Scalar):
+        return scalar_of(node, what).fragment
+    raise ProblemError(wrong_kind(node, f"{what} is an expression", "write it as one text, in quotes if it has commas"))
+
+
+def _refusal(symbol: sp.Symbol, kind: AllowedQuantity, what: str, fragment: Fragment, allowed: Allowed) -> Diagnostic:
+    named = f"`{symbol}`" if kind is AllowedQuantity.TIME else f"{kind} `{symbol}`"
+    place = place_of(symbol, fragment)
+    if allowed.code == "not-constant":
+        return Diagnostic(allowed.code, f"{what} must be constant, and {named} varies", place, help=allowed.help)
+    return Diagnostic(allowed.code, f"{what} contains {named}", place, help=allowed.help)
+
+
+def _halved_primes(fragment: Fragment) -> list[Diagnostic]:
+    """`'x'' = 0'`: in single quotes YAML takes two apostrophes for one. Four that become two are what was meant."""
+    if not isinstance(fragment, ScalarText) or fragment.style != "'":
+        return []
+    try:
+        primes = [token for token in tokens(fragment)[0] if token.kind is TokenKind.PRIMES]
+    except ProblemError:
+        return []
+    if not primes or any(token.count > 1 for token in primes):
+        return []
+    message = "YAML takes two apostrophes for one in single quotes: this is a first derivative"
+    span = fragment.span(primes[0].start, primes[0].end)
+    help_ = "put the value in double quotes, where primes are read as they are written"
+    return [Diagnostic("read-as", message, span, help=help_, level=Severity.NOTE)]
+
+
+def place_of(symbol: sp.Symbol, fragment: Fragment) -> Span:
+    """The place of a symbol with its primes in a text; the whole text where an abbreviation contains the symbol."""
+    try:
+        read, _ = tokens(fragment)
+    except ProblemError:
+        return fragment.whole
+    primes = len(symbol.name) - len(base(symbol).name)
+    for token, after in pairwise(read):
+        if token.kind is TokenKind.NAME and token.text == base(symbol).name:
+            primed = after.count if after.kind is TokenKind.PRIMES else 0
+            if primed == primes:
+                return fragment.span(token.start, after.end if primed else token.end)
+    return fragment.span(0, len(fragment.text))
+
+
+def size(expression: sp.Expr) -> int:
+    """The number of parts of an expression with everything written out."""
+    return Sizes().of(expression).size

@@ -1,0 +1,372 @@
+"""Reading `let`, `particles` and `bodies`, which may refer to one another.
+
+An abbreviation may use the position r_P of a particle, and a position may use an abbreviation or another position. Each
+entry is read once, after those whose names it uses; entries that are defined by one another are an error.
+
+A body adds vectors to the language: its position, its angular velocity and its axes (`core.triads`). How it is turned
+is read apart from where it is, because its position may use its axes. A planar body has an angle about k; in space it
+has a sequence of three rotations about body axes, or the file gives the triad of the inertia and the angular velocity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from functools import cached_property, partial
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.fourier.vector_cleanup import tidied
+from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.records import record
+from lagrange.core.triads import axis_names, names_before_last
+from lagrange.core.vectors import Vector
+from lagrange.problem.declared_names import names_in
+from lagrange.problem.keys import BODY, ORIENTATION, PARTICLE, SEQUENCES, WAYS_OF_TURNING
+from lagrange.problem.load_context import LoadContext
+from lagrange.problem.model import Body, Particle
+from lagrange.problem.sections import (
+    CONSTANT,
+    POSITION,
+    RATE,
+    Section,
+    entries_of,
+    items_of,
+    mapping_of,
+    scalar_of,
+    wrong_kind,
+)
+from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar, scalars
+
+_EXAMPLE = "{mass: m, inertia: I_G, position: x*i + y*j, angle: theta}"
+_TURNING = (
+    "a planar body has one moment of inertia and `angle`; a body in space has three, and `orientation`, "
+    "or `axes` with `angular_velocity`"
+)
+
+
+def names_of_turning(name: str, node: Node) -> dict[str, str]:
+    """The vectors that a body adds to the language beside its position: name -> description."""
+    described = {f"omega_{name}": f"the angular velocity of `{name}`"}
+    described |= dict.fromkeys(axis_names(name), f"an axis of the body `{name}`")
+    if isinstance(node, MappingNode) and any(key.text == "orientation" for key, _ in node.entries):
+        described |= dict.fromkeys(names_before_last(name), f"an axis before the last rotation of `{name}`")
+    return described
+
+
+class _BodyBeingRead:
+    """One entry of `bodies`, whose orientation and position are read at different times."""
+
+    def __init__(self, name: str, key: Scalar, node: Node, context: LoadContext) -> None:
+        self.name = name
+        self.key = key
+        self.node = node
+        self.context = context
+        self._body: Body | None = None
+
+    @cached_property
+    def _section(self) -> Section:
+        what = f"the body `{self.name}`"
+        return Section(mapping_of(self.node, what, f"{self.name}: {_EXAMPLE}"), what, BODY, self.context.diagnostics)
+
+    def turning(self) -> Mapping[str, Vector]:
+        """Reads everything but the position. Returns the vectors that this adds to the language."""
+        section, context = self._section, self.context
+        mass, inertia = context.diagnostics.all_of(
+            lambda: mass_of(section.get("mass"), self.name, context),
+            lambda: _inertia(section.required("inertia", self.key.span), context),
+        )
+        self._body = _turned_body(Body(self.name, mass, Vector.zero(), inertia, self.key.span), section, context)
+        turned = self._body.orientation(context.scope.slots)
+        return {f"omega_{self.name}": turned.angular_velocity, **turned.vectors}
+
+    def position(self) -> Vector:
+        """Reads the position of the mass centre."""
+        node = self._section.required("position", self.key.span)
+        return self.context.vector(node, f"the position of `{self.name}`")
+
+    def at(self, position: Vector) -> Body | None:
+        """The body; None where the rest of it could not be read."""
+        return None if self._body is None else replace(self._body, position=position)
+
+
+def constant(node: Node, what: str, context: LoadContext) -> sp.Expr:
+    """A constant expression that is not negative. Raises ProblemError where it is not one."""
+    value = context.scalar(node, what, CONSTANT)
+    if value.xreplace(context.values).is_negative:
+        shown = "" if value.is_negative else ", with the values that the file gives"
+        raise ProblemError(Diagnostic("negative", f"{what} is negative{shown}", node.span, help="change its sign"))
+    return value
+
+
+def mass_of(node: Node | None, name: str, context: LoadContext) -> sp.Expr:
+    """The mass of a particle or body; 0 where the file gives none."""
+    return sp.S.Zero if node is None else constant(node, f"the mass of `{name}`", context)
+
+
+def _inertia(node: Node, context: LoadContext) -> tuple[sp.Expr, ...]:
+    if isinstance(node, Scalar) and node.text.lstrip().startswith("["):
+        message = "`inertia` is a list here, and not a text"
+        raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]` without quotes"))
+    if not isinstance(node, ListNode):
+        return (constant(node, "a moment of inertia", context),)
+    if len(node.items) != 3:
+        message = f"`inertia` has one moment, or three principal moments, and not {len(node.items)}"
+        raise ProblemError(Diagnostic("inertia", message, node.span, help="write `inertia: [A, B, C]`"))
+    return tuple(constant(item, "a moment of inertia", context) for item in node.items)
+
+
+def _turned_body(body: Body, section: Section, context: LoadContext) -> Body:
+    """The body with its orientation. Raises ProblemError where that is not clear."""
+    given = tuple(key for way in WAYS_OF_TURNING for key in way if section.has(key))
+    planar = len(body.inertia) == 1
+    for way, read in zip(WAYS_OF_TURNING, (_with_angle, _with_orientation, _with_axes), strict=True):
+        if given == way and planar == (read is _with_angle):
+            return read(body, section, context)
+    message = f"it is not clear how the body `{body.name}` is turned"
+    raise ProblemError(Diagnostic("orientation", message, body.span, help=_TURNING))
+
+
+def _with_angle(body: Body, section: Section, context: LoadContext) -> Body:
+    angle = context.scalar(section.required("angle", body.span), f"the angle of `{body.name}`", POSITION)
+    return replace(body, angle=angle)
+
+
+def _with_orientation(body: Body, section: Section, context: LoadContext) -> Body:
+    node = section.required("orientation", body.span)
+    mapping = mapping_of(node, "`orientation`", f"orientation: {BODY.example('orientation')}")
+    inner = Section(mapping, "the orientation", ORIENTATION, context.diagnostics)
+    sequence = _sequence(inner.required("axes", node.span))
+    angles_node = inner.required("angles", node.span)
+    items = items_of(angles_node, "`angles`", "angles: [phi, theta, psi]")
+    if len(items) != 3:
+        message = f"an orientation has three angles, not {len(items)}"
+        help_ = "write `angles: [phi, theta, psi]`"
+        raise ProblemError(Diagnostic("orientation", message, angles_node.span, help=help_))
+    angles = tuple(context.scalar(i, f"an angle of `{body.name}`", POSITION) for i in items)
+    return replace(body, sequence=sequence, angles=angles)
+
+
+def _sequence(node: Node) -> str:
+    scalar = scalar_of(node, "`axes`")
+    if scalar.text not in SEQUENCES:
+        message = f"`{scalar.text}` is not a sequence of rotations"
+        help_ = f"it is one of {', '.join(SEQUENCES)}: neighbouring axes differ"
+        raise ProblemError(Diagnostic("unknown-sequence", message, scalar.span, help=help_))
+    return scalar.text
+
+
+def _with_axes(body: Body, section: Section, context: LoadContext) -> Body:
+    node = section.required("axes", body.span)
+    items = items_of(node, "`axes`", "axes: [e1, e2, e3]")
+    if len(items) != 3:
+        raise ProblemError(wrong_kind(node, f"`axes` has three vectors, and not {len(items)}", "write `[e1, e2, e3]`"))
+    a, b, c = (context.vector(i, f"an axis of `{body.name}`") for i in items)
+    _check_triad((a, b, c), node, context)
+    spin_node = section.required("angular_velocity", body.span)
+    spin = context.vector(spin_node, f"the angular velocity of `{body.name}`", RATE)
+    names = tuple(item.text for item in items if isinstance(item, Scalar) and item.text in context.scope.vectors)
+    called = names if len(set(names)) == 3 else ()
+    return replace(body, axes=(a, b, c), axes_called=called, angular_velocity=spin)
+
+
+def _check_triad(axes: tuple[Vector, Vector, Vector], node: Node, context: LoadContext) -> None:
+    """Raises ProblemError where axes are not a right-handed triad of unit vectors. What is undecided passes."""
+    wanted = [(axes[m].dot(axes[n]), int(m == n)) for m in range(3) for n in range(m, 3)]
+    if any(_differs(value, number, context) for value, number in wanted):
+        message = "these axes are not perpendicular unit vectors"
+        help_ = "check their lengths and the angles between them"
+    elif _differs(axes[0].cross(axes[1]).dot(axes[2]), 1, context):
+        message, help_ = "these axes are left-handed", "reverse or exchange two of them"
+    else:
+        return
+    raise ProblemError(Diagnostic("axes", message, node.span, help=help_))
+
+
+def _differs(value: sp.Expr, number: int, context: LoadContext) -> bool:
+    try:
+        return context.is_zero(value - number) is False
+    except DivisionByZeroError:
+        return True
+
+
+_PARTICLE = "P: {mass: m, position: x*i + y*j}"
+_BODY = "B: {mass: m, inertia: I_G, position: x*i + y*j, angle: theta}"
+
+
+@record
+class Things:
+    """The particles, bodies and abbreviations of a file, in its order."""
+
+    particles: tuple[Particle, ...]
+    bodies: tuple[Body, ...]
+    abbreviations: Mapping[str, sp.Expr | Vector]
+
+
+@record
+class _Entry:
+    """An entry that waits to be read: the names that it defines, and those that it uses."""
+
+    key: Scalar
+    defines: tuple[str, ...]
+    uses: frozenset[str]
+    read: Callable[[], None]
+
+
+def read_things(root: Section, context: LoadContext) -> Things:
+    """The abbreviations go into the scope, particles and bodies are returned."""
+    particles: dict[str, Particle] = {}
+    bodies: dict[str, Body] = {}
+    short: dict[str, sp.Expr | Vector] = {}
+    entries = [
+        *_abbreviations(root, context, short),
+        *_particles(root, context, particles),
+        *_bodies(root, context, bodies),
+    ]
+    for entry in _in_order(entries, context):
+        try:
+            entry.read()
+        except ProblemError as error:
+            context.diagnostics.report_all(error.diagnostics)
+            context.names.fail(*entry.defines)
+    known = context.things.known()
+    return Things(
+        tuple(particles[n] for n in known if n in particles), tuple(bodies[n] for n in known if n in bodies), short
+    )
+
+
+def _entries(root: Section, key: str, example: str, context: LoadContext) -> tuple[tuple[Scalar, Node], ...]:
+    node = root.section(key)
+    if node is None:
+        return ()
+    entries = context.diagnostics.attempt(lambda: entries_of(node, f"`{key}`", f"{key}: {{{example}}}"))
+    if entries is None:
+        context.names.fail_all(node)
+    return entries or ()
+
+
+def _abbreviations(root: Section, context: LoadContext, abbreviations: dict[str, sp.Expr | Vector]) -> Iterator[_Entry]:
+    for key, node in _entries(root, "let", 'n: "sin(theta)*i - cos(theta)*j"', context):
+        name = context.names.declare(key, "an abbreviation")
+        if name is not None:
+            yield _Entry(key, (name,), _uses(node), partial(_read_abbreviation, name, node, context, abbreviations))
+
+
+def _read_abbreviation(name: str, node: Node, context: LoadContext, abbreviations: dict[str, sp.Expr | Vector]) -> None:
+    value = context.value(node, f"`{name}`")
+    if isinstance(value, Vector):
+        value = value.map(tidied)
+        context.add_vectors({name: value})
+    else:
+        context.add_scalars({name: value})
+    abbreviations[name] = value
+
+
+def _particles(root: Section, context: LoadContext, particles: dict[str, Particle]) -> Iterator[_Entry]:
+    for key, node in _entries(root, "particles", _PARTICLE, context):
+        name = context.things.declare(key, "a particle")
+        if name is None:
+            continue
+        context.points[name] = None
+        context.names.add(f"r_{name}", f"the position of `{name}`", key.span)
+        yield _Entry(key, (f"r_{name}",), _uses(node), partial(_read_particle, name, key, node, context, particles))
+
+
+def _read_particle(name: str, key: Scalar, node: Node, context: LoadContext, particles: dict[str, Particle]) -> None:
+    mapping = mapping_of(node, f"the particle `{name}`", f"{name}: {{mass: m, position: x*i + y*j}}")
+    section = Section(mapping, f"the particle `{name}`", PARTICLE, context.diagnostics)
+    mass = context.diagnostics.attempt(lambda: mass_of(section.get("mass"), name, context))
+    position = context.vector(section.required("position", key.span), f"the position of `{name}`")
+    context.points[name] = position
+    context.add_vectors({f"r_{name}": position})
+    if mass is not None:
+        particles[name] = Particle(name, mass, position, key.span)
+
+
+def _bodies(root: Section, context: LoadContext, bodies: dict[str, Body]) -> Iterator[_Entry]:
+    for key, node in _entries(root, "bodies", _BODY, context):
+        name = context.things.declare(key, "a rigid body")
+        if name is None:
+            continue
+        context.points[name] = None
+        context.bodies.append(name)
+        body = _BodyBeingRead(name, key, node, context)
+        of_position, of_turning = _names_used(node)
+        turning = names_of_turning(name, node)
+        for vector, what in {f"r_{name}": f"the position of `{name}`", **turning}.items():
+            context.names.add(vector, what, key.span)
+        yield _Entry(key, tuple(turning), of_turning, partial(_read_turning, body, context, bodies))
+        yield _Entry(key, (f"r_{name}",), of_position, partial(_read_place, body, context, bodies))
+
+
+def _read_turning(body: _BodyBeingRead, context: LoadContext, bodies: dict[str, Body]) -> None:
+    context.add_vectors(body.turning())
+    _complete(body, context, bodies)
+
+
+def _read_place(body: _BodyBeingRead, context: LoadContext, bodies: dict[str, Body]) -> None:
+    position = body.position()
+    context.points[body.name] = position
+    context.add_vectors({f"r_{body.name}": position})
+    _complete(body, context, bodies)
+
+
+def _complete(body: _BodyBeingRead, context: LoadContext, bodies: dict[str, Body]) -> None:
+    """Adds the body, once both of its parts are read."""
+    position = context.points[body.name]
+    complete = None if position is None else body.at(position)
+    if complete is not None:
+        bodies[body.name] = complete
+
+
+def _names_used(node: Node) -> tuple[frozenset[str], frozenset[str]]:
+    """The names that the position of a body uses, and those that the rest of it uses."""
+    if not isinstance(node, MappingNode):
+        return frozenset(), _uses(node)
+    uses = [(key.text == "position", _uses(value)) for key, value in node.entries]
+    place, rest = ([names for is_place, names in uses if is_place == wanted] for wanted in (True, False))
+    return frozenset().union(*place), frozenset().union(*rest)
+
+
+def _uses(node: Node) -> frozenset[str]:
+    return frozenset(name for scalar in scalars(node) for name in names_in(scalar.text))
+
+
+# -- order -----------------------------------------------------------------------------------------------------------
+
+
+def _in_order(entries: list[_Entry], context: LoadContext) -> list[_Entry]:
+    """Each entry after those whose names it uses; circular definitions are reported and left out."""
+    giver = {name: n for n, entry in enumerate(entries) for name in entry.defines}
+    needs = [[giver[name] for name in sorted(entry.uses) if name in giver] for entry in entries]
+    order: dict[int, None] = {}
+    for start in range(len(entries)):
+        path = {start: iter(needs[start])} if start not in order else {}
+        while path:
+            last = next(reversed(path))
+            needed = next((n for n in path[last] if n not in order), None)
+            if needed is None:
+                order[last] = None
+                del path[last]
+            elif needed in path:
+                visited = list(path)
+                _report_circle([entries[n] for n in visited[visited.index(needed) :]], context)
+            else:
+                path[needed] = iter(needs[needed])
+    return [entries[n] for n in order if not any(context.names.has_failed(g) for g in entries[n].defines)]
+
+
+def _report_circle(circle: list[_Entry], context: LoadContext) -> None:
+    """Reports entries that are defined by one another, at the first of them in the file."""
+    ordered = sorted(circle, key=lambda e: e.key.span.start)
+    for entry in ordered:
+        context.names.fail(*entry.defines)
+    names = [f"`{entry.key.text}`" for entry in ordered]
+    message = (
+        f"{names[0]} is defined by itself"
+        if len(names) == 1
+        else f"{', '.join(names[:-1])} and {names[-1]} are defined by one another"
+    )
+    help_ = "write one of them without the others" if len(names) > 1 else "write it with other names"
+    context.diagnostics.report(Diagnostic("circular-definition", message, ordered[0].key.span, help=help_))

@@ -1,0 +1,281 @@
+"""Reading stated answers: the `answers` of a problem file, its reference system `equations`, and files of answers.
+
+    degrees_of_freedom: 1
+    classification: [holonomic, scleronomic]
+    equations: ["theta'' + g/l*sin(theta) = 0"]
+
+A file of answers has the keys of `answers`, at its top level or under `answers:`. Equations stay text, because they are
+read and judged like anybody's answer, and they may be in LaTeX. In a problem file an equation that cannot be read is a
+mistake of the file; in a file of answers it is not, because the verdict on it says so and the others still count. Other
+mistakes (an unknown key, a list where a value belongs) are errors in both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from typing import Any, TypeVar
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, suggestion
+from lagrange.core.symbols import Sign
+from lagrange.expressions.latex_layout import equations
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.reader import Scope, read_equation, read_value
+from lagrange.problem.declared_names import canonical
+from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
+from lagrange.problem.keys import ANSWERS, CLASSES
+from lagrange.problem.limits import MOST_SIGNS
+from lagrange.problem.load_context import LoadContext, Reader
+from lagrange.problem.model import Answers, Choice, Constraint, Problem
+from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
+from lagrange.problem.yaml_composer import parse
+from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
+
+_OPPOSITES = tuple(zip(CLASSES[::2], CLASSES[1::2], strict=True))
+
+T = TypeVar("T")
+
+
+class AnswerReader:
+    """Reads what is to be compared with the solution. `constraints` are those that could be read.
+
+    tries  whether an equation that cannot be read is a mistake of the file; otherwise the verdict on it says so
+    """
+
+    def __init__(
+        self,
+        context: LoadContext,
+        constraints: tuple[Constraint, ...],
+        choices: tuple[Choice, ...],
+        scope: Scope,
+        *,
+        tries: bool = True,
+    ) -> None:
+        self.context = context
+        self.diagnostics = context.diagnostics
+        self.components: dict[str, list[str]] = {name: [] for name in context.constraints.known()}
+        for c in constraints:
+            self.components.setdefault(_vector_equation(c.name), []).append(c.name)
+        self.tries = tries
+        self.scope = _scope_of_answers(scope, choices)
+
+    def answers(self, node: Node | None) -> Answers | None:
+        """The section `answers`; None where there is none."""
+        if node is None:
+            return None
+        mapping = self.diagnostics.attempt(lambda: mapping_of(node, "`answers`", "answers: {degrees_of_freedom: 1}"))
+        if mapping is None:
+            return None
+        section = Section(mapping, "the answers", ANSWERS, self.diagnostics)
+        freedom = section.get("degrees_of_freedom")
+        return Answers(
+            degrees_of_freedom=self.diagnostics.attempt(lambda: _whole_number(freedom)) if freedom else None,
+            classification=self._classification(section.get("classification")),
+            integrable=self._of_constraints(section.get("integrable"), "integrable", "rod: true", _truth_value),
+            equations=self.equations(section.get("equations"), "`equations`"),
+            equilibrium=self._equilibrium(section.get("equilibrium")),
+            reactions=self._of_constraints(section.get("reactions"), "reactions", "rod: m*g", self._reaction),
+            frequencies=self._frequencies(section.get("frequencies")),
+        )
+
+    def equations(self, node: Node | None, what: str) -> tuple[Fragment, ...]:
+        """Equations: a list of texts, or one text."""
+        if node is None:
+            return ()
+        items = (
+            (node,)
+            if isinstance(node, Scalar)
+            else self.diagnostics.attempt(lambda: items_of(node, what, "[\"theta'' + g/l*sin(theta) = 0\"]"))
+        )
+        read = (self.diagnostics.attempt(partial(self._equation, item, what)) for item in items or ())
+        return tuple(fragment for fragment in read if fragment is not None)
+
+    def _equation(self, node: Node, what: str) -> Fragment:
+        fragment = scalar_of(node, f"an entry of {what}").fragment
+        self._try(read_equation, fragment)
+        return fragment
+
+    def _reaction(self, node: Node) -> Fragment:
+        """A reaction as an expression, or as an equation `T = ...`."""
+        fragment = scalar_of(node, "a reaction").fragment
+        self._try(read_equation if "=" in fragment.text else read_value, fragment)
+        return fragment
+
+    def _try(self, reader: Reader[Any], fragment: Fragment) -> None:
+        """Reads an answer only to find its mistakes: notes on how it is read belong to the verdict on it."""
+        if not self.tries:
+            return
+        limited: Reader[Any] = partial(read_value, latex=True)
+        if reader is read_equation:
+            limited = partial(read_equation, limit=MAX_ANSWER_CHARACTERS, latex=True)
+        for equation in equations(fragment):
+            self.context.read_quietly(limited, equation, self.scope, [])
+
+    def _equilibrium(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
+        """Nested lists are alternatives; a flat list is one system."""
+        what = "`equilibrium`"
+        if isinstance(node, ListNode) and any(isinstance(item, ListNode) for item in node.items):
+            if not all(isinstance(item, ListNode) for item in node.items):
+                help_ = "write `[a, b]` for one system, `[[a], [b]]` for alternatives"
+                self.diagnostics.report(wrong_kind(node, f"{what} mixes equations with lists of equations", help_))
+            return tuple(self.equations(item, what) for item in node.items)
+        flat = self.equations(node, what)
+        return (flat,) if flat else ()
+
+    def _frequencies(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
+        """Expressions for ω; nested lists are those of several equilibria."""
+        what, example = "`frequencies`", '["sqrt(g/l)"]'
+        if node is None:
+            return ()
+        read = (node,) if isinstance(node, Scalar) else self.diagnostics.attempt(lambda: items_of(node, what, example))
+        items = list(read or ())
+        if any(isinstance(item, ListNode) for item in items):
+            lists = [item for item in items if isinstance(item, ListNode)]
+            if len(lists) < len(items):
+                help_ = "write `[a, b]` for one equilibrium, `[[a, b], [c]]` for several"
+                self.diagnostics.report(wrong_kind(node, f"{what} mixes expressions with lists of them", help_))
+            return tuple(tuple(self._values(item.items, what)) for item in lists)
+        return (tuple(self._values(items, what)),)
+
+    def _values(self, nodes: Sequence[Node], what: str) -> Iterator[Fragment]:
+        """The texts of expressions that can be read."""
+        for node in nodes:
+            scalar = self.diagnostics.attempt(lambda n=node: scalar_of(n, f"an entry of {what}"))  # type: ignore[misc]
+            if scalar is not None:
+                try:
+                    self._try(read_value, scalar.fragment)
+                except ProblemError as error:
+                    raise ProblemError([_of_frequency(d) for d in error.diagnostics]) from None
+                yield scalar.fragment
+
+    def _classification(self, node: Node | None) -> tuple[str, ...]:
+        """The classification, in the words of the textbook."""
+        if node is None:
+            return ()
+        example = "classification: [holonomic, scleronomic]"
+        items = (
+            (node,)
+            if isinstance(node, Scalar)
+            else self.diagnostics.attempt(lambda: items_of(node, "`classification`", example))
+        )
+        words: dict[str, Scalar] = {}
+        for item in items or ():
+            scalar = self.diagnostics.attempt(lambda i=item: _class(i))  # type: ignore[misc]
+            if scalar is not None:
+                words.setdefault(scalar.text, scalar)
+        for pair in _OPPOSITES:
+            if all(word in words for word in pair):
+                message = f"a system is not both {pair[0]} and {pair[1]}"
+                last = max((words[w] for w in pair), key=lambda s: s.span.start)
+                self.diagnostics.report(
+                    Diagnostic("contradictory-answer", message, last.span, help="keep one of the two")
+                )
+        return tuple(words)
+
+    def _of_constraints(self, node: Node | None, key: str, example: str, read: Callable[[Node], T]) -> Mapping[str, T]:
+        """name of a constraint -> its answer; an answer for a vector equation counts for all its components."""
+        if node is None:
+            return {}
+        answers: dict[str, T] = {}
+        entries = self.diagnostics.attempt(lambda: entries_of(node, f"`{key}`", f"{key}: {{{example}}}"))
+        for name, value in entries or ():
+            answer = self.diagnostics.attempt(partial(read, value))
+            names = self.diagnostics.attempt(partial(self._constraints, name))
+            if answer is not None and names is not None:
+                answers |= dict.fromkeys(names, answer)
+        return answers
+
+    def _constraints(self, scalar: Scalar) -> list[str]:
+        """The constraints that a name means: one, or the components of a vector equation."""
+        name = canonical(scalar.text, self.components)
+        if name in self.components:
+            return self.components[name]
+        known = [c for names in self.components.values() for c in names]
+        if name in known or (_vector_equation(name) in self.components and not self.components[_vector_equation(name)]):
+            return [name]
+        if self.context.names.has_failed(scalar.text):
+            return []
+        help_ = suggestion(name, list(dict.fromkeys((*self.components, *known))), "constraints")
+        raise ProblemError(
+            Diagnostic("unknown-name", f"`{scalar.text}` is not a constraint of this file", scalar.span, help=help_)
+        )
+
+
+def _vector_equation(name: str) -> str:
+    """The name of the constraint that a component belongs to."""
+    return name.split(".", 1)[0]
+
+
+def _scope_of_answers(scope: Scope, choices: tuple[Choice, ...]) -> Scope:
+    """The names that an answer may use, with the coordinates of the choices and the signs of their square roots."""
+    new = [q for c in choices for q in c.coordinates]
+    slots = replace(scope.slots, coordinates=tuple(dict.fromkeys((*scope.slots.coordinates, *new))))
+    signs: dict[str, sp.Expr] = {}
+    if any(c.substitute is None for c in choices):
+        signs = {f"sigma_{n}": Sign(f"sigma_{n}") for n in range(1, MOST_SIGNS)}
+    return replace(scope, slots=slots, scalars=signs | dict(scope.scalars))
+
+
+def _whole_number(node: Node) -> int:
+    scalar = scalar_of(node, "`degrees_of_freedom`")
+    if not scalar.text.isascii() or not scalar.text.isdigit() or len(scalar.text) > 4:
+        message = f"`{scalar.text}` is not a whole number"
+        raise ProblemError(Diagnostic("not-a-number", message, scalar.span, help="write a number such as `2`"))
+    return int(scalar.text)
+
+
+def _class(node: Node) -> Scalar:
+    scalar = scalar_of(node, "a class")
+    if scalar.text not in CLASSES:
+        help_ = suggestion(scalar.text, CLASSES, "classes")
+        raise ProblemError(
+            Diagnostic("unknown-class", f"`{scalar.text}` is not a class of systems", scalar.span, help=help_)
+        )
+    return scalar
+
+
+def _truth_value(node: Node) -> bool:
+    scalar = scalar_of(node, "`integrable`")
+    if scalar.text not in ("true", "false"):
+        message = f"`{scalar.text}` is neither `true` nor `false`"
+        raise ProblemError(Diagnostic("not-a-truth-value", message, scalar.span, help="write `true` or `false`"))
+    return scalar.text == "true"
+
+
+def _of_frequency(mistake: Diagnostic) -> Diagnostic:
+    """A mistake in a stated frequency; where it is imaginary, the help tells what can be stated."""
+    help_ = "state the real frequencies only: a root with omega^2 < 0 grows as an exponential function, and is left out"
+    return replace(mistake, help=help_) if mistake.code == "not-real" else mistake
+
+
+EXAMPLE = "equations: [\"theta'' + g/l*sin(theta) = 0\"]"
+
+
+def read_answers(source: Source, problem: Problem) -> Answers:
+    """The answers that a text gives to a problem. Raises ProblemError with all its mistakes."""
+    diagnostics = Diagnostics()
+    answers = None
+    with suppress(EnoughError):
+        answers = diagnostics.attempt(lambda: _answers(source, problem, diagnostics))
+    diagnostics.stop_if_any()
+    if answers is None or answers == Answers():
+        help_ = f"give one, such as `{EXAMPLE}`"
+        raise ProblemError(Diagnostic("no-answer", f"there is no answer in {source.name}", help=help_))
+    return answers
+
+
+def _answers(source: Source, problem: Problem, diagnostics: Diagnostics) -> Answers | None:
+    root = parse(source, diagnostics, what="an answer file", needs=f"the keys are those of `answers`: `{EXAMPLE}`")
+    reader = AnswerReader(LoadContext(diagnostics), problem.constraints, problem.choices, problem.scope, tries=False)
+    return reader.answers(_inside(root))
+
+
+def _inside(root: MappingNode) -> Node:
+    """The value of `answers`, where that is the only key."""
+    if len(root.entries) == 1 and root.entries[0][0].text == "answers":
+        return mapping_of(root.entries[0][1], "`answers`", f"answers: {{{EXAMPLE}}}")
+    return root

@@ -1,0 +1,88 @@
+"""Systems solved in closed form, against brute force at random values of the parameters (`solution_counts`)."""
+
+from __future__ import annotations
+
+from random import Random
+
+import mpmath
+import pytest
+import sympy as sp
+
+from lagrange.algebra.closed_forms.branching import solutions
+from tests.support.found_solutions import ALPHA, POSITIVE, apart, near, predicted, values_of
+from tests.support.solution_counts import newton_solutions
+
+ANGLES = {n: sp.Symbol(n, real=True) for n in ["theta", "phi", "psi"]}
+PLAIN = {n: sp.Symbol(n, real=True) for n in ["x", "y", "z", "u", "v", "P", "Q"]}
+NAMES = {**POSITIVE, **ANGLES, **PLAIN, **ALPHA}
+
+SYSTEMS = [
+    (("theta - phi", "k*(2*theta - phi) - p*sin(theta - phi)"), "theta phi"),  # Ziegler's column: θ = φ is put in
+    (("theta + phi", "a*sin(theta) + b*cos(phi) - c"), "theta phi"),
+    (("theta - 2*phi", "a*sin(theta) - b*sin(phi)"), "theta phi"),
+    (("y", "x*(k/(x^2 + y^2)^(3/2) - 3*n^2)"), "x y"),  # Hill's moon: y = 0 is put in under the root
+    (("y - a", "x*(sqrt(x^2 + y^2) - b)"), "x y"),
+    (("a*sin(theta) - P*cos(theta)", "b*sin(phi) - P*cos(phi)"), "theta phi"),
+    (("k*x - k*(y - x) - a", "k*(y - x) - b"), "x y"),
+    (("x - l*sin(theta)", "sin(theta)*(a*cos(theta) - b)"), "x theta"),
+    (("l*cos(theta) - (u + v)*cos(alpha)", "l*sin(theta) - (v - u)*sin(alpha)", "a*sin(theta) - b*cos(theta)"),
+     "u v theta"),
+    (("2*x*u", "m*g + 2*y*u", "x^2 + y^2 - l^2"), "x y u"),
+    (("x*y - a*x", "a*x - b*y"), "x y"),
+    (("x^2 + y^2 - a^2 - b^2", "x - a"), "x y"),
+    (("sin(theta)*cos(phi)*a", "b*sin(phi)"), "theta phi"),
+    (("a*sin(theta) - b*sin(phi)", "phi*0 + sin(phi)*cos(phi)"), "theta phi"),
+    (("u*x + a", "u*y + b", "u*z + c", "x^2 + y^2 + z^2 - l^2"), "x y z u"),
+]  # fmt: skip
+
+
+def read(text: str) -> sp.Expr:
+    return sp.sympify(text.replace("^", "**"), locals=NAMES)
+
+
+def agree(mine: list, theirs: list) -> bool:
+    return len(mine) == len(theirs) and all(any(near(p, q) for q in theirs) for p in mine)
+
+
+@pytest.mark.parametrize(("texts", "names"), SYSTEMS, ids=[", ".join(t) for t, _ in SYSTEMS])
+def test_systems(texts: tuple[str, ...], names: str) -> None:
+    """Newton's iteration finds no solution that is not there, and all that are there are solutions."""
+    unknowns = [NAMES[n] for n in names.split()]
+    equations = [read(t) for t in texts]
+    found = solutions(equations, unknowns)
+    assert found.solved
+    assert found.verified
+    random = Random(names)
+    for _ in range(2):
+        values = values_of(equations, unknowns, random)
+        numeric = [e.xreplace(values) for e in equations]
+        theirs = []
+        for solution in newton_solutions(numeric, unknowns, random):
+            point = []
+            for u, v in zip(unknowns, solution, strict=True):
+                point += [mpmath.cos(v), mpmath.sin(v)] if found.letters.angle_of(u) else [v]
+            theirs.append(point)
+        mine = predicted(found, unknowns, values)
+        assert agree(mine, apart(theirs)), (found.branches, values, mine, theirs)
+
+
+@pytest.mark.parametrize(
+    ("text", "relation"),
+    [("(W*a - M*b)*cos(theta)", "W*a = M*b"), ("W*a - M*b", "W*a = M*b"), ("(k*l - m*g)*sin(theta)", "k*l = m*g")],
+)
+def test_parameters_that_balance_in_every_position(text: str, relation: str) -> None:
+    found = solutions([read(text)], [ANGLES["theta"]])
+    [special] = [b for b in found.branches if b.special]
+    [r] = special.relations
+    lhs, rhs = map(read, relation.split(" = "))
+    assert {r.lhs, r.rhs} == {lhs, rhs}
+
+
+def test_work_is_bounded() -> None:
+    """Ten coupled equations of high degree: refused soon, not worked at without end."""
+    unknowns = sp.symbols("q0:10", real=True)
+    equations = [
+        sum(unknowns[(n + k) % 10] ** (k + 2) for k in range(5)) - sp.Symbol(f"c{n}", positive=True) for n in range(10)
+    ]
+    found = solutions(equations, unknowns)
+    assert not found.solved

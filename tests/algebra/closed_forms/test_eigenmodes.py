@@ -1,0 +1,88 @@
+"""Frequencies and modes in closed form."""
+
+from __future__ import annotations
+
+import sympy as sp
+from mpmath import matrix, mp, mpf
+
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from tests.support.linearized_systems import (
+    SYSTEMS,
+    at_numbers,
+    linear_equations,
+    numbers,
+    of,
+    solved,
+    there,
+)
+
+SEEDS = range(4)
+
+
+def test_published_modes_of_the_molecule() -> None:
+    """Goldstein, section 6.4: ω = 0, √(k/m), √(k/m (1 + 2m/M)), with (1, 1, 1), (1, 0, −1), (1, −2m/M, 1)."""
+    m, M, c = sp.symbols("m M c", positive=True)
+    [s] = of(SYSTEMS["molecule"]).at
+    assert s is not None
+    wanted = [(0, (1, 1, 1)), (c / m, (1, 0, -1)), (c / m * (1 + 2 * m / M), (1, -2 * m / M, 1))]
+    for f, (square, mode) in zip(s.frequencies, wanted, strict=True):
+        assert sp.cancel(f.square - square) == 0
+        [found] = f.modes
+        assert all(sp.cancel(a - b) == 0 for a, b in zip(found, mode, strict=True))
+    assert s.judgement.stability.verdict is StabilityVerdict.UNDECIDED  # it may drift
+
+
+def test_modes_of_the_double_pendulum() -> None:
+    """Every mode satisfies (K − ω² M) a = 0 in numbers, and different ones are orthogonal."""
+    system = SYSTEMS["double-pendulum"]
+    found = of(system)
+    for seed in SEEDS:
+        p = numbers(system, seed)
+        s = there(found, system, p)
+        mass, stiff = (
+            matrix([[at_numbers(e, p) for e in row] for row in x]) for x in (s.system.mass, s.system.stiffness)
+        )
+        modes = [matrix([at_numbers(a, p) for a in f.modes[0]]) for f in s.frequencies]
+        for f, mode in zip(s.frequencies, modes, strict=True):
+            assert mp.norm((stiff - at_numbers(f.square, p) * mass) * mode) < mpf(10) ** -25
+        assert abs((modes[0].T * mass * modes[1])[0]) < mpf(10) ** -25
+
+
+DEGENERATE = """
+parameters: [m, c, b]
+coordinates: [x, y, z]
+particles: {A: {mass: m, position: x*i}, B: {mass: m, position: y*i}, C: {mass: m, position: z*i}}
+forces: {ring: {potential: c*((x - y)^2 + (y - z)^2 + (z - x)^2)/2 + b*(x + y + z)^2/2}}
+"""
+
+
+def test_a_frequency_that_belongs_to_two_modes() -> None:
+    [s] = linear_equations(solved(DEGENERATE)).at
+    assert s is not None
+    assert sorted((str(f.square), f.multiplicity, len(f.modes)) for f in s.frequencies) == [
+        ("3*b/m", 1, 1),
+        ("3*c/m", 2, 2),
+    ]
+
+
+TRIPLE = """
+parameters: [m, l, g]
+coordinates: [a, b, c]
+particles:
+  P: {mass: m, position: l*sin(a)*i - l*cos(a)*j}
+  Q: {mass: m, position: r_P + l*sin(b)*i - l*cos(b)*j}
+  R: {mass: m, position: r_Q + l*sin(c)*i - l*cos(c)*j}
+gravity: -g*j
+"""
+
+
+def test_a_cubic_equation_stays_an_equation() -> None:
+    """The triple pendulum: x³ − 9x² + 18x − 6 = 0 for x = ω² l/g, Laguerre's polynomial; stable all the same."""
+    s = linear_equations(solved(TRIPLE)).at[0]
+    assert s is not None
+    [f] = s.frequencies
+    assert f.square is None
+    x, g, l = f.letter, *sp.symbols("g l", positive=True)
+    polynomial = sp.Poly(f.factor.xreplace({x: x * g / l}), x).monic()
+    assert polynomial.all_coeffs() == [1, -9, 18, -6]
+    assert s.judgement.stability.verdict is StabilityVerdict.STABLE

@@ -1,0 +1,82 @@
+"""Signs, against values at random places: a sign that is claimed holds at every one of them."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import (
+    between_minus_one_and_one,
+    different_from_zero,
+    more_than_zero,
+    not_negative,
+    sign_of,
+)
+
+a, b, c = sp.symbols("a b c", positive=True)
+x, y = sp.symbols("x y", real=True)
+RELATIONS = {"≥": sp.Ge, "≤": sp.Le, ">": sp.Gt, "<": sp.Lt, "≠": sp.Ne}
+EXPRESSIONS = [
+    a, -a, a * b, -a / b, a + b, -a - b * c, a - b, x, x**2, x * y, x**2 + a, -(x**2) - a, 1 - sp.cos(x), sp.sin(x) - 2,
+    a**2 - a * b + b**2, x**2 + x + 1, x**2 + x - 1, a + sp.sqrt(a**2 + b**2), a - sp.sqrt(a**2 + b**2),
+    sp.sqrt(a**2 + b**2) - b, a * (x**2 + 1) / (b + c), sp.sqrt(a) - sp.sqrt(b), a**3 - b**3,
+]  # fmt: skip
+DECIDED = 18
+"""Signs that can be told, of those."""
+
+
+def places(count: int = 40) -> list[dict[sp.Symbol, sp.Rational]]:
+    random = Random(1)
+    draw = lambda low: sp.Rational(random.randint(low, 40), random.randint(1, 15))  # noqa: E731
+    return [{s: draw(1) for s in (a, b, c)} | {s: draw(-40) for s in (x, y)} for _ in range(count)]
+
+
+@pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
+def test_a_sign_that_is_claimed_is_met_everywhere(expression: sp.Expr) -> None:
+    sign = sign_of(expression)
+    found = {int(sp.sign(expression.xreplace(p).evalf(30))) for p in places()}
+    assert sign is None or found <= {sign, 0}
+
+
+def test_signs_are_found() -> None:
+    found = [e for e in EXPRESSIONS if sign_of(e) is not None]
+    assert len(found) >= DECIDED - 4
+    assert sign_of(sp.S.Zero) == 0
+    assert sign_of(a - b) is None
+    assert sign_of(x) is None
+    assert sign_of(a - b, positive=[a - b]) == 1
+    assert sign_of(b - a, positive=[a - b]) == -1
+
+
+@pytest.mark.parametrize("expression", EXPRESSIONS, ids=str)
+def test_conditions_hold_where_the_expression_is_not_negative(expression: sp.Expr) -> None:
+    conditions = not_negative(expression)
+    for p in places():
+        holds = conditions is not None and all(
+            bool(RELATIONS[k.relation](k.lhs.xreplace(p), k.rhs.xreplace(p))) for k in conditions
+        )
+        assert holds == (expression.xreplace(p).evalf(30) >= 0)
+
+
+def test_a_condition_has_no_minus_signs() -> None:
+    [condition] = not_negative(a * b - c)  # type: ignore[misc]
+    assert (condition.lhs, condition.relation, condition.rhs) == (a * b, "≥", c)
+    greater = more_than_zero(a * (b - c))
+    assert (greater.lhs, greater.relation, greater.rhs) == (b, ">", c)
+    [different] = different_from_zero(x - y)
+    assert (different.lhs - different.rhs) in (x - y, y - x)
+    assert different_from_zero(a + b) == ()
+
+
+@pytest.mark.parametrize(
+    "value", [a / b, x, (a - b) / (a + b), 1 + a, -1 - a, 2 * a / (a + b), a / sp.sqrt(a**2 + b**2)]
+)
+def test_where_an_arc_cosine_exists(value: sp.Expr) -> None:
+    conditions = between_minus_one_and_one(value)
+    for p in places():
+        holds = conditions is not None and all(
+            bool(RELATIONS[k.relation](k.lhs.xreplace(p), k.rhs.xreplace(p))) for k in conditions
+        )
+        assert holds == (abs(value.xreplace(p).evalf(30)) <= 1)

@@ -1,0 +1,48 @@
+"""Values in many digits: signs are respected."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import Fields, InadmissibleError, Point, Surface
+from lagrange.core.symbols import Sign
+
+x, y, theta, u, v, w = sp.symbols("x y theta u v w", real=True)
+m, l, R = sp.symbols("m l R", positive=True)
+
+
+def field_point() -> Point:
+    return Surface(fields=Fields(2)).point()
+
+
+def real_point() -> Point:
+    return Surface(fields=Fields(2)).real_point()
+
+
+@pytest.fixture(params=[field_point, real_point], ids=["field", "reals"])
+def point(request: pytest.FixtureRequest) -> Point:
+    return request.param()
+
+
+def close(point: Point, a: Any, b: Any) -> bool:
+    return point.arithmetic.vanishes(point.arithmetic.reduce(a - b))
+
+
+def test_signs_of_symbols_are_respected(point: Point) -> None:
+    negative = sp.Symbol("n", negative=True)
+    sigma = Sign("sigma")
+    point.require_positive(point.value(m))
+    point.require_positive(-point.value(negative))
+    assert close(point, point.value(sigma + 1) * point.value(sigma - 1), point.number(0))
+    with pytest.raises(InadmissibleError):
+        point.require_positive(point.value(-m))
+
+
+def test_a_real_symbol_may_have_either_sign() -> None:
+    surface = Surface()
+    signs = {surface.point(n).field.sign(surface.point(n).value(x)) for n in range(30)}  # type: ignore[attr-defined]
+    assert signs == {1, -1}
+    assert {surface.real_point(n).value(x) > 0 for n in range(30)} == {True, False}

@@ -1,0 +1,49 @@
+"""Sums of sines and cosines written as products."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from lagrange.algebra.fourier.product_to_sum import Atom, Factoring, TrigProduct, gathered
+from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.core.symbols import prime, t
+from tests.support.chance import examples
+
+x, y, theta, phi, psi = sp.symbols("x y theta phi psi", real=True)
+l, m, M, a, omega = sp.symbols("l m M a omega", positive=True)
+sin, cos, tan, sqrt, pi = sp.sin, sp.cos, sp.tan, sp.sqrt, sp.pi
+ANGLES = [theta, phi, theta - phi, 2 * theta, omega * t, theta / 2]
+factors = st.sampled_from(
+    [f(w) for f in (sin, cos) for w in ANGLES] + [x, y, m, prime(theta), prime(x, 2), sp.Integer(-3), sp.Rational(1, 2)]
+)
+monomials = st.lists(factors, max_size=5).map(lambda fs: sp.Mul(*fs))
+polynomials = st.lists(monomials, max_size=4).map(lambda ms: sp.Add(*ms))
+quick = settings(deadline=None, max_examples=examples(60))
+
+
+@quick
+@given(polynomials)
+def test_sums_of_products_keep_the_value(e: sp.Expr) -> None:
+    ring = FourierRing()
+    factoring = Factoring(ring)
+    for piece in ring.from_sympy(e).by_monomial().values():
+        ((monomial, _),) = {(k[0], 0) for k in piece.terms}
+        bare = piece.over_monomial(monomial)
+        back = ring.zero
+        for p in factoring.products(bare):
+            product = ring.number(p.number)
+            for atom, exponent in p.powers:
+                product = product * ring.circle(atom.frequency, atom.sine) ** exponent
+            back = back + product
+        assert back == bare
+
+
+def test_products_of_equal_powers_are_added() -> None:
+    atom = Atom(1, sine=True)
+    one, two, none = (TrigProduct(Fraction(n), powers) for n, powers in ((1, ((atom, 2),)), (2, ((atom, 2),)), (3, ())))
+    assert gathered((one, none, two)) == (TrigProduct(Fraction(3), ((atom, 2),)), none)
+    assert gathered((none, TrigProduct(Fraction(-3)))) == ()

@@ -1,0 +1,178 @@
+"""Verdicts on positions of equilibrium."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+
+from lagrange.answers.equations import Verdict
+from lagrange.answers.examiner import Examiner, check_answer, check_own_answers
+from lagrange.answers.verdicts import Judgement
+from lagrange.core.diagnostics import Fragment, Source
+from lagrange.explain.report import report
+from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Problem
+from tests.support.shared import loaded
+from tests.support.statics_texts import ATWOOD, BEAD, CHAIN, LEVER, PENDULUM
+
+TOGGLE = """
+title: Two rods as a toggle against a spring
+parameters: [a, k, W]
+coordinates: [theta]
+particles: {Q: {position: a*cos(theta)*i + a*sin(theta)*j}}
+forces:
+  load: {on: Q, vector: -W*j}
+  spring: {potential: "k*(2*a*cos(theta) - 2*a)^2/2"}
+"""
+
+
+def read(text: str) -> Problem:
+    return read_problem(Source("problem.yaml", text))
+
+
+def verdict(problem: Problem, *equations: str) -> Judgement:
+    return check_answer(problem, tuple(Fragment.of(e) for e in equations))
+
+
+EQUIVALENT, WRONG, INCOMPLETE, TRIVIAL = Verdict.EQUIVALENT, Verdict.WRONG, Verdict.INCOMPLETE, Verdict.TRIVIAL
+ANSWERS = [
+    ("ex16-rod-on-two-planes", ["tan(theta) = (2*k - 1)/tan(alpha)"], EQUIVALENT),
+    ("ex16-rod-on-two-planes", ["sin(alpha)*cos(alpha - theta)/sin(2*alpha) = k*cos(theta)"], EQUIVALENT),
+    ("ex16-rod-on-two-planes", ["k = (1 + tan(theta)*tan(alpha))/2"], EQUIVALENT),
+    ("ex16-rod-on-two-planes", ["tan(alpha) = (2*k - 1)/tan(theta)"], EQUIVALENT),
+    ("ex16-rod-on-two-planes", ["theta = atan((2*k - 1)/tan(alpha))"], EQUIVALENT),
+    ("ex16-rod-on-two-planes", ["tan(theta) = (2*k - 1)*tan(alpha)"], WRONG),
+    ("ex16-rod-on-two-planes", ["tan(theta) = (1 - 2*k)/tan(alpha)"], WRONG),
+    ("ex16-rod-on-two-planes", ["theta = 0"], WRONG),
+    ("ex16-rod-on-two-planes", ["sin(theta)*(tan(theta)*tan(alpha) - 2*k + 1) = 0"], WRONG),
+    ("ex16-rod-on-two-planes", ["l*sin(theta) = (z_B - z_A)*sin(alpha)"], INCOMPLETE),
+    ("ex16-rod-on-two-planes", ["k = 1/2"], INCOMPLETE),
+    ("ex16-rod-on-two-planes", ["k = 1/2", "theta = 0"], INCOMPLETE),
+    ("ex16-rod-on-two-planes", ["sin(theta)^2 + cos(theta)^2 = 1"], TRIVIAL),
+    (BEAD, ["sin(theta)*(a*cos(theta) - b) = 0"], EQUIVALENT),
+    (BEAD, ["a*sin(2*theta) = 2*b*sin(theta)"], EQUIVALENT),
+    (BEAD, ["theta = 0 or theta = pi or cos(theta) = b/a"], EQUIVALENT),
+    (BEAD, ["sin(theta) = 0 or cos(theta) = b/a"], EQUIVALENT),
+    (BEAD, ["theta = 2*pi or theta = -pi or theta = acos(b/a) or theta = -acos(b/a)"], EQUIVALENT),
+    (BEAD, ["theta = 0 or theta = pi or theta = acos(b/a)"], EQUIVALENT),
+    (BEAD, ["theta = 0 or theta = pi or a = b/cos(theta)"], EQUIVALENT),
+    (BEAD, ["theta = 0 or theta = pi or sin(theta)^2 = 1 - b^2/a^2"], WRONG),
+    (BEAD, ["theta = 0 or theta = pi"], INCOMPLETE),
+    (BEAD, ["cos(theta) = b/a"], INCOMPLETE),
+    (BEAD, ["theta = 0"], INCOMPLETE),
+    (BEAD, ["theta = 0", "theta = pi"], WRONG),
+    (BEAD, ["theta = 0 or cos(theta) = a/b"], WRONG),
+    (BEAD, ["tan(theta/2) = 0 or theta = pi or cos(theta) = b/a"], EQUIVALENT),
+    # W cos θ = 4 k a (cos θ − 1) sin θ is of the fourth degree, and has no solution in closed form
+    (TOGGLE, ["W = 4*k*a*(sin(theta) - tan(theta))"], EQUIVALENT),
+    (TOGGLE, ["W = 4*k*a*(tan(theta) - sin(theta))"], WRONG),
+    (TOGGLE, ["theta = 0"], WRONG),
+    (CHAIN, ["tan(theta) = P/(2*W)", "tan(phi) = P/W"], EQUIVALENT),
+    (CHAIN, ["P*cos(phi) = W*sin(phi)", "2*tan(theta) = tan(phi)"], EQUIVALENT),
+    (CHAIN, ["P = 2*W*tan(theta)", "P = W*tan(phi)"], EQUIVALENT),
+    (CHAIN, ["tan(theta) = P/(2*W)"], INCOMPLETE),
+    (CHAIN, ["2*tan(theta) = tan(phi)"], INCOMPLETE),
+    (CHAIN, ["tan(theta) = P/W", "tan(phi) = P/W"], WRONG),
+    ("ladder", ["P = W/2*tan(phi)"], EQUIVALENT),
+    ("ladder", ["W = 2*P/tan(phi)"], EQUIVALENT),
+    ("ladder", ["tan(phi) = 2*P/W"], EQUIVALENT),
+    ("ladder", ["2*P*l*cos(phi) = W*l*sin(phi)"], EQUIVALENT),
+    ("ladder", ["P = W*tan(phi)"], WRONG),
+    ("ladder", ["P = W/2*cos(phi)/sin(phi)"], WRONG),
+    (PENDULUM, ["x = 0"], EQUIVALENT),
+    (PENDULUM, ["theta = 0 or theta = pi"], EQUIVALENT),
+    (PENDULUM, ["x = 0", "y = l"], INCOMPLETE),
+    (PENDULUM, ["x = 0", "y = l or y = -l"], EQUIVALENT),
+    (PENDULUM, ["y = 0"], WRONG),
+    (PENDULUM, ["x^2 + y^2 = l^2"], INCOMPLETE),
+    ("three-weights", ["y^2*(4*P^2 - W^2) = b^2*W^2"], WRONG),  # y < 0 as well
+    ("three-weights", ["y = b*W/sqrt(4*P^2 - W^2)"], EQUIVALENT),
+    ("three-weights", ["2*P*y = W*sqrt(b^2 + y^2)"], EQUIVALENT),
+    ("rod-over-peg", ["cos(theta) = (c/b)^(1/3)"], EQUIVALENT),
+    ("rod-over-peg", ["b*cos(theta)^3 = c"], EQUIVALENT),
+    ("rod-over-peg", ["b*cos(theta)^2 = c"], WRONG),
+    ("rocking-plank", ["theta = 0 or R*theta = h*tan(theta)"], EQUIVALENT),
+    ("rocking-plank", ["h*sin(theta) = R*theta*cos(theta)"], EQUIVALENT),
+    ("rocking-plank", ["theta = 0"], INCOMPLETE),
+    ("balanced-lamp", ["theta = 0 or theta = pi"], EQUIVALENT),
+    (ATWOOD, ["W = M"], EQUIVALENT),
+    (ATWOOD, ["W = 2*M"], WRONG),
+    (LEVER, ["b*P + c*R = a*W"], EQUIVALENT),
+    (LEVER, ["P = a*W/b"], WRONG),
+]
+
+
+@cache
+def examiner(problem: str) -> Examiner:
+    """What judges answers to a problem, which is solved once for all of them."""
+    return Examiner.of(read(problem) if "\n" in problem else loaded(problem))
+
+
+@pytest.mark.parametrize(
+    ("problem", "equations", "expected"),
+    ANSWERS,
+    ids=[f"{p.split(chr(10))[1] if chr(10) in p else p}: {'; '.join(e)}" for p, e, _ in ANSWERS],
+)
+def test_answers(problem: str, equations: list[str], expected: Verdict) -> None:
+    found = examiner(problem).check(tuple(Fragment.of(e) for e in equations))
+    assert found.verdict is expected, found.equations
+    assert found.statics
+
+
+HELD = """
+title: A bead held on a ring, P for every position
+coordinates: [x, y]
+parameters: [W, l]
+particles: {A: {position: "[x, y]"}}
+constraints: {ring: x^2 + y^2 = l^2}
+forces: {weight: {on: A, vector: -W*j}, pull: {on: A, vector: P*i}}
+unknowns: [P]
+find: equilibrium
+"""
+
+
+@pytest.mark.parametrize(
+    ("equation", "expected"),
+    [
+        ("P = -W*x/y", EQUIVALENT),  # moments about the centre: P y + W x = 0
+        ("P*y = -W*x", EQUIVALENT),
+        ("P*y*(x^2 + y^2) = -W*x*l^2", EQUIVALENT),  # with the ring put in
+        ("P = W*x/y", WRONG),
+        ("P = -2*W*x/y", WRONG),
+        ("P^2 = W^2*x^2/y^2", WRONG),  # has the other sign too
+        ("x^2 + y^2 = l^2", INCOMPLETE),
+    ],
+)
+def test_a_force_for_every_position_of_a_constraint(equation: str, expected: Verdict) -> None:
+    assert verdict(read(HELD), equation).verdict is expected
+
+
+def test_unreadable_answers() -> None:
+    assert verdict(read(BEAD), "theta = 1 or zeta = 3").verdict is Verdict.UNREADABLE
+    assert verdict(read(BEAD), "cos(theta) = b/(a - a)").verdict is Verdict.UNREADABLE
+
+
+def test_what_is_said_of_an_answer() -> None:
+    found = verdict(loaded("ex16-rod-on-two-planes"), "theta = atan((2*k - 1)/tan(alpha))")
+    assert found.equations.equations[0].remarks
+    found = verdict(read(BEAD), "theta = 0 or theta = pi or sin(theta)^2 = 1 - b^2/a^2")
+    assert any("not an equilibrium" in e.diagnosis for e in found.equations.equations)
+    assert "positions of equilibrium" in verdict(read(BEAD), "sin(theta)*(a*cos(theta) - b) = 0").headline
+    assert verdict(read(BEAD), "theta = 0").equations.missing == 2
+
+
+def test_answers_of_the_file() -> None:
+    good = BEAD + 'answers: {equilibrium: [["theta = 0"], ["theta = pi"], ["cos(theta) = b/a"]]}\n'
+    assert check_own_answers(read(good)).verdict is EQUIVALENT
+    assert report(read(good)).holds
+    bad = good.replace('["theta = pi"], ', "")
+    assert check_own_answers(read(bad)).verdict is INCOMPLETE
+    assert not report(read(bad)).holds
+
+
+def test_numbers_of_the_file_count() -> None:
+    text = BEAD.replace("[a, b]", "{a: {assume: positive, value: 2}, b: {assume: positive, value: 1}}")
+    assert verdict(read(text), "theta = 0 or theta = pi or cos(theta) = 1/2").verdict is EQUIVALENT
+    assert verdict(read(text), "theta = 0 or theta = pi or theta = pi/3 or theta = -pi/3").verdict is EQUIVALENT
+    assert verdict(read(text), "theta = 0 or theta = pi or cos(theta) = 1/3").verdict is WRONG

@@ -1,0 +1,147 @@
+"""Reactions that an answer states, and what a stated reaction is taken for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from lagrange.answers.equations import Verdict, check_equations
+from lagrange.answers.examiner import check_answer, compared_answers
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.model import Problem
+from lagrange.render import terminal
+
+Read = Callable[[str], Problem]
+PENDULUM = """parameters: [m, l, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: '[x, y]'}}
+constraints: {rod: {equation: x^2 + y^2 = l^2, reaction: T}}
+gravity: '[0, g]'
+generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}
+"""
+
+
+def solution(problem: Read, text: str) -> Solution:
+    return solve(problem(f"title: Example\n{text}"))
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("m*g*cos(theta) + m*l*theta'^2", "equivalent"),
+        ("m*(x'^2 + y'^2 + g*y)/l", "equivalent"),
+        ("-(m*g*cos(theta) + m*l*theta'^2)/(2*l)", "equivalent"),  # the multiplier
+        ("T = m*g*cos(theta) + m*l*theta'^2", "equivalent"),
+        ("m*g*cos(theta) - m*l*theta'^2", "wrong"),
+        ("m*g*cos(theta)", "wrong"),
+        ("2*(m*g*cos(theta) + m*l*theta'^2)", "wrong"),
+        ("[0, 1]", "unreadable"),
+        (r"m g \\cos\\theta + m l \\dot\\theta^2", "equivalent"),  # in YAML's quotes a backslash is written twice
+        (r"T = m g \\cos\\theta + m l \\dot\\theta^2", "equivalent"),
+        (r"T = m g \\cos\\theta", "wrong"),
+    ],
+)
+def test_stated_reactions(problem: Read, stated: str, verdict: str) -> None:
+    found = solution(problem, f'{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n')
+    assert [(a.name, a.verdict.value) for a in compared_answers(found)] == [("reactions", verdict)]
+
+
+OPPOSITE = "a force that pushes"
+MULTIPLIER = "the multiplier"
+
+
+@pytest.mark.parametrize(
+    ("stated", "taken_for"),
+    [
+        ("m*g*cos(theta) + m*l*theta'^2", ""),
+        ("T = m*g*cos(theta) + m*l*theta'^2", ""),
+        ("-(m*g*cos(theta) + m*l*theta'^2)", OPPOSITE),
+        ("T = -m*g*cos(theta) - m*l*theta'^2", OPPOSITE),
+        ("-(m*g*cos(theta) + m*l*theta'^2)/(2*l)", MULTIPLIER),
+        ("T = -(m*g*cos(theta) + m*l*theta'^2)/(2*l)", MULTIPLIER),
+    ],
+)
+def test_the_remark_says_what_a_stated_reaction_is_taken_for(problem: Read, stated: str, taken_for: str) -> None:
+    """Of two contradictory statements no more than one is right without a remark."""
+    found = solution(problem, f'{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n')
+    [answer] = compared_answers(found)
+    [said] = answer.equations
+    assert (said.verdict, len(said.remarks)) == (Verdict.EQUIVALENT, 1 if taken_for else 0)
+    assert taken_for in "".join(said.remarks)
+    told = report(problem(f'title: Example\n{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n'))
+    page = terminal.text(told.derivation, told.notation, 1000)
+    assert ("In the answer for the rod constraint" in page) == bool(taken_for)
+
+
+def test_the_name_of_a_multiplier_has_one_sign(problem: Read) -> None:
+    """λ_rod is what the contract says: R = λ ∂f/∂r."""
+    for sign, verdict in (("-", Verdict.EQUIVALENT), ("", Verdict.WRONG)):
+        stated = f"lambda_rod = {sign}(m*g*cos(theta) + m*l*theta'^2)/(2*l)"
+        text = PENDULUM.replace(", reaction: T", "") + f'answers: {{reactions: {{rod: "{stated}"}}}}\n'
+        [answer] = compared_answers(solution(problem, text))
+        assert (answer.verdict, answer.equations[0].remarks) == (verdict, ())
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict", "taken_for"),
+    [
+        ("T = m*g*r/l", Verdict.EQUIVALENT, ""),
+        ("m*g", Verdict.EQUIVALENT, ""),
+        ("T = -m*g", Verdict.EQUIVALENT, OPPOSITE),
+        ("-m*g", Verdict.EQUIVALENT, OPPOSITE),
+        ("T = 2*m*g", Verdict.WRONG, ""),
+    ],
+)
+def test_at_rest_the_remark_says_it_too(problem: Read, stated: str, verdict: Verdict, taken_for: str) -> None:
+    text = f"""parameters: [m, g, l, k]
+coordinates: [r, x]
+particles: {{P: {{mass: m, position: r*j}}, Q: {{position: x*i}}}}
+constraints: {{rod: {{equation: r = l, reaction: T}}}}
+gravity: g*j
+forces: {{spring: {{potential: k*x^2/2}}}}
+find: equilibrium
+answers: {{reactions: {{rod: "{stated}"}}}}
+"""
+    [answer] = compared_answers(solution(problem, text))
+    [said] = answer.equations
+    assert (said.verdict, len(said.remarks)) == (verdict, 1 if taken_for else 0)
+    assert taken_for in "".join(said.remarks)
+
+
+@pytest.mark.parametrize(
+    ("equations", "remarks"),
+    [
+        (("m*x'' = -T*x/l", "m*y'' = m*g - T*y/l"), ""),
+        (("m*x'' = 2*T*x", "m*y'' = m*g + 2*T*y"), MULTIPLIER),
+        (("m*x'' = T*x/l", "m*y'' = m*g + T*y/l"), OPPOSITE),
+        (("m*x'' = T*x/l", "m*y'' = m*g - T*y/l"), ""),
+    ],
+)
+def test_equations_say_what_a_tension_is_taken_for(problem: Read, equations: tuple[str, ...], remarks: str) -> None:
+    said = check_answer(problem(f"title: Example\n{PENDULUM}"), tuple(map(Fragment.of, equations))).equations
+    for e in said.equations:
+        assert [remarks in r for r in e.remarks] == ([True] if remarks else [])
+
+
+@pytest.mark.parametrize(
+    ("equations", "verdict"),
+    [
+        (("m*x'' = -T*x/l", "m*y'' = m*g - T*y/l"), Verdict.EQUIVALENT),
+        (("m*x'' = 2*T*x", "m*y'' = m*g + 2*T*y"), Verdict.EQUIVALENT),  # R = λ ∂f/∂r with λ called T
+        (("m*x'' = T*x/l", "m*y'' = m*g + T*y/l"), Verdict.EQUIVALENT),  # a strut's thrust
+        (("m*x'' = -T*x/l", "m*y'' = m*g + T*y/l"), Verdict.WRONG),
+        (("m*x'' = -T*x", "m*y'' = m*g - T*y"), Verdict.WRONG),
+        (("m*x'' = 2*lambda_rod*x", "m*y'' = m*g + 2*lambda_rod*y"), Verdict.EQUIVALENT),
+        (("m*x'' = lambda_rod*x", "m*y'' = m*g + lambda_rod*y"), Verdict.WRONG),
+        (("m*x'' = -T*x/l",), Verdict.INCOMPLETE),
+        (("l*theta'' + g*sin(theta) = 0", "T = m*g*cos(theta) + m*l*theta'^2"), Verdict.EQUIVALENT),
+        (("l*theta'' + g*sin(theta) = 0", "T = m*g*cos(theta)"), Verdict.WRONG),
+    ],
+)
+def test_equations_with_a_tension(problem: Read, equations: tuple[str, ...], verdict: Verdict) -> None:
+    reference = reference_of_solution(solution(problem, PENDULUM))
+    assert check_equations([Fragment.of(e) for e in equations], reference).verdict is verdict

@@ -1,0 +1,73 @@
+"""What is noted, so that a batch goes on where it was."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from lagrange.answers.equations import Verdict
+from lagrange.answers.submissions import Submission
+from lagsolve.grading.journal import Journal, key
+from lagsolve.grading.table import TableRow
+
+
+def row(name: str = "a.txt", remark: str = "", **more: object) -> TableRow:
+    return replace(TableRow(name, Verdict.WRONG, 1, 2, 1, remark, 0.5, "a.md"), **more)  # type: ignore[arg-type]
+
+
+def submission(name: str = "a", content: bytes = b"x", file: str = "f") -> Submission:
+    return Submission(name, ((file, content),))
+
+
+def test_the_key_is_of_everything_that_matters() -> None:
+    others: list[Callable[[], str]] = [
+        lambda: key(submission("b"), "problem", 1),
+        lambda: key(submission(content=b"y"), "problem", 1),
+        lambda: key(submission(file="g"), "problem", 1),
+        lambda: key(Submission("a", (("f", b""), ("x", b""))), "problem", 1),
+        lambda: key(Submission("a", (("f", b"x"),), ("note",)), "problem", 1),
+        lambda: key(submission(), "another problem", 1),
+        lambda: key(submission(), "problem", 2),
+    ]
+    assert key(submission(), "problem", 1) == key(submission(), "problem", 1)
+    assert len({key(submission(), "problem", 1), *(other() for other in others)}) == 1 + len(others)
+
+
+def test_a_journal_is_read_again_apart_from_half_a_line(tmp_path: Path) -> None:
+    path = tmp_path / "marks.csv.journal"
+    journal = Journal(path)
+    rows = {f"k{n}": row(f"{n}.txt", "ünï\n") for n in range(3)}
+    for k, r in rows.items():
+        journal.add(k, r)
+    journal.close(complete=False)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text + text.splitlines()[0][:-9], encoding="utf-8")
+    again = Journal(path)
+    assert [again.row(k) for k in (*rows, "k3")] == [*rows.values(), None]
+    again.add("k3", row("3.txt"))
+    again.close(complete=False)
+    third = Journal(path)
+    assert third.row("k3") == row("3.txt")
+    third.close(complete=True)
+    assert not path.exists()
+
+
+@pytest.mark.parametrize(
+    "line", ["", "{}", "[]", "1", "null", '{"key": "k", "row": {}}', '{"key": "k", "row": 1}', "\udcff"]
+)
+def test_what_is_no_journal_is_left_out(line: str, tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    path.write_bytes(line.encode("utf-8", "surrogateescape") + b"\n")
+    journal = Journal(path)
+    assert journal.row("k") is None
+    journal.close(complete=True)
+
+
+def test_without_a_path_nothing_is_kept() -> None:
+    journal = Journal(None)
+    journal.add("k", row())
+    assert journal.row("k") is None
+    journal.close(complete=False)

@@ -1,0 +1,97 @@
+"""Vectors in turning triads, against the same vectors in i, j, k."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.symbols import Slots, prime, t
+from lagrange.core.triads import cylindrical, polar, spherical
+from lagrange.core.vectors import FIXED, Triad, Vector
+
+r, theta, phi, z = sp.symbols("r theta phi z", real=True)
+SLOTS = Slots((r, theta, phi, z))
+TRIADS = {"polar": polar(r, phi), "cylindrical": cylindrical(r, phi, z), "spherical": spherical(r, theta, phi)}
+POINT = {s: sp.Rational(n, 7) for n, s in enumerate((r, theta, phi, z), start=2)}
+POINT |= {prime(s, k): sp.Rational(n + 3 * k, 5) for n, s in enumerate((r, theta, phi, z)) for k in (1, 2)}
+
+
+def same(a: Vector, b: Vector) -> bool:
+    return all(
+        abs((p - q).xreplace(POINT).evalf(30)) < sp.Float(10) ** -25
+        for p, q in zip(a.fixed().components, b.fixed().components, strict=True)
+    )
+
+
+@pytest.fixture(params=TRIADS, ids=str)
+def triad(request: pytest.FixtureRequest) -> Triad:
+    return TRIADS[request.param]
+
+
+def test_a_triad_is_orthonormal_and_right_handed(triad: Triad) -> None:
+    rows = triad.directions
+    assert rows is not None
+    assert sp.trigsimp(rows * rows.T) == sp.eye(3)
+    assert sp.trigsimp(rows.det()) == 1
+
+
+def test_second_derivatives_in_a_triad_are_those_of_its_fixed_components(triad: Triad) -> None:
+    vector = Vector((r**2, sp.sin(theta) * z, r * z + phi), triad)
+    moved = vector.time_derivative(SLOTS).time_derivative(SLOTS)
+    assert moved.triad == triad
+    assert same(moved, vector.fixed().time_derivative(SLOTS).time_derivative(SLOTS))
+
+
+def test_partial_derivatives_in_a_triad(triad: Triad) -> None:
+    vector = Vector((r * z, theta, r), triad)
+    for q in SLOTS.coordinates:
+        assert same(vector.partial(q), vector.fixed().partial(q))
+
+
+def test_products_across_triads(triad: Triad) -> None:
+    a, b = Vector((r, z, theta), triad), Vector((phi, r, sp.S.One), FIXED)
+    assert abs((a.dot(b) - a.fixed().dot(b)).xreplace(POINT).evalf(30)) < sp.Float(10) ** -25
+    assert same(a.cross(b), a.fixed().cross(b))
+    assert same(a + b, a.fixed() + b)
+    assert same(b.along(triad), b)
+
+
+def test_spherical_acceleration_as_the_chapter_prints_it() -> None:
+    """Ex. 17: a = (r'' − r θ'² − r φ'² sin²θ) e_r + ..."""
+    triad = TRIADS["spherical"]
+    acceleration = Vector((r, sp.S.Zero, sp.S.Zero), triad).time_derivative(SLOTS).time_derivative(SLOTS)
+    rd, td, fd = (prime(q) for q in (r, theta, phi))
+    s, c = sp.sin(theta), sp.cos(theta)
+    expected = (
+        prime(r, 2) - r * td**2 - r * fd**2 * s**2,
+        r * prime(theta, 2) + 2 * rd * td - r * fd**2 * s * c,
+        r * prime(phi, 2) * s + 2 * rd * fd * s + 2 * r * td * fd * c,
+    )
+    assert [sp.expand(a - b) for a, b in zip(acceleration.components, expected, strict=True)] == [0, 0, 0]
+
+
+def test_a_driven_triad_turns_with_time() -> None:
+    omega = sp.Symbol("omega", positive=True)
+    s, c = sp.sin(omega * t), sp.cos(omega * t)
+    turning = Triad(
+        ("a", "b", "c"), sp.ImmutableMatrix([[c, s, 0], [-s, c, 0], [0, 0, 1]]), ((t, (sp.S.Zero, sp.S.Zero, omega)),)
+    )
+    vector = Vector((r, z, sp.S.Zero), turning)
+    assert same_at(
+        vector.time_derivative(SLOTS), vector.fixed().time_derivative(SLOTS), {t: sp.Rational(1, 3), omega: 2}
+    )
+    assert same_at(vector.frozen_derivative(SLOTS), vector.fixed().frozen_derivative(SLOTS), {t: sp.S.One, omega: 3})
+
+
+def same_at(a: Vector, b: Vector, more: dict[sp.Symbol, sp.Expr]) -> bool:
+    rule = POINT | more
+    return all(
+        abs((p - q).xreplace(rule).evalf(30)) < sp.Float(10) ** -25
+        for p, q in zip(a.fixed().components, b.fixed().components, strict=True)
+    )
+
+
+def test_replacing_an_angle_leaves_the_turning_triad() -> None:
+    vector = Vector((r, sp.S.Zero, sp.S.Zero), TRIADS["polar"]).xreplace({phi: z**2})
+    assert vector.triad == FIXED
+    assert vector.components == (r * sp.cos(z**2), r * sp.sin(z**2), 0)

@@ -1,0 +1,212 @@
+"""The house: imports run one way, a few libraries stay in their rooms, nothing is evaluated as code, files stay short.
+
+The order of packages is `PACKAGES`, here and on docs/architecture.md.
+"""
+
+from __future__ import annotations
+
+import ast
+import doctest
+import re
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.support.paths import ROOT
+
+PACKAGES = [
+    "core",
+    "document",
+    "expressions",
+    "algebra.exact",
+    "algebra.fourier",
+    "algebra.forms",
+    "algebra.closed_forms",
+    "problem",
+    "mechanics.constraints",
+    "mechanics.dynamics",
+    "mechanics.equilibrium",
+    "mechanics",
+    "answers",
+    "pictures",
+    "explain",
+    "render",
+    "api",
+]
+"""Each package imports only from itself and from those before it; `lagrange` and the command import from all of them."""
+
+MOST_MODULES = 20
+"""In one folder."""
+
+ROOMS = {
+    "click": {
+        *("lagsolve.main", "lagsolve.command_group", "lagsolve.output", "lagsolve.problem_commands"),
+        "lagsolve.new_file",
+    },
+    "rich": {"lagrange.render.terminal", "lagrange.render.terminal_layout", "lagsolve.grading.table"},
+    "distributed": {"lagsolve.grading.pool"},
+    "numpy": {"lagrange.api.numerical"},
+    "yaml": {"lagrange.problem.yaml_composer", "lagsolve.shipped"},
+    "sympy": None,
+    "mpmath": None,
+}
+"""Libraries, and the only modules that import them (None: all of `lagrange`, and not the command)."""
+
+FORBIDDEN = {
+    *("eval", "exec", "compile", "__import__"),  # a text is never code
+    *("sympify", "parse_expr", "srepr", "lambdify", "S", "parse_latex"),  # these evaluate it, or write code
+    *("nsimplify", "simplify", "trigsimp"),  # slow, and not to be relied on
+}
+
+COMPILED = {"lagrange.api.numerical"}
+"""The only module that makes Python code, of expressions whose symbols it has given names of its own."""
+
+LONGEST = 600
+"""Lines in a file."""
+
+
+def files() -> dict[str, Path]:
+    found = {}
+    for package in (ROOT / "lagrange", ROOT / "cli" / "lagsolve"):
+        for path in package.rglob("*.py"):
+            parts = path.relative_to(package.parent).with_suffix("").parts
+            found[".".join(parts).removesuffix(".__init__")] = path
+    return found
+
+
+FILES = files()
+TREES = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in FILES.items()}
+
+
+def imported(tree: ast.AST) -> Iterator[str]:
+    """The modules that a module imports, wherever in it."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, "imports are absolute"
+            base = node.module or ""
+            yield from (f"{base}.{a.name}" if f"{base}.{a.name}" in FILES else base for a in node.names)
+
+
+def package_of(module: str) -> str:
+    """The package of a module of `lagrange`; empty for its face and for modules of other libraries."""
+    homes = [p for p in PACKAGES if f"{module}.".startswith(f"lagrange.{p}.")]
+    return max(homes, key=len, default="")
+
+
+def circle(module: str, above: tuple[str, ...] = (), done: set[str] | None = None) -> tuple[str, ...]:
+    """A chain of imports that comes back to where it began; empty where there is none."""
+    done = set() if done is None else done
+    if module in above:
+        return (*above[above.index(module) :], module)
+    if module in done:
+        return ()
+    done.add(module)
+    inner = (circle(i, (*above, module), done) for i in sorted(IMPORTS.get(module, ())) if i != module)
+    return next((c for c in inner if c), ())
+
+
+def forbidden(tree: ast.AST) -> list[str]:
+    """The forbidden functions that are called. `sympify(..., strict=True)` is not one: it takes no text."""
+    found = []
+    for call in (node for node in ast.walk(tree) if isinstance(node, ast.Call)):
+        match call.func:
+            case ast.Name(id=name):
+                owner = ""
+            case ast.Attribute(attr=name):
+                owner = ast.unparse(call.func.value)
+            case _:
+                continue
+        strict = name == "sympify" and "strict=True" in map(ast.unparse, call.keywords)
+        if name in FORBIDDEN and owner != "re" and not strict:
+            found.append(name)
+    return found
+
+
+IMPORTS = {name: set(imported(tree)) for name, tree in TREES.items()}
+"""Also those in functions, and those for types only: a late import hides no way up."""
+
+
+def test_every_module_is_in_a_package() -> None:
+    homeless = {m for m in FILES if m.startswith("lagrange.") and not package_of(m)}
+    assert homeless == {"lagrange.algebra"}
+    assert {package_of(m) for m in FILES} - {""} == set(PACKAGES)
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_packages_import_only_those_before_them(package: str) -> None:
+    allowed = PACKAGES[: PACKAGES.index(package) + 1]
+    for module in (m for m in FILES if package_of(m) == package):
+        upwards = {i for i in IMPORTS[module] if package_of(i) and package_of(i) not in allowed}
+        assert not upwards, f"{module} imports {', '.join(sorted(upwards))}"
+
+
+def test_no_module_imports_itself_by_a_detour() -> None:
+    done: set[str] = set()
+    assert [c for c in (circle(m, (), done) for m in FILES) if c] == []
+
+
+def test_folders_are_not_crowded() -> None:
+    sizes = Counter(path.parent.relative_to(ROOT) for path in FILES.values() if path.stem != "__init__")
+    assert {folder: n for folder, n in sizes.items() if n > MOST_MODULES} == {}
+
+
+@pytest.mark.parametrize("library", ROOMS)
+def test_libraries_stay_in_their_rooms(library: str) -> None:
+    users = {name for name, tree in TREES.items() if library in {i.split(".")[0] for i in imported(tree)}}
+    rooms = ROOMS[library]
+    if rooms is None:
+        assert {u.split(".")[0] for u in users} == {"lagrange"}
+    else:
+        assert users == rooms
+
+
+def test_the_library_knows_nothing_of_the_command() -> None:
+    for name, tree in TREES.items():
+        if name.split(".")[0] == "lagrange":
+            assert not {i.split(".")[0] for i in imported(tree)} & {"lagsolve", "click", "argparse", "cli"}
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_no_text_is_evaluated_and_nothing_is_simplified(name: str) -> None:
+    assert forbidden(TREES[name]) == ["lambdify"] * (name in COMPILED)
+
+
+@pytest.mark.parametrize(
+    "code", ["eval(x)", "sp.S('1/2')", "S('x')", "sp.sympify(x)", "e.simplify()", "sympy.simplify(e)", "f(g(exec(x)))"]
+)
+def test_the_search_for_forbidden_calls_finds_them(code: str) -> None:
+    assert len(forbidden(ast.parse(code))) == 1
+    assert forbidden(ast.parse("re.compile(x); sp.S.Zero; simplify = 1; sp.sympify(1, strict=True)")) == []
+
+
+def test_files_are_short() -> None:
+    lengths = {str(p.relative_to(ROOT)): len(p.read_text(encoding="utf-8").splitlines()) for p in FILES.values()}
+    assert {f: n for f, n in lengths.items() if n > LONGEST} == {}
+
+
+# docs/architecture.md
+
+
+PAGE = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+
+
+def test_the_session_on_the_page_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    [session] = re.findall(r"```python\n(.*?)```", PAGE, re.DOTALL)
+    examples = doctest.DocTestParser().get_doctest(session, {}, "architecture.md", None, 0)
+    assert len(examples.examples) > 20
+    assert doctest.DocTestRunner().run(examples).failed == 0
+
+
+def test_the_page_has_every_package_in_its_order() -> None:
+    named = re.findall(r"^\| `([\w/]+)/` \|", PAGE, re.MULTILINE)
+    assert named == [p.replace(".", "/") for p in PACKAGES]
+
+
+def test_files_named_on_the_page_exist() -> None:
+    mentioned = set(re.findall(r"`((?:\w+/)+\w+\.py)`", PAGE))
+    assert {m for m in mentioned if not (ROOT / m).is_file() and not (ROOT / "lagrange" / m).is_file()} == set()

@@ -1,0 +1,43 @@
+"""What LaTeX needs beside the other styles."""
+
+import sympy as sp
+
+from lagrange.core.symbols import (
+    Partial,
+    Unspecified,
+    differential,
+    prime,
+    t,
+    variation,
+)
+from lagrange.document.math_writer import latex
+
+
+def symbols(names):
+    return sp.symbols(names, real=True)
+
+
+x, y, z, r, th, ph = symbols("x y z r theta phi")
+m, M, m1, m2, l, l1, l2, g, k, a, b, c = symbols("m M m_1 m_2 l l_1 l_2 g k a b c")
+u, s = symbols("u s")
+d, delta = differential, variation
+f = Unspecified.of("f", ("X", "Y", "Z"), x - u * t, y, z)
+
+
+def D(symbol, order=1):
+    return prime(symbol, order)
+
+
+def test_a_slope_before_brackets_is_not_taken_there():
+    """`\\frac{\\partial f}{\\partial X} (x + y)` would be read as the slope at x + y."""
+    rise = Unspecified.of("h", ("x",), x).partial(0)
+    printed = latex(-rise * (g + rise.partial(0) * D(x) ** 2) / (1 + rise**2))
+    assert printed.startswith(r"-\frac{\left( \frac{\partial h}{\partial x} \right) \left( \frac{"), printed
+
+
+def test_latex_does_not_stack_fractions_of_slopes():
+    slope = f.partial(1) / f.partial(0)
+    assert latex(-slope * delta(y)) == r"-\frac{\partial f / \partial Y}{\partial f / \partial X} \, \delta y"
+    assert latex(u * slope) == r"\frac{u \frac{\partial f}{\partial Y}}{\partial f / \partial X}"
+    assert latex(Partial(f.partial(0), y)) == r"\frac{\partial}{\partial y} \frac{\partial f}{\partial X}"
+    assert latex(Partial(x / l - y, y)) == r"\frac{\partial}{\partial y} \left( \frac{x}{l} - y \right)"

@@ -1,0 +1,25 @@
+"""What is said of springs and bodies."""
+
+from __future__ import annotations
+
+from lagrange.core.diagnostics import Source
+from lagrange.document.derivation import Detail
+from lagrange.explain.report import report
+from lagrange.problem.loader import read_problem
+from lagrange.render import terminal
+
+PINNED_BEAM = """
+title: Bead on a beam
+parameters: [J, m, k]
+coordinates: [s, phi]
+bodies: {beam: {inertia: J, position: 0*i, angle: phi}}
+particles: {B: {mass: m, position: "s*cos(phi)*i + s*sin(phi)*j"}}
+forces: {tie: {spring: k, between: [B, 0*i], length: 0}}
+"""
+
+
+def test_a_spring_fastened_at_a_hinge_is_fastened_at_the_origin() -> None:
+    found = report(read_problem(Source("beam.yaml", PINNED_BEAM)))
+    page = " ".join(terminal.text(found.derivation, found.notation, 80, Detail.STEPS).split())
+    assert "The spring tie, of stiffness k, joins B and O." in page
+    assert "k d_tie = k |s|" in page

@@ -1,0 +1,29 @@
+"""Where pictures stand in a derivation, and what is said of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.document.derivation import Picture
+from lagrange.explain.report import report
+from lagrange.problem.loader import load
+from lagrange.render import html, json, latex, terminal
+from tests.support.paths import PROBLEMS
+from tests.support.shared import reported
+
+
+def test_nothing_is_drawn_for_the_terminal_and_for_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    found = report(load(PROBLEMS / "chapter6/ex11-ideal-pendulum.yaml"))
+    monkeypatch.setattr("lagrange.pictures.systems.general_pose", lambda *_: pytest.fail("a picture is drawn"))
+    assert any(isinstance(b, Picture) for s in found.derivation.steps for b in s.body)
+    terminal.text(found.derivation, found.notation, 80)
+    json.render([found])
+    with pytest.raises(pytest.fail.Exception):
+        latex.render([(found.derivation, found.notation)])
+
+
+def test_a_page_has_figures_with_words() -> None:
+    name = "motion/coupled-oscillators"
+    page = html.render([(reported(name).derivation, reported(name).notation)])
+    assert page.count("<figure>") == page.count("<figcaption>") == 2
+    assert "<title>Drawing of the system: P, Q; left, middle, right, oil.</title>" in page

@@ -1,0 +1,71 @@
+"""Derivations as texts: every reference has its equation, and no equation is referred to before it stands."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.document.derivation import Detail, Rule
+from lagrange.explain.report import report
+from lagrange.render import terminal
+from tests.support.derivation_text import reading
+from tests.support.shared import SHIPPED, reported
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_references_point_back_to_equations(name: str) -> None:
+    derivation = reported(name).derivation
+    labels: set[str] = set()
+    for kind, name in reading(derivation):
+        if kind == "label":
+            assert name not in labels, f"{name} stands twice"
+            labels.add(name)
+        else:
+            assert name in labels, f"{name} is referred to before it stands"
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_steps_come_in_the_order_of_the_textbook(name: str) -> None:
+    steps = reported(name).derivation.steps
+    order = list(Rule)
+    again = (  # one for each choice
+        Rule.GENERALIZED_COORDINATES,
+        Rule.EQUATIONS_OF_MOTION,
+        Rule.SOLVED_REACTIONS,
+        Rule.CONSERVED,
+        Rule.LINEARIZATION,
+        Rule.QUASI_VELOCITIES,
+    )
+    first = [order.index(s.rule) for s in steps if s.rule not in again]
+    assert first == sorted(first)
+    assert steps[0].rule is Rule.STATEMENT
+    assert steps[-1].rule is Rule.CHECKS
+    assert all(s.title and s.body for s in steps)
+
+
+BOTH = """
+title: A plate that hangs and swings
+parameters: [m, I, l, g]
+coordinates: [x, y, theta]
+bodies: {plate: {mass: m, inertia: I, position: "[x, y]", angle: theta}}
+constraints: {across: x = l*sin(theta), down: y = -l*cos(theta)}
+gravity: -g*j
+find: [equilibrium, motion]
+generalized_coordinates:
+  angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: -l*cos(theta)}}
+"""
+
+
+def test_statics_and_motion_in_one_derivation_have_labels_of_their_own(problem: object) -> None:
+    labels = [name for kind, name in reading(report(problem(BOTH)).derivation) if kind == "label"]  # type: ignore[operator]
+    assert len(labels) == len(set(labels))
+    assert {"delta-at-rest-angle-plate", "delta-angle-plate"} <= set(labels)
+
+
+def test_little_detail_is_half_a_screen() -> None:
+    """Classification, degrees of freedom, the final equations; the checks that held are counted."""
+    found = reported("chapter6/ex11-ideal-pendulum")
+    text = terminal.text(found.derivation, found.notation, 80, Detail.BRIEF)
+    assert len(text.splitlines()) <= 32
+    assert "l θ̈ + g sin θ = 0" in text
+    assert text.count("✓") == 1
+    assert "checks held" in text

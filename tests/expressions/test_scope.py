@@ -1,0 +1,84 @@
+"""Which names a text may use, and how they are spelt."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import t
+from lagrange.expressions.reader import (
+    canonical_name,
+    read_scalar,
+)
+from tests.support.expression_texts import (
+    a,
+    m,
+    refused,
+    same,
+    scope,
+    sin,
+    x,
+)
+
+
+def symbol(name: str) -> sp.Symbol:
+    return sp.Symbol(name, positive=True)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "e", "E", "I", "S", "N", "Q", "O", "C", "beta", "gamma", "zeta", "lambda", "d", "delta", "D", "Delta", "ln", "re", "im",
+        "if", "for", "None", "True", "print", "y_1", "a_b_c", "Gamma", "mu_k", "factorial", "oo", "nan", "zoo", "Sum",
+    ],
+)  # fmt: skip
+def test_free_names(name: str) -> None:
+    known, s = scope(name), symbol(name)
+    for text, expected in {
+        name: s,
+        f"{name}*x": s * x,
+        f"2 {name} x": 2 * s * x,
+        f"{name}^2": s**2,
+        f"{name}(x + 1)": s * (x + 1),
+        f"x/{name}": x / s,
+        f"sin({name})": sin(s),
+    }.items():
+        assert same(read_scalar(Fragment.of(text), known), expected), text
+
+
+def test_a_power_of_ten_is_a_product_where_e_is_declared() -> None:
+    e = symbol("e")
+    assert read_scalar(Fragment.of("2 e x"), scope("e")) == 2 * e * x
+    assert read_scalar(Fragment.of("2e x"), scope("e")) == 2 * e * x
+    assert read_scalar(Fragment.of("2e3"), scope()) == 2000
+    e3 = symbol("e3")
+    assert read_scalar(Fragment.of("2e3"), scope("e", "e3")) == 2 * e3
+    found = refused("2e3", scope("e"))
+    assert [d.code for d in found] == ["unknown-symbol"]
+    assert "10^3" in found[0].help
+
+
+def test_names_are_greek_letters_and_subscripts() -> None:
+    known, omega_0 = scope("omega_0", "μ"), symbol("omega_0")
+    assert read_scalar(Fragment.of("ω₀ t"), known) == omega_0 * t
+    assert read_scalar(Fragment.of("ω_0t"), scope("omega_0t")) == symbol("omega_0t")
+    assert read_scalar(Fragment.of("ωt"), scope("omega")) == symbol("omega") * t
+    assert read_scalar(Fragment.of("mẍ"), scope()) == m * a
+
+
+def test_the_script_ell_is_ell_where_that_is_declared_and_l_otherwise() -> None:
+    ell = symbol("ell")
+    assert read_scalar(Fragment.of("2ℓ t"), scope("ell")) == 2 * ell * t
+    assert read_scalar(Fragment.of("2ell t"), scope("ell")) == 2 * ell * t
+    assert read_scalar(Fragment.of("ℓ₁ t"), scope("ell_1")) == symbol("ell_1") * t
+    assert read_scalar(Fragment.of("ℓ t"), scope("l")) == symbol("l") * t
+    assert canonical_name("ℓ_0") == "ell_0"
+
+
+def test_canonical_name() -> None:
+    assert canonical_name("θ") == "theta"
+    assert canonical_name(" phi_1 ") == "phi_1"
+    assert canonical_name("e") == "e"
+    for bad in ("", "2x", "x y", "x'", "t", "pi", "sin", "dot", "e_x", "a-b", "_x", "x" * 61, "ẋ", "π"):
+        assert canonical_name(bad) is None, bad

@@ -1,0 +1,71 @@
+"""Springs and dampers: lengths, pulls, potentials."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.answers.references import reference_of_solution
+from lagrange.core.diagnostics import Fragment
+from lagrange.expressions.reader import read_equation
+from lagrange.mechanics.dynamics.comparison import System, compare
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
+from lagrange.render.json import as_object
+from tests.support import shared
+
+Read = Callable[[str], Problem]
+ON_A_LINE = """
+title: A spring on a line
+parameters: [m, c, l]
+coordinates: [x]
+particles: {{P: {{mass: m, position: x*i}}}}
+forces: {{s: {{spring: c, between: [{ends}]{more}}}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("ends", "more", "equation"),
+    [
+        ("0*i, P", "", "m*x'' + c*x = 0"),
+        ("P, 0*i", "", "m*x'' + c*x = 0"),
+        ("0*i, P", ", length: l, sense: positive", "m*x'' + c*(x - l) = 0"),
+        ("P, 0*i", ", length: l, sense: negative", "m*x'' + c*(x - l) = 0"),
+        ("P, 0*i", ", length: l, sense: positive", "m*x'' + c*(x + l) = 0"),
+        ("0*i, P", ", length: l", "m*x'' + c*(abs(x) - l)*sign(x) = 0"),
+        ("P, l*i", ", length: l, sense: positive", "m*x'' + c*x = 0"),
+    ],
+)
+def test_a_spring_on_a_line(problem: Read, ends: str, more: str, equation: str) -> None:
+    solution = solve(problem(ON_A_LINE.format(ends=ends, more=more)))
+    assert solution.holds
+    read = read_equation(Fragment.of(equation), reference_of_solution(solution).scope)
+    result = compare([read.lhs - read.rhs], System(solution.own.configuration, solution.own.motion.expressions))
+    assert result is not None
+    assert result.agree
+
+
+def test_a_spring_of_no_free_length_has_no_root(problem: Read) -> None:
+    text = """
+title: An isotropic oscillator
+parameters: [m, c]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+forces: {s: {spring: c, between: [P, 0*i]}}
+"""
+    [first, second] = solve(problem(text)).own.motion.expressions
+    assert not (first + second).atoms(sp.Pow)
+
+
+def test_lengths_and_pulls_are_identities() -> None:
+    found = shared.reported("braced_rods")
+    scope = reference_of_solution(found.solution).scope
+    shown = [e for s in as_object(found)["steps"] for b in s["body"] for e in b.get("equations", ())]
+    said = [e["text"] for e in shown if e.get("label", "").startswith(("length-", "pull-"))]
+    assert len(said) == 4
+    for text in said:
+        equation = read_equation(Fragment.of(text), scope)
+        assert is_zero(equation.lhs - equation.rhs), text

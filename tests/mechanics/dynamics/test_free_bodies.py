@@ -1,0 +1,89 @@
+"""Which constraints are rods, and when there are free bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.model import Problem
+
+Read = Callable[[str], Problem]
+l, m, g = sp.symbols("l m g", positive=True)
+
+
+def solution(problem: Read, text: str) -> Solution:
+    return solve(problem(f"title: Example\n{text}"))
+
+
+def one_particle(problem: Read, constraint: str, more: str = "") -> Solution:
+    text = "parameters: [m, l, g, a, b]\ncoordinates: [x, y, z]\nparticles: {P: {mass: m, position: '[x, y, z]'}}\n"
+    return solution(problem, f"{text}functions: {{w: [t]}}\nconstraints: {{c: {{equation: '{constraint}'{more}}}}}\n")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        # B hangs from A, both placed by angles: A's angle moves B
+        "coordinates: [a, b]\nparticles: {A: {mass: m, position: '[l*sin(a), l*cos(a)]'}, "
+        "B: {mass: m, position: 'r_A + l*sin(b)*i + l*cos(b)*j'}}\nconstraints: {c: a = b}\n",
+        # the force acts beside the particle
+        "coordinates: [x, y]\nparticles: {A: {mass: m, position: '[x, y]'}}\nconstraints: {c: x = y}\n"
+        "forces: {push: {on: A, vector: g*i, at: '[2*x, y]'}}\n",
+    ],
+    ids=["placed together", "a force elsewhere"],
+)
+def test_no_free_bodies_where_coordinates_do_not_give_them(problem: Read, text: str) -> None:
+    newton = solution(problem, f"parameters: [m, l, g]\n{text}").law.newton
+    assert newton.bodies is None
+    assert newton.equations is None
+    assert [r.directions for r in newton.reactions] == [None]
+
+
+@pytest.mark.parametrize(
+    ("constraint", "length", "factor"),
+    [
+        ("x^2 + y^2 + z^2 = l^2", l, -2 * l),
+        ("l^2 = x^2 + y^2 + z^2", l, 2 * l),
+        ("sqrt(x^2 + y^2 + z^2) = l", l, -1),
+        ("(x^2 + y^2 + z^2)/(2*l) = l/2", l, -1),
+        ("x^2 + y^2 + z^2 = 2*a*x", sp.Symbol("a", positive=True), -2 * sp.Symbol("a", positive=True)),
+        ("(x - w)^2 + y^2 + (z - l)^2 = l^2", l, -2 * l),
+    ],
+)
+def test_distance_constraints_are_recognised(problem: Read, constraint: str, length: sp.Expr, factor: sp.Expr) -> None:
+    [reaction] = one_particle(problem, constraint).law.newton.reactions
+    assert reaction.rod is not None
+    assert is_zero(reaction.rod.length - length) is True
+    assert is_zero(reaction.rod.factor - factor) is True
+
+
+@pytest.mark.parametrize(
+    "constraint",
+    [
+        "x^2 + 2*y^2 + z^2 = l^2",
+        "x^2 + y^2 = l^2",
+        "z = x^2/l",
+        "x + y + z = l",
+        "x^2 + y^2 - z^2 = l^2",
+        "x*y*z = l^3",
+    ],
+)
+def test_other_constraints_are_not(problem: Read, constraint: str) -> None:
+    [reaction] = one_particle(problem, constraint).law.newton.reactions
+    assert reaction.rod is None
+    assert reaction.is_normal
+
+
+def test_a_string_over_a_pulley_is_no_rod(problem: Read) -> None:
+    found = solution(
+        problem,
+        "parameters: [m, L]\ncoordinates: [x, y]\nparticles: {A: {mass: m, position: x*i}, B: {mass: m, position: y*i}}\n"
+        "constraints: {rod: x + y = L}\n",
+    )
+    [reaction] = found.law.newton.reactions
+    assert reaction.rod is None
+    assert not reaction.is_normal

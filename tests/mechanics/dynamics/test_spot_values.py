@@ -1,0 +1,63 @@
+"""Values for a calculator: sensible, and they satisfy the equations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+import sympy as sp
+
+from lagrange.mechanics.solution import solve
+from lagrange.problem.model import Problem
+
+Read = Callable[[str], Problem]
+PENDULUM = """
+title: Pendulum
+parameters: [m, l, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {rod: x^2 + y^2 = l^2}
+gravity: g*j
+"""
+
+
+def test_a_spot_value_satisfies_the_equations(problem: Read) -> None:
+    text = f"{PENDULUM}generalized_coordinates: {{angle: {{coordinates: [th], substitute: {{x: l*sin(th), y: l*cos(th)}}}}}}\n"
+    [choice] = solve(problem(text)).choices
+    assert choice.spot is not None
+    values = {s.name: v for s, v in choice.spot.values.items()}
+    [acceleration] = choice.spot.accelerations.values()
+    assert abs(acceleration + values["g"] / values["l"] * sp.sin(values["th"])) < 1e-5
+
+
+def test_spot_values_are_sensible(problem: Read) -> None:
+    """An angle of an incline is less than a right one, and of a + b cos ωt the first is the larger."""
+    text = """
+title: A block on an incline
+parameters: [m, g, a, b, alpha, omega]
+coordinates: [x]
+particles: {P: {mass: m, position: "[x*cos(alpha), x*sin(alpha) + b*cos(omega*t) + a*x^2]"}}
+gravity: -g*j
+"""
+    spot = solve(problem(text)).own.spot
+    assert spot is not None
+    values = {s.name: v for s, v in spot.values.items()}
+    assert 0 < values["alpha"] < 1.5
+    assert values["a"] > values["b"] > 0
+    assert values["omega"].is_Integer
+
+
+@pytest.mark.parametrize(("long", "short"), [("l", "c"), ("c", "l")])
+def test_either_of_two_letters_may_have_to_be_the_larger(problem: Read, long: str, short: str) -> None:
+    text = f"""
+title: Offset crank
+parameters: [m, l, c, g]
+coordinates: [s, y]
+particles: {{P: {{mass: m, position: s*i + y*j}}}}
+gravity: -g*j
+constraints: {{rod: (s - sqrt({long}^2 - {short}^2))^2 + y^2 = {long}^2}}
+"""
+    spot = solve(problem(text)).own.spot
+    assert spot is not None
+    values = {s.name: v for s, v in spot.values.items()}
+    assert values[long] > values[short] > 0

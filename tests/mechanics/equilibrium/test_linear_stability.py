@@ -1,0 +1,93 @@
+"""Stability by the roots of the characteristic equation."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Source
+from lagrange.document.derivation import Detail
+from lagrange.explain.report import report
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.problem.loader import read_problem
+from lagrange.render import terminal
+from tests.support import shared
+from tests.support.linearized_systems import SYSTEMS, linear_equations, of, solved
+
+
+def test_one_damped_coordinate() -> None:
+    [s] = of(SYSTEMS["damped"]).at
+    m, c, b = sp.symbols("m c b", positive=True)
+    assert s is not None
+    assert s.damped is not None
+    assert s.damped.own == c / m
+    assert sp.cancel(s.damped.square - (c / m - b**2 / (4 * m**2))) == 0
+    assert sp.cancel(s.damped.rate - b / (2 * m)) == 0
+
+
+def test_roots_that_may_be_equal_are_stable_where_they_are_not() -> None:
+    """c/m and κ/J with a force between them one way only: at c J = κ m there is resonance."""
+    found = shared.solved("skate-on-springs").own.linearization
+    assert found is not None
+    [s] = [s for s in found.at if s is not None]
+    stability = s.judgement.stability
+    assert stability.verdict is StabilityVerdict.CONDITIONAL
+    assert [c.relation for c in stability.conditions] == ["≠"]
+    assert {str(c.lhs) for f in s.frequencies for c in f.presupposed} == {"y"}
+
+
+CAM = """
+axes: {i: right, j: up}
+parameters: [m, J, a, b, g]
+coordinates: [x, y, theta]
+bodies: {cam: {mass: m, inertia: J, position: x*i + y*j, angle: theta}}
+constraints: {contact: y = sqrt(a^2*sin(theta)^2 + b^2*cos(theta)^2)}
+gravity: -g*j
+"""
+
+
+def test_a_zero_root_beside_one_that_may_be_negative() -> None:
+    """An ellipse on smooth ground may glide away; upright (y = a at θ = π/2) it falls over where a > b."""
+    solution = solved(CAM, "find: [equilibrium, linearization]")
+    found = linear_equations(solution)
+    a, b = sp.symbols("a b", positive=True)
+    theta, y = (sp.Symbol(n, real=True) for n in ("theta", "y"))
+    assert solution.own.stability is not None
+    for branch, s, second in zip(found.branches, found.at, solution.own.stability.verdicts, strict=True):
+        at = {r.lhs: r.rhs for r in branch.relations}
+        upright = at[theta] in (sp.pi / 2, -sp.pi / 2)
+        assert at[y] == (a if upright else b)
+        assert s is not None
+        for stability in (s.judgement.stability, second):
+            assert stability.verdict is StabilityVerdict.UNDECIDED
+            [condition] = stability.unstable
+            larger = condition.lhs if condition.relation == ">" else condition.rhs
+            assert {condition.lhs, condition.rhs} == {a, b}
+            assert larger == (a if upright else b)
+    told = report(read_problem(Source("cam", f"title: cam\n{CAM}find: linearization\n")))
+    page = " ".join(terminal.text(told.derivation, told.notation, 80, Detail.STEPS).split())
+    assert "is unstable where a > b. The root zero corresponds to a uniform motion" in page
+
+
+SPUN_TOP = """
+parameters: [m, A, C, g, l, Omega]
+coordinates: [alpha, beta]
+bodies:
+  top: {mass: m, inertia: [A, A, C], position: l*e3_top, orientation: {axes: 123, angles: [alpha, beta, Omega*t]}}
+gravity: -g*k
+"""
+
+
+def test_a_sleeping_top_by_one_condition() -> None:
+    """Klein and Sommerfeld: C² Ω² > 4 (A + m l²) m g l, which implies the condition with 2 for 4."""
+    found = linear_equations(solved(SPUN_TOP))
+    m, A, C, g, l, Omega = sp.symbols("m A C g l Omega", positive=True)
+    alpha, beta = (sp.Symbol(n, real=True) for n in ("alpha", "beta"))
+    [upright] = [n for n, b in enumerate(found.branches) if {r.lhs: r.rhs for r in b.relations} == {alpha: 0, beta: 0}]
+    s = found.at[upright]
+    assert s is not None
+    [condition] = s.judgement.stability.conditions
+    assert condition.relation == ">"
+    assert sp.expand(condition.lhs - condition.rhs - C**2 * Omega**2 + 4 * m * g * l * (A + m * l**2)) == 0
+    for f in s.frequencies:  # without the common factor (A + m l²)²
+        assert f.square is not None
+        assert f.square.count_ops() < 50

@@ -1,0 +1,32 @@
+"""Which coordinates are drawn as angles and distances."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import sympy as sp
+
+from lagrange.pictures.poses import angle_mark, is_distance
+from tests.support.drawings import CLOSE, DRAWN, scenes, system_of
+from tests.support.shared import reported
+
+
+def test_angles_and_distances_are_recognised_by_what_they_do() -> None:
+    system = system_of("motion/spring-pendulum")
+    [point] = system.configuration.points
+    r, phi = (next(q for q in system.pose.coordinates if q.name == name) for name in ("r", "phi"))
+    mark = angle_mark(system.pose, phi, point.position)
+    assert mark is not None
+    assert math.hypot(*mark.centre) < CLOSE
+    assert angle_mark(system.pose, r, point.position) is None
+    assert is_distance(system.pose, r, point.position)
+    assert not is_distance(system.pose, phi, point.position)
+    doubled = point.position.fixed().xreplace({phi: 2 * phi})
+    assert angle_mark(system.pose, phi, doubled) is None
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_every_coordinate_of_a_known_problem_is_marked(name: str) -> None:
+    marked = {label.content for scene in scenes(name) for label in scene.labels}
+    assert set(reported(name).solution.own.configuration.slots.coordinates) - {sp.Symbol("y", real=True)} <= marked

@@ -1,0 +1,45 @@
+"""Arrows of the forces on a free body."""
+
+from __future__ import annotations
+
+import math
+
+import sympy as sp
+
+from lagrange.document.math_writer import UNICODE, Writer
+from lagrange.document.scene import Polyline, Scene
+from lagrange.pictures.free_bodies import free_body_scene
+from tests.support.drawings import CLOSE, evaluated, near, system_of
+from tests.support.shared import reported
+
+
+def labelled_tip(scene: Scene, label: str, notation) -> Polyline:
+    """The arrow whose tip is nearest to a label."""
+    write = Writer(UNICODE, notation)
+    [found] = [x for x in scene.labels if not isinstance(x.content, str) and write.plain(x.content) == label]
+    tips = [line for line in scene.lines if line.tip]
+    return min(tips, key=lambda line: math.dist(line.points[-1], found.at))
+
+
+def test_arrows_of_a_pendulum() -> None:
+    name = "chapter6/ex11-ideal-pendulum"
+    system, notation = system_of(name), reported(name).notation
+    scene = free_body_scene(system, notation)
+    assert scene is not None
+    x, y = (evaluated(sp.Symbol(n, real=True), system) for n in "xy")
+    (a, b), (c, d) = (labelled_tip(scene, label, notation).points for label in ("m g", "T_rod"))
+    weight, pull = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
+    assert abs(weight[0]) < CLOSE
+    assert weight[1] < 0
+    length = math.hypot(*pull)
+    assert near((pull[0] / length, pull[1] / length), (-x / math.hypot(x, y), y / math.hypot(x, y)))
+
+
+def test_a_ladder_is_held_at_its_ends_and_a_hoop_is_a_wheel() -> None:
+    ladder = system_of("motion/sliding-ladder")
+    half = evaluated(sp.Symbol("l", positive=True), ladder)
+    held = sorted(ladder.shapes["ladder"].held)
+    assert near(held[0], (-half, 0))
+    assert near(held[1], (half, 0))
+    hoop = system_of("motion/hoop-on-incline")
+    assert math.isclose(hoop.shapes["hoop"].radius, evaluated(sp.Symbol("R", positive=True), hoop))

@@ -1,0 +1,72 @@
+"""Namespaces of a file."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.core.vectors import Vector
+from lagrange.problem.model import (
+    AppliedForce,
+    AppliedMoment,
+)
+from tests.support.problem_texts import HEAD, read
+
+PARTICLES = "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: y*i}}\n"
+BODY = "bodies: {B: {mass: m, inertia: I_G, position: x*i, angle: theta}}\n"
+ROD = "constraints: {rod: x^2 + y^2 = l^2}\n"
+ALL = HEAD + PARTICLES + BODY + ROD
+x, y, theta = (sp.Symbol(n, real=True) for n in ("x", "y", "theta"))
+m, l, g, k, c, F, R, mu, A, C, I_G = sp.symbols("m l g k c F R mu A C I_G", positive=True)
+
+
+def vector(*components: sp.Expr | int) -> Vector:
+    p, q, r = (sp.sympify(e) for e in components)
+    return Vector((p, q, r))
+
+
+def test_namespaces_are_apart() -> None:
+    """A constraint, a body, a force and a choice may share a name, and a symbol may have it too."""
+    problem = read(
+        "title: T\nparameters: [rod, m]\ncoordinates: [x, theta]\n"
+        "bodies: {rod: {mass: rod, inertia: m, position: x*i, angle: theta}}\nconstraints: {rod: x = rod}\n"
+        "forces: {rod: {on: rod, vector: rod*i}}\ngeneralized_coordinates: {rod: {coordinates: [x, theta]}}\n"
+    )
+    assert problem.constraints[0].function == x - sp.Symbol("rod", positive=True)
+    assert problem.bodies[0].name == problem.forces[0].name == problem.choices[0].name == "rod"
+
+
+def test_names_of_other_languages_are_free() -> None:
+    names = [
+        "e",
+        "E",
+        "I",
+        "S",
+        "N",
+        "Q",
+        "beta",
+        "lambda",
+        "d",
+        "n",
+        "y",
+        "no",
+        "on",
+        "yes",
+        "off",
+        "true",
+        "null",
+        "gamma",
+    ]
+    problem = read(f"title: T\ncoordinates: [{', '.join(names)}]\nconstraints: {{a: {' + '.join(names)} = 0}}\n")
+    assert [str(q.symbol) for q in problem.coordinates] == names
+    assert problem.constraints[0].function == sp.Add(*(q.symbol for q in problem.coordinates))
+
+
+def test_a_declared_k_stays_a_stiffness_where_a_scalar_is_meant() -> None:
+    problem = read(ALL + "forces: {a: {on: P, vector: -k*x*i}, b: {on: B, moment: F*k}}\n")
+    pull, torque = problem.forces
+    assert isinstance(pull, AppliedForce)
+    assert pull.vector == vector(-k * x, 0, 0)
+    assert isinstance(torque, AppliedMoment)
+    assert torque.moment == vector(0, 0, F)
+    assert [(n.code, n.level) for n in problem.notes] == [("read-as", "note")]
+    assert "e_z" in problem.notes[0].help

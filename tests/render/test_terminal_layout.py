@@ -1,0 +1,73 @@
+"""Paragraphs and tables on a terminal."""
+
+import pytest
+import sympy as sp
+from rich.cells import cell_len
+
+from lagrange.document.builders import display, math, prose
+from lagrange.document.derivation import Derivation, Detail, Equation, Rule, Step, Table
+from lagrange.document.math_writer import Notation
+from lagrange.render import terminal
+from lagrange.render.terminal_layout import Words, fill
+
+
+def one_step(*blocks):
+    return Derivation("T", "", (Step(Rule.STATEMENT, "S", blocks),))
+
+
+def body(width, *blocks, notation=None, detail=Detail.STEPS):
+    """The lines below the title of the step, without the margin."""
+    printed = terminal.text(one_step(*blocks), notation or Notation(), width, detail)
+    return [line[5:] for line in printed.splitlines()[3:]]
+
+
+def test_prose_holds_short_formulas_together():
+    theta = sp.Symbol("theta")
+    words = Words().text("the angle ").formula(["sin θ cos θ"], "=").text(", small")
+    assert [line.plain for line in fill(words, 16)] == ["the angle", "sin θ cos θ,", "small"]
+    assert body(30, prose("Let ", math(sp.sin(theta), theta), "."))[0].endswith("Let sin θ = θ.")
+
+
+def test_prose_breaks_long_formulas_at_terms():
+    a = sp.symbols("a_:12")
+    lines = body(60, prose("Here ", math(sp.Symbol("Q"), sum(a)), "."))
+    assert lines == ["Here Q = a₀ + a₁ + a₂ + a₃ + a₄ + a₅ + a₆ + a₇ + a₈", "+ a₉ + a₁₀ + a₁₁."]
+
+
+def test_a_long_word_is_cut_as_the_last_resort():
+    for line in body(30, prose("x" * 70), display(Equation((sp.Symbol("q" * 70), sp.S.Zero)))):
+        assert cell_len(line) <= 25
+
+
+def test_a_letter_keeps_its_dots_when_a_word_is_cut():
+    words = Words().text("θ̈" * 9)
+    assert [line.plain for line in fill(words, 4)] == ["θ̈" * 4, "θ̈" * 4, "θ̈"]
+
+
+@pytest.mark.parametrize("letter", ["θ̈", "ẍ", "φ̇₁", "x₁", "∂", "√", "∧", "½", "″", "−", "✓", "✗"])
+def test_combining_characters_have_no_width(letter):
+    assert cell_len(letter) == len([c for c in letter if c not in "\u0307\u0308"])
+
+
+def coefficients(count):
+    names = [math(sp.Symbol(f"a_q{n}")) for n in range(count)]
+    cells = [math(sp.Symbol(f"q_{n}") - sp.Symbol(f"q_{n + 1}")) for n in range(count)]
+    return Table(("constraint", *names), (("length", *cells), ("heading", *cells)))
+
+
+def test_a_table_that_is_too_wide_is_turned():
+    wide, narrow = body(120, coefficients(7)), body(60, coefficients(7))
+    assert len(wide) == 4
+    assert narrow[0] == "  constraint │ length  │ heading"
+    assert narrow[2] == "  a_q₀       │ q₀ − q₁ │ q₀ − q₁"
+    assert len(narrow) == 9
+
+
+def test_a_table_that_fits_neither_way_is_wrapped_or_stacked():
+    long = Table(("what", "why"), (("this", "because " * 12), ("that", "since " * 12)))
+    assert body(60, long)[2] == "  this │ because because because because because"
+    x = sp.symbols("x_:8")
+    cell = math(sp.sin(sum(x)))
+    grid = Table(("row", *(math(s) for s in x)), tuple((f"r{n}", *[cell] * 8) for n in range(8)))
+    lines = body(60, grid)
+    assert lines[:2] == ["  r0", "    x₀: sin(x₀ + x₁ + x₂ + x₃ + x₄ + x₅ + x₆ + x₇)"]

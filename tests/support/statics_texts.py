@@ -1,0 +1,57 @@
+"""Problems of statics as files."""
+
+from __future__ import annotations
+
+BEAD = """
+title: Bead in a potential
+parameters: [a, b]
+coordinates: [theta]
+forces: {field: {potential: "-a*sin(theta)^2/2 - b*cos(theta)"}}
+"""
+PENDULUM = """
+title: Pendulum
+axes: {i: right, j: down}
+parameters: [m, l, g]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {rod: x^2 + y^2 = l^2}
+gravity: g*j
+find: equilibrium
+generalized_coordinates:
+  angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}
+  depth: {coordinates: [y]}
+"""
+CHAIN = """
+title: Two rods pulled sideways
+parameters: [W, l, P]
+coordinates: [theta, phi]
+particles:
+  A: {position: l*sin(theta)*i - l*cos(theta)*j}
+  B: {position: r_A + l*sin(phi)*i - l*cos(phi)*j}
+forces: {w: {on: A, vector: -W*j}, v: {on: B, vector: -W*j}, pull: {on: B, vector: P*i}}
+"""
+LEVER = """
+title: Two forces on a lever
+parameters: [W, a, b, c]
+unknowns: [P, R]
+coordinates: [theta]
+particles:
+  A: {position: -a*cos(theta)*i - a*sin(theta)*j}
+  B: {position: b*cos(theta)*i + b*sin(theta)*j}
+  C: {position: c*cos(theta)*i + c*sin(theta)*j}
+forces: {w: {on: A, vector: -W*j}, p: {on: B, vector: -P*j}, r: {on: C, vector: -R*j}}
+"""
+ATWOOD = """
+title: Two weights on a string
+parameters: [W, M, L]
+coordinates: [x]
+particles: {A: {position: -x*j}, B: {position: (x - L)*j}}
+forces: {w: {on: A, vector: -W*j}, v: {on: B, vector: -M*j}}
+"""
+SPRINGS = """
+title: Spring between two points
+parameters: [c, b, h, W]
+coordinates: [y]
+particles: {P: {position: "[h, y]"}}
+forces: {s: {spring: c, between: [P, "[0, 0]"], length: b}}
+"""
