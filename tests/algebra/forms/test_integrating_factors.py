@@ -420,8 +420,14 @@ def test_the_derivation_says_when_none_was_found(problem):
     ("text", "name"),
     [
         ("{c: \"y*x' - x*y' = 0\"}", "the factor makes the form of the c constraint exact"),
-        ("{c: \"y*x' - x*y' = 0\"}", "the finite relation has a differential proportional to the form of the c constraint"),
-        ("{c: \"x' - a*y' = 0\"}", "the finite relation has a differential proportional to the form of the c constraint"),
+        (
+            "{c: \"y*x' - x*y' = 0\"}",
+            "the finite relation has a differential proportional to the form of the c constraint",
+        ),
+        (
+            "{c: \"x' - a*y' = 0\"}",
+            "the finite relation has a differential proportional to the form of the c constraint",
+        ),
     ],
 )
 def test_the_checks(problem, text, name):
