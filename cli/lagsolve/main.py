@@ -125,7 +125,7 @@ def solve(
 def check(
     problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str, hint: int | None, reveal: bool
 ) -> None:
-    """Compare somebody's equations of motion with the derived ones.
+    """Compare equations of motion with the derived ones.
 
     Give the equations with -e, or in ANSWER_FILE, one per line (`#` begins a comment, `-` is standard input); of a .tex
     or .md file the mathematics is read. They may be in LaTeX. A .yaml file may answer the other questions too, with the

@@ -1,4 +1,4 @@
-r"""Submissions: the equations in a file, and the verdict on all that somebody has handed in for a problem.
+r"""Submissions: the equations in a file, and the verdict on everything handed in for a problem.
 
 A submission is a file, or the files of a folder, whose equations together are the answer. It comes from a stranger:
 what cannot be read is a verdict on it like any other, never an exception; bounds on time and memory are the caller's

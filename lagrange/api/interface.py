@@ -75,7 +75,7 @@ def solve(problem: Problem, choice: str | None = None, *, method: str = "dalembe
 
 
 def check(problem: Problem | Result, equations: object = None) -> Judgement:
-    """The verdict on somebody's equations.
+    """The verdict on someone's equations.
 
     problem    the problem, or its result if it has been solved already
     equations  one, or a list, tuple or matrix of them: texts, plain or in LaTeX, and SymPy's `Eq`, or expressions that

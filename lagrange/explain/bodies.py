@@ -14,7 +14,7 @@ from lagrange.document.derivation import Block, Equation, Part
 from lagrange.explain.words import plural, spoken, suffix_of, the
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.problem.model import Body, Problem
 
 ZERO = sp.S.Zero
@@ -156,12 +156,12 @@ def _called(name: str, kind: str) -> str:
     return spoken(name) if spoken(name).endswith(kind) else f"{kind} {spoken(name)}"
 
 
-def _joins(link: Stretched | DamperForce) -> tuple[Part, ...]:
+def _joins(link: StretchedSpring | DamperForce) -> tuple[Part, ...]:
     first, second = (the(e) if isinstance(e, str) else math(e) for e in _ends(link))
     return (" joins ", first, " and ", second)
 
 
-def _ends(link: Stretched | DamperForce) -> Iterable[str | Vector | sp.Symbol]:
+def _ends(link: StretchedSpring | DamperForce) -> Iterable[str | Vector | sp.Symbol]:
     for end in link.ends:
         yield sp.Symbol("O") if isinstance(end, Vector) and end.is_zero else end
 

@@ -16,7 +16,7 @@ from lagrange.document.math_writer import Notation
 from lagrange.document.scene import Box, PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
 from lagrange.pictures.floats import FloatVector, NoValueError, plus
@@ -133,7 +133,7 @@ class _Drawing:
                 a, b = self.bypass(a, b, 0.24 - 0.48 * before)
             if apart(a, b) < 0.5:
                 raise NoValueError("too short for a spring")
-            if isinstance(link, Stretched):
+            if isinstance(link, StretchedSpring):
                 self.sketch.spring(a, b)
                 self.sketch.label_beside(link.stiffness, a, b, optional=True, clear=0.1)
             else:
@@ -143,7 +143,7 @@ class _Drawing:
                 if not isinstance(named, str) and all(apart(at, h) > 1e-3 for h in self.hinges):
                     self.fixed_end(at, other)
 
-    def ends(self, link: Stretched | DamperForce) -> tuple[PagePoint, PagePoint]:
+    def ends(self, link: StretchedSpring | DamperForce) -> tuple[PagePoint, PagePoint]:
         first, second = ends_of(link, self.system.configuration, self.pose)
         return self.flat(first), self.flat(second)
 

@@ -20,7 +20,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.scene import Box, PagePoint, StrokeKind
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Load
-from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.newton import FreeBody
 from lagrange.pictures.floats import FloatVector, NoValueError, minus, projected, unit, value
 from lagrange.pictures.limits import CURVE_STEP, LONGEST_FORCE_LABEL, MOST_CURVE_STEPS
@@ -171,7 +171,7 @@ def _pulls(system: SystemPicture, name: str) -> Iterator[Acting]:
                 raise NoValueError("a spring fastened next to a particle")
 
 
-def _pull(link: Stretched | DamperForce, pose: Pose) -> sp.Expr:
+def _pull(link: StretchedSpring | DamperForce, pose: Pose) -> sp.Expr:
     """The force with which it pulls its ends together; on a line the distance may have the other sign."""
     if isinstance(link, DamperForce) and pose.number(link.distance) < 0:
         return link.coefficient * sp.expand(-link.rate)

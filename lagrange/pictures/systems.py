@@ -20,7 +20,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
-from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretched
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
 from lagrange.mechanics.solution import Solution
@@ -254,7 +254,9 @@ def _in_file(pose: Pose, original: Configuration) -> Pose | None:
     return in_file
 
 
-def ends_of(link: Stretched | DamperForce, configuration: Configuration, pose: Pose) -> tuple[FloatVector, FloatVector]:
+def ends_of(
+    link: StretchedSpring | DamperForce, configuration: Configuration, pose: Pose
+) -> tuple[FloatVector, FloatVector]:
     """The two ends of a spring or damper. Raises NoValueError."""
     places = {p.name: p.position for p in configuration.points}
     first, second = (pose.at(places[e]) if isinstance(e, str) else pose.at(e) for e in link.ends)

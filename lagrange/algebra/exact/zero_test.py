@@ -67,6 +67,7 @@ __all__ = [
     "Surface",
     "UnsupportedError",
     "ZeroDivisorError",
+    "agreed",
     "are_equal",
     "has_real_point",
     "is_zero",

@@ -172,7 +172,7 @@ def antiderivative(e: sp.Expr, v: sp.Symbol, depth: int = INTEGRATION_DEPTH) -> 
     if depth <= 0 or sp.count_ops(e) > LARGEST_INTEGRAND:
         return None
     # Unexpanded first: multiplying out hides u' beside h(u), and lengthens the result.
-    e = e.replace(lambda f: isinstance(f, _RATIOS), _in_sine_and_cosine)
+    e = e.replace(lambda f: isinstance(f, _RATIOS), in_sine_and_cosine)
     result = _by_terms(e, v, depth)
     if result is None:
         expanded = multiplied_out(e)
@@ -369,7 +369,8 @@ def _terms(e: sp.Expr) -> int:
 _RATIOS = (sp.tan, sp.cot, sp.sec, sp.csc, sp.tanh)
 
 
-def _in_sine_and_cosine(e: sp.Expr) -> sp.Expr:
+def in_sine_and_cosine(e: sp.Expr) -> sp.Expr:
+    """tan, cot, sec, csc or tanh of an argument as a quotient."""
     (a,) = e.args
     match e:
         case sp.tan():

@@ -16,7 +16,7 @@ the coordinates, all as jets, and the forms are pulled back to it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from itertools import combinations
 from typing import Any, TypeVar
 
@@ -53,6 +53,7 @@ from lagrange.algebra.forms.limits import FLAG_WORK, HIGHEST_FLAG_ORDER, LONGEST
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots
+from lagrange.core.verdicts import all_hold
 
 T = TypeVar("T")
 
@@ -120,7 +121,7 @@ def exactness(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Sl
         left, right = differentiated(a, r, slots), differentiated(b, q, slots)
         equal = True if left == right else _compared(left - right)
         comparisons.append(PartialsComparison((q, r), (a, b), (left, right), equal))
-    return Exactness(tuple(comparisons), _all(c.equal for c in comparisons))
+    return Exactness(tuple(comparisons), all_hold(c.equal for c in comparisons))
 
 
 def frobenius_form(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Slots) -> tuple[WedgeComponent, ...]:
@@ -317,8 +318,3 @@ def _compared(difference: sp.Expr) -> bool | None:
         return is_zero(difference)
     except DivisionByZeroError:
         return None
-
-
-def _all(verdicts: Iterable[bool | None]) -> bool | None:
-    known = list(verdicts)
-    return False if False in known else None if None in known else True

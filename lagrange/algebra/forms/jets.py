@@ -24,6 +24,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import NumberField
 from lagrange.algebra.exact.prime_field import PrimeField
+from lagrange.algebra.forms.antiderivatives import in_sine_and_cosine
 from lagrange.core.symbols import Unspecified, base, prime, t
 
 Level = dict[int, Any]
@@ -337,10 +338,8 @@ class Expansion:
             raise NoExpansionError(e)
         (a,) = e.args
         match e:
-            case sp.tan() | sp.cot() | sp.sec() | sp.csc():
-                return self(_quotient(e, a))
-            case sp.tanh():
-                return self(sp.sinh(a) / sp.cosh(a))
+            case sp.tan() | sp.cot() | sp.sec() | sp.csc() | sp.tanh():
+                return self(in_sine_and_cosine(e))
             case sp.log():
                 return self.ring.logarithm(self(a), self.value(e))
             case sp.Abs():
@@ -409,18 +408,6 @@ class Expansion:
 
     def _constant(self, value: Any) -> Jet:
         return self.ring.constant(value, self.order)
-
-
-def _quotient(e: sp.Expr, a: sp.Expr) -> sp.Expr:
-    match e:
-        case sp.tan():
-            return sp.sin(a) / sp.cos(a)
-        case sp.cot():
-            return sp.cos(a) / sp.sin(a)
-        case sp.sec():
-            return 1 / sp.cos(a)
-        case _:
-            return 1 / sp.sin(a)
 
 
 def _multi_indices(count: int, total: int) -> Iterator[tuple[int, ...]]:

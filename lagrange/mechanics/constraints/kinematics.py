@@ -28,10 +28,10 @@ from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem,
 from lagrange.mechanics.constraints.rigid_bodies import Rotation, rotation_in, rotation_of
 from lagrange.mechanics.constraints.springs_dampers import (
     DamperForce,
-    Stretched,
-    damper_in,
-    dampers_in,
-    spring_in,
+    StretchedSpring,
+    damper_forces,
+    rewritten_damper,
+    rewritten_spring,
     stretched_springs,
 )
 from lagrange.problem.model import AppliedForce, AppliedMoment, Potential, Problem
@@ -94,7 +94,7 @@ class Configuration:
     loads: tuple[Load, ...]
     potential: sp.Expr
     expressed: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
-    springs: tuple[Stretched, ...] = ()
+    springs: tuple[StretchedSpring, ...] = ()
     dampers: tuple[DamperForce, ...] = ()
     rotations: tuple[Rotation, ...] = ()
     torques: tuple[Torque, ...] = ()
@@ -130,7 +130,7 @@ class Configuration:
         return self.constrained.accelerated_constraints
 
     @property
-    def links(self) -> tuple[Stretched | DamperForce, ...]:
+    def links(self) -> tuple[StretchedSpring | DamperForce, ...]:
         """The springs and the dampers."""
         return (*self.springs, *self.dampers)
 
@@ -207,7 +207,7 @@ def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Conf
         loads=applied_loads(problem),
         potential=sp.Add(*energies, *(s.energy for s in springs)),
         springs=springs,
-        dampers=dampers_in(problem),
+        dampers=damper_forces(problem),
         rotations=tuple(rotation_of(b, problem.slots) for b in problem.bodies),
         torques=tuple(Torque(f.name, f.on, f.moment) for f in problem.forces if isinstance(f, AppliedMoment)),
     )
@@ -227,7 +227,7 @@ def substituted_configuration(
     rule = blank.substitution
     points = tuple(_moving(p.name, p.mass, p.position.xreplace(rule), slots) for p in original.points)
     loads = tuple(replace(f, vector=f.vector.xreplace(rule), point=f.point.xreplace(rule)) for f in original.loads)
-    springs = tuple(spring_in(s, rule) for s in original.springs)
+    springs = tuple(rewritten_spring(s, rule) for s in original.springs)
     others = original.potential - sp.Add(*(s.energy for s in original.springs))
     return Configuration(
         name,
@@ -237,7 +237,7 @@ def substituted_configuration(
         sp.Add(others.xreplace(rule), *(s.energy for s in springs)),
         expressed,
         springs,
-        dampers=tuple(damper_in(d, rule, slots) for d in original.dampers),
+        dampers=tuple(rewritten_damper(d, rule, slots) for d in original.dampers),
         rotations=tuple(rotation_in(r, dict(expressed), rule, slots) for r in original.rotations),
         torques=tuple(Torque(m.name, m.on, m.vector.xreplace(rule)) for m in original.torques),
     )

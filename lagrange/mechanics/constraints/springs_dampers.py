@@ -35,7 +35,7 @@ class Link:
 
 
 @record
-class Stretched(Link):
+class StretchedSpring(Link):
     """A spring in a configuration.
 
     ends      each end by the name of its particle or body, or else by its position
@@ -85,18 +85,18 @@ class DamperForce(Link):
         return self.coefficient * self.rate
 
 
-def stretched_springs(problem: Problem) -> tuple[Stretched, ...]:
+def stretched_springs(problem: Problem) -> tuple[StretchedSpring, ...]:
     """The springs in the coordinates of the file."""
     springs = []
     for f in problem.forces:
         if isinstance(f, Spring):
             apart = f.ends[0] - f.ends[1]
             length = _distance(apart) if f.sense is None else -f.sense * sp.Add(*apart.components)
-            springs.append(Stretched(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
+            springs.append(StretchedSpring(f.name, f.stiffness, f.length, _named(f.ends, problem), apart, length))
     return tuple(springs)
 
 
-def dampers_in(problem: Problem) -> tuple[DamperForce, ...]:
+def damper_forces(problem: Problem) -> tuple[DamperForce, ...]:
     """The dampers in the coordinates of the file."""
     dampers = []
     for f in problem.forces:
@@ -109,7 +109,7 @@ def dampers_in(problem: Problem) -> tuple[DamperForce, ...]:
     return tuple(dampers)
 
 
-def spring_in(spring: Stretched, rule: dict[sp.Basic, sp.Basic]) -> Stretched:
+def rewritten_spring(spring: StretchedSpring, rule: dict[sp.Basic, sp.Basic]) -> StretchedSpring:
     """The spring in other coordinates."""
     return replace(
         spring,
@@ -123,7 +123,7 @@ def spring_in(spring: Stretched, rule: dict[sp.Basic, sp.Basic]) -> Stretched:
     )
 
 
-def damper_in(damper: DamperForce, rule: dict[sp.Basic, sp.Basic], slots: Slots) -> DamperForce:
+def rewritten_damper(damper: DamperForce, rule: dict[sp.Basic, sp.Basic], slots: Slots) -> DamperForce:
     """The damper in other coordinates."""
     squared = textbook_form(damper.distance.xreplace(rule) ** 2) if damper.distance.is_Pow else None
     length = damper.distance.xreplace(rule) if squared is None else _unsigned(_root(squared))
