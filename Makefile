@@ -24,7 +24,7 @@ $(VENV)/installed: pyproject.toml
 demo: $(VENV)/installed
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
 
-# The slow tests that `make test` runs: a tenth of them, another one every day; `make test PART=3` says which.
+# The slow tests that `make test` runs: a twentieth of them, another one every day; `make test PART=3` says which.
 PART ?= today
 PYTEST = $(BIN)/python -m pytest --numprocesses auto --dist loadgroup
 

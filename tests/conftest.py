@@ -1,19 +1,20 @@
 """What all tests share: which of them are run, which process runs which, and how a problem is read from text.
 
-A test belongs to one of three tiers:
+A test belongs to one of four tiers (`support/tiers.py`):
 
     (no mark)  tables, one solve of every shipped problem, its checks, reading back, golden files
     truth      second routes on all systems, laws, mutations, the other method, how work grows
     process    child processes, TeX, pandoc, Chromium, Dask
+    slow       what else takes long, as measured
 
-`pytest` runs what it is asked to run. `make test` runs the first tier and a tenth of the others, another one every day
-(`--part today`); `make test-all` runs everything.
+`pytest` runs what it is asked to run. `make test` runs the first tier and a twentieth of the others, another one every
+day (`--part today`); `make test-all` runs everything.
 """
 
 from __future__ import annotations
 
 import gc
-import zlib
+from collections import Counter
 from collections.abc import Callable
 from datetime import date
 from pathlib import Path
@@ -26,18 +27,22 @@ from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from tests.support.chance import QUICK
-from tests.support.tiers import tier_of
+from tests.support.grouping import ByProblem, part_of
+from tests.support.tiers import renew, tier_of
 
 HERE = Path(__file__).parent
-PARTS = 10
+PARTS = 20
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--renew", action="store_true", help="write the golden files anew instead of comparing")
     parser.addoption(
+        "--renew-slow", action="store_true", help="write the list of slow tests anew; for a run of all tests"
+    )
+    parser.addoption(
         "--part",
         metavar="N",
-        help=f"of the tests marked `truth` or `process`, run the Nth part of {PARTS} only, or that of `today`; "
+        help=f"of the tests marked `truth`, `process` or `slow`, run the Nth part of {PARTS} only, or that of `today`; "
         f"Hypothesis tries at most {QUICK} examples",
     )
 
@@ -57,6 +62,26 @@ def pytest_configure(config: pytest.Config) -> None:
     settings.load_profile("quick")
 
 
+@pytest.hookimpl(trylast=True)
+def pytest_sessionstart(session: pytest.Session) -> None:
+    if session.config.getoption("--renew-slow") and not hasattr(session.config, "workerinput"):
+        session.config.pluginmanager.register(_Clock())
+
+
+class _Clock:
+    """Notes how long each test takes, in whichever process, and writes the list of slow ones at the end."""
+
+    def __init__(self) -> None:
+        self.seconds: Counter[str] = Counter()
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        if report.when == "call":
+            self.seconds[report.nodeid.removeprefix("tests/")] += report.duration
+
+    def pytest_sessionfinish(self) -> None:
+        renew(self.seconds)
+
+
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     part = terminalreporter.config.getoption("--part")
     if part is not None:
@@ -72,7 +97,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         tier = tier_of(name)
         if tier is not None:
             item.add_marker(tier)
-        if tier is not None and part is not None and zlib.crc32(name.encode()) % PARTS != int(part):
+        if tier is not None and part is not None and part_of(name, PARTS) != int(part):
             left_out.append(item)
     if left_out:
         config.hook.pytest_deselected(items=left_out)
@@ -84,8 +109,6 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     if config.getoption("dist") != "loadgroup":
         return None
-    from tests.support.grouping import ByProblem
-
     return ByProblem(config, log)
 
 

@@ -7,6 +7,7 @@ under pytest 9.2, where the name of a test can no longer be changed; so the grou
 from __future__ import annotations
 
 import re
+import zlib
 from functools import cache
 
 from xdist.scheduler import LoadScopeScheduling
@@ -23,6 +24,12 @@ def group_of(test: str) -> str:
     function, _, parameters = test.removesuffix("]").partition("[")
     found = PROBLEM.search(parameters)
     return found[1] if found else function
+
+
+def part_of(test: str, parts: int) -> int:
+    """Which part of several a slow test is in: all those of one problem in the same, which solves it once."""
+    group = group_of(test)
+    return zlib.crc32((test if group == test.partition("[")[0] else group).encode()) % parts
 
 
 class ByProblem(LoadScopeScheduling):  # type: ignore[misc]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.support.grouping import NAMES, group_of
+from tests.support.grouping import NAMES, group_of, part_of
 
 
 @pytest.mark.parametrize(
@@ -26,3 +26,9 @@ def test_group(test: str, group: str) -> None:
 
 def test_every_problem_has_its_own_group() -> None:
     assert all(group_of(f"a.py::test[{name}]") == name for name in NAMES)
+
+
+def test_all_tests_of_a_problem_are_in_one_part_and_others_are_spread() -> None:
+    assert len({part_of(f"{file}.py::test_a[heavy-top]", 20) for file in "abcdefgh"}) == 1
+    assert len({part_of(f"a.py::test_a[{n}]", 20) for n in range(500)}) == 20
+    assert {part_of(f"a.py::test_a[{n}]", 20) for n in NAMES} == {*range(20)}

@@ -1,27 +1,20 @@
-"""Which tests are slow: those that `make test` runs a tenth of. Names of folders, files and functions below `tests/`."""
+"""Which tests `make test` runs a part of: names of folders, files and functions below `tests/`.
+
+The tiers `truth` and `process` are listed here. Of the others those are `slow` whose function takes more than
+`LONG` seconds, all its parameters together: `slow_tests.txt` has them, as `pytest --renew-slow` measured them last.
+"""
 
 from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+from pathlib import Path
 
 TIERS = {
     "truth": (
         "truth/",
-        "algebra/closed_forms/test_branching.py::test_systems",
         "algebra/closed_forms/test_eigenmodes.py",
-        "algebra/forms/test_derived_flag.py::test_ranks_by_symbolic_brackets",
-        "algebra/forms/test_derived_flag.py::test_six_constraints_in_twelve_coordinates",
-        "algebra/forms/test_hidden_relations.py::test_relations_stay_constant_along_a_random_motion",
-        "algebra/forms/test_hidden_relations.py::test_six_constraints_in_twelve_coordinates",
-        "algebra/forms/test_hidden_relations.py::test_the_number_by_symbolic_brackets",
-        "algebra/forms/test_hidden_relations.py::test_two_trolleys_in_twelve_coordinates",
-        "answers/test_submissions.py::test_long_files_take_no_longer_than_their_length",
-        "api/test_numerical.py::test_the_double_pendulum_is_that_of_sympy",
-        "mechanics/constraints/test_coordinates.py::test_a_long_chain_is_solved_as_far_as_that_goes",
-        "mechanics/constraints/test_rigid_bodies.py::test_every_sequence_against_newton_and_euler",
         "mechanics/dynamics/test_conservation.py",
-        "mechanics/dynamics/test_newton.py::test_newtons_laws_are_lagranges_equations_with_multipliers",
-        "mechanics/equilibrium/test_linearization.py::test_both_regimes_were_met",
-        "mechanics/equilibrium/test_linearization.py::test_frequencies_and_stability_are_those_of_the_numbers",
-        "problems/test_constraint_problems.py::test_the_derived_flag_by_brackets",
     ),
     "process": (
         "algebra/exact/test_prime_field.py::test_every_process_has_a_prime_of_its_own",
@@ -44,9 +37,21 @@ TIERS = {
     ),
 }
 
+ALWAYS = {
+    "explain/test_constraints.py::test_a_form_has_a_name_that_nothing_else_has",
+    "golden/test_golden.py::test_output_is_as_it_was",
+    "problems/test_read_back.py::test_it_passes_its_own_checks_and_agrees_with_its_answers",
+    "problems/test_read_back.py::test_equations_can_be_read_again",
+}
+"""Long, and run each time: every shipped problem is solved, its checks hold, and what is printed means what it should."""
+
+LONG = 1.0
+MEASURED = Path(__file__).with_name("slow_tests.txt")
+SLOW = frozenset(MEASURED.read_text(encoding="utf-8").splitlines())
+
 
 def tier_of(test: str) -> str | None:
-    """`truth`, `process`, or None for a test that always runs. `test` is its path below `tests/`, `::`, its name."""
+    """`truth`, `process`, `slow`, or None for a test that always runs. `test`: its path below `tests/`, `::`, its name."""
     function = test.partition("[")[0]
     for tier, slow in TIERS.items():
         if any(
@@ -54,4 +59,15 @@ def tier_of(test: str) -> str | None:
             for name in slow
         ):
             return tier
-    return None
+    return "slow" if function in SLOW else None
+
+
+def renew(seconds: Mapping[str, float]) -> None:
+    """Writes the list of slow tests anew, from the seconds that each test of a run of all has taken."""
+    by_function: Counter[str] = Counter()
+    for test, taken in seconds.items():
+        function = test.partition("[")[0]
+        if tier_of(test) in (None, "slow") and function not in ALWAYS:
+            by_function[function] += taken
+    slow = sorted(f for f, taken in by_function.items() if taken > LONG)
+    MEASURED.write_text("".join(f"{f}\n" for f in slow), encoding="utf-8")
