@@ -10,6 +10,7 @@ import doctest
 import re
 from collections import Counter
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -77,11 +78,20 @@ def files() -> dict[str, Path]:
 
 
 FILES = files()
-TREES = {name: ast.parse(path.read_text(encoding="utf-8")) for name, path in FILES.items()}
 
 
-def imported(tree: ast.AST) -> Iterator[str]:
-    """The modules that a module imports, wherever in it."""
+@cache
+def tree_of(name: str) -> ast.AST:
+    return ast.parse(FILES[name].read_text(encoding="utf-8"))
+
+
+@cache
+def imports_of(name: str) -> frozenset[str]:
+    """The modules that a module imports: also in functions, and for types only. A late import hides no way up."""
+    return frozenset(_imported(tree_of(name)))
+
+
+def _imported(tree: ast.AST) -> Iterator[str]:
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
@@ -105,7 +115,9 @@ def circle(module: str, above: tuple[str, ...] = (), done: set[str] | None = Non
     if module in done:
         return ()
     done.add(module)
-    inner = (circle(i, (*above, module), done) for i in sorted(IMPORTS.get(module, ())) if i != module)
+    inner = (
+        circle(i, (*above, module), done) for i in sorted(imports_of(module) if module in FILES else ()) if i != module
+    )
     return next((c for c in inner if c), ())
 
 
@@ -126,10 +138,6 @@ def forbidden(tree: ast.AST) -> list[str]:
     return found
 
 
-IMPORTS = {name: set(imported(tree)) for name, tree in TREES.items()}
-"""Also those in functions, and those for types only: a late import hides no way up."""
-
-
 def test_every_module_is_in_a_package() -> None:
     homeless = {m for m in FILES if m.startswith("lagrange.") and not package_of(m)}
     assert homeless == {"lagrange.algebra"}
@@ -140,7 +148,7 @@ def test_every_module_is_in_a_package() -> None:
 def test_packages_import_only_those_before_them(package: str) -> None:
     allowed = PACKAGES[: PACKAGES.index(package) + 1]
     for module in (m for m in FILES if package_of(m) == package):
-        upwards = {i for i in IMPORTS[module] if package_of(i) and package_of(i) not in allowed}
+        upwards = {i for i in imports_of(module) if package_of(i) and package_of(i) not in allowed}
         assert not upwards, f"{module} imports {', '.join(sorted(upwards))}"
 
 
@@ -156,7 +164,7 @@ def test_folders_are_not_crowded() -> None:
 
 @pytest.mark.parametrize("library", ROOMS)
 def test_libraries_stay_in_their_rooms(library: str) -> None:
-    users = {name for name, tree in TREES.items() if library in {i.split(".")[0] for i in imported(tree)}}
+    users = {name for name in FILES if library in {i.split(".")[0] for i in imports_of(name)}}
     rooms = ROOMS[library]
     if rooms is None:
         assert {u.split(".")[0] for u in users} == {"lagrange"}
@@ -165,14 +173,14 @@ def test_libraries_stay_in_their_rooms(library: str) -> None:
 
 
 def test_the_library_knows_nothing_of_the_command() -> None:
-    for name, tree in TREES.items():
+    for name in FILES:
         if name.split(".")[0] == "lagrange":
-            assert not {i.split(".")[0] for i in imported(tree)} & {"lagsolve", "click", "argparse", "cli"}
+            assert not {i.split(".")[0] for i in imports_of(name)} & {"lagsolve", "click", "argparse", "cli"}
 
 
 @pytest.mark.parametrize("name", FILES)
 def test_no_text_is_evaluated_and_nothing_is_simplified(name: str) -> None:
-    assert forbidden(TREES[name]) == ["lambdify"] * (name in COMPILED)
+    assert forbidden(tree_of(name)) == ["lambdify"] * (name in COMPILED)
 
 
 @pytest.mark.parametrize(

@@ -27,8 +27,9 @@ BOLD = {" ".join(b.split()) for b in re.findall(r"\*\*(.+?)\*\*", SOURCE, re.DOT
 
 def literal_names() -> Iterator[str]:
     """The names of checks that are written as they are: the first argument of `Check`."""
-    for path in sorted((ROOT / "lagrange").rglob("*.py")):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+    texts = [path.read_text(encoding="utf-8") for path in sorted((ROOT / "lagrange").rglob("*.py"))]
+    for text in (t for t in texts if "Check(" in t):
+        for node in ast.walk(ast.parse(text)):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Check":
                 match node.args[0]:
                     case ast.Constant(value=str(name)):
