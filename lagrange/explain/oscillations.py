@@ -16,7 +16,7 @@ from lagrange.explain.words import branch_conditions, capital, plural, sign_cond
 from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
-from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
@@ -250,9 +250,9 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
     subject = (capital(first), *others) if isinstance(first, str) else named
     match stability.verdict:
         case StabilityVerdict.STABLE:
-            yield prose(*_why(s), *named, f" is {stable}.", detail=detail)
+            yield prose(*_why(s), *named, f" is {stable}", *_presupposing(stability), ".", detail=detail)
         case StabilityVerdict.UNSTABLE:
-            yield prose(*_why(s), *named, " is unstable.", detail=detail)
+            yield prose(*_why(s), *named, " is unstable", *_presupposing(stability), ".", detail=detail)
         case StabilityVerdict.CONDITIONAL:
             where = sign_conditions(stability.conditions)
             strict = [c for c in stability.conditions if c.relation != "≠"]
@@ -280,6 +280,11 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
             yield prose(words, *named, " is stable.", detail=detail)
         case StabilityVerdict.UNDECIDED:
             yield prose("The linear equations do not decide whether ", *named, " is stable.", detail=detail)
+
+
+def _presupposing(stability: Stability) -> tuple[Part, ...]:
+    """`where a > b`: what keeps the deciding expressions from being zero."""
+    return (" where ", *sign_conditions(stability.presupposed)) if stability.presupposed else ()
 
 
 def _why(s: SmallOscillations) -> tuple[Part, ...]:
