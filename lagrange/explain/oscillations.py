@@ -192,11 +192,13 @@ def _not_closed(s: SmallOscillations) -> str:
 
 
 def _mode(f: Frequency, s: SmallOscillations, linearization: Linearization) -> tuple[Part, ...]:
-    """`with ξ_1 : ξ_2 as 1 : √2`."""
+    """`twice, with ξ_1 : ξ_2 as 1 : 0 and 0 : 1`."""
+    times = {1: "", 2: "twice", 3: "three times"}.get(f.multiplicity, f"{f.multiplicity} times")
     if not f.modes or len(s.free) == 1:
-        return ("twice",) if f.multiplicity == 2 else ()
+        return (times,) if times else ()
     modes = (math(*mode, relation=":") for mode in f.modes)
-    ratio = ("with ", math(*(linearization.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
+    start = f"{times}, with " if times else "with "
+    ratio = (start, math(*(linearization.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
     return (*ratio, *_presupposed(f, ", "))
 
 
