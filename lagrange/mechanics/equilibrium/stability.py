@@ -290,38 +290,49 @@ def by_signs(expressions: Sequence[sp.Expr], b: Branch, e: Equilibrium) -> Stabi
         return Stability(StabilityVerdict.UNSTABLE, values, presupposed=presupposed)
     if 0 in signs:
         return Stability(StabilityVerdict.UNDECIDED, values)
-    presupposed = not_vanishing(expressions, b, e)
     if None not in signs:
-        return Stability(StabilityVerdict.STABLE, values, presupposed=presupposed)
+        return Stability(StabilityVerdict.STABLE, values, presupposed=not_vanishing(expressions, b, e))
     try:
         conditions = conditions_for(expressions, known)
     except NeverPositiveError:
         return Stability(StabilityVerdict.UNSTABLE, values)
     if conditions is None:
         return Stability(StabilityVerdict.UNDECIDED, values)
+    presupposed = not_vanishing(expressions, b, e, [sp.factor(_positive_part(c)) for c in conditions])
     return Stability(StabilityVerdict.CONDITIONAL, values, (*conditions, *presupposed))
 
 
-def not_vanishing(expressions: Iterable[sp.Expr], b: Branch, e: Equilibrium) -> tuple[SignCondition, ...]:
+def not_vanishing(
+    expressions: Iterable[sp.Expr], b: Branch, e: Equilibrium, positive: Sequence[sp.Expr] = ()
+) -> tuple[SignCondition, ...]:
     """What keeps the factors of known sign different from zero: a > b of √(a² − b²), where b ≤ a on the branch.
 
     A condition a ≥ b for the existence of the branch, a root and an even power give a sign that is not strict.
+
+    positive  what is known to be positive besides
     """
-    known, strict = known_positive(b), known_positive(b, strict=True)
+    known, strict = [*known_positive(b), *positive], [*known_positive(b, strict=True), *positive]
     conditions: list[SignCondition] = []
     for x in expressions:
         for base, odd in _bases(x):
             sign_is_open = odd and sign_of(base, known) is None  # then it is a condition already
             if sign_is_open or sign_of(base, strict) is not None:
                 continue
-            square = on_branch(b, base**2, e, in_parameters=True)
-            if square is None or square.free_symbols & {*e.solution.unknowns}:
+            square = _square_in_parameters(base, b, e)
+            if square is None:
                 conditions += different_from_zero(base)
                 continue
             for f in (f for f, _ in _bases(square) if sign_of(f, strict) is None):
                 sign = sign_of(f, known)
                 conditions += different_from_zero(f) if sign is None else [more_than_zero(sign * f)]
     return tuple(dict.fromkeys(conditions))
+
+
+def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | None:
+    """x² without coordinates, if it is the same at all points of a branch: cos² θ where tan θ = a."""
+    squares = {on_branch(replace(b, common=at), x**2, e, in_parameters=True) for at in (b.common, *b.points)}
+    squares = {s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}}
+    return squares.pop() if len(squares) == 1 else None
 
 
 def _bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:

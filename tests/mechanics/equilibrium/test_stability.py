@@ -187,3 +187,16 @@ def test_a_branch_is_not_called_stable_where_it_ends() -> None:
     assert stability is not None
     assert stability.verdicts[2].verdict is Stable.STABLE
     assert stability.verdicts[2].presupposed == (SignCondition(a, ">", b),)
+
+
+def test_no_condition_says_what_another_one_implies() -> None:
+    """A pendulum in its angles under a force F i: at tan θ = F/(m g), φ = 0 it is stable where cos θ > 0, and cos θ is
+    not zero there in any case."""
+    theta = sp.Symbol("theta", real=True)
+    text = "title: v\nparameters: [m, l, g, F]\ncoordinates: [theta, phi]\nfind: equilibrium\n"
+    potential = "-m*g*l*cos(theta) - F*l*sin(theta)*cos(phi)"
+    found = solve(read(text + f"forces: {{v: {{potential: '{potential}'}}}}\n")).own
+    assert found.stability is not None
+    first = found.stability.verdicts[0]
+    assert first.verdict is Stable.CONDITIONAL
+    assert first.conditions == (SignCondition(sp.cos(theta), ">", sp.S.Zero),)
