@@ -16,7 +16,7 @@ from lagrange.explain.words import branch_conditions, capital, plural, sign_cond
 from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
-from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
 
 ZERO = sp.S.Zero
 TIME = sp.Symbol("t", real=True)
@@ -192,11 +192,13 @@ def _not_closed(s: SmallOscillations) -> str:
 
 
 def _mode(f: Frequency, s: SmallOscillations, linearization: Linearization) -> tuple[Part, ...]:
-    """`with ξ_1 : ξ_2 as 1 : √2`."""
+    """`twice, with ξ_1 : ξ_2 as 1 : 0 and 0 : 1`."""
+    times = {1: "", 2: "twice", 3: "three times"}.get(f.multiplicity, f"{f.multiplicity} times")
     if not f.modes or len(s.free) == 1:
-        return ("twice",) if f.multiplicity == 2 else ()
+        return (times,) if times else ()
     modes = (math(*mode, relation=":") for mode in f.modes)
-    ratio = ("with ", math(*(linearization.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
+    start = f"{times}, with " if times else "with "
+    ratio = (start, math(*(linearization.displacements[k] for k in s.free), relation=":"), " as ", *listed(modes))
     return (*ratio, *_presupposed(f, ", "))
 
 
@@ -250,9 +252,9 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
     subject = (capital(first), *others) if isinstance(first, str) else named
     match stability.verdict:
         case StabilityVerdict.STABLE:
-            yield prose(*_why(s), *named, f" is {stable}.", detail=detail)
+            yield prose(*_why(s), *named, f" is {stable}", *_presupposing(stability), ".", detail=detail)
         case StabilityVerdict.UNSTABLE:
-            yield prose(*_why(s), *named, " is unstable.", detail=detail)
+            yield prose(*_why(s), *named, " is unstable", *_presupposing(stability), ".", detail=detail)
         case StabilityVerdict.CONDITIONAL:
             where = sign_conditions(stability.conditions)
             strict = [c for c in stability.conditions if c.relation != "≠"]
@@ -280,6 +282,11 @@ def _verdict(named: tuple[Part, ...], s: SmallOscillations) -> Iterator[Prose]:
             yield prose(words, *named, " is stable.", detail=detail)
         case StabilityVerdict.UNDECIDED:
             yield prose("The linear equations do not decide whether ", *named, " is stable.", detail=detail)
+
+
+def _presupposing(stability: Stability) -> tuple[Part, ...]:
+    """`where a > b`: what keeps the deciding expressions from being zero."""
+    return (" where ", *sign_conditions(stability.presupposed)) if stability.presupposed else ()
 
 
 def _why(s: SmallOscillations) -> tuple[Part, ...]:

@@ -245,7 +245,8 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
     else:
         yield prose(
             start, "This is so if the leading minors of the matrix of its second derivatives are positive; the "
-            "equilibrium is unstable if the second variation takes negative values."
+            "equilibrium is unstable if the second variation takes negative values, as it does if a principal minor is "
+            "negative."
         )  # fmt: skip
     if turned:
         yield prose(
@@ -276,28 +277,39 @@ def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
     long = not one and sum(m.count_ops() for m in s.minors) > LONGEST
     values = listed(math(m) for m in s.minors)
     what: tuple[Part, ...] = ("it is ", *values) if one else ("they", *(() if long else (" are ", *values)))
+    where = (" where ", *sign_conditions(s.presupposed)) if s.presupposed else ()
     if s.order > 2:
         sign = "positive" if s.verdict is StabilityVerdict.STABLE else "negative"
         parity = "odd" if s.order % 2 else f"even, and {sign}"
-        order = f", of order {s.order}, {parity}: {s.verdict.value}."
-        return ("it is zero, and the first nonzero derivative is ", *values, order)
+        order = f", of order {s.order}, {parity}"
+        return ("it is zero, and the first nonzero derivative is ", *values, order, *where, f": {s.verdict.value}.")
     match s.verdict:
         case StabilityVerdict.STABLE if long:
-            return ("all of them are positive: stable.",)
+            return ("all of them are positive", *where, ": stable.")
         case StabilityVerdict.STABLE:
-            return (*what, ", positive: stable." if one else ", all positive: stable.")
+            return (*what, ", positive" if one else ", all positive", *where, ": stable.")
+        case StabilityVerdict.UNSTABLE if s.principal is not None:
+            if long or s.principal.count_ops() > LONGEST:
+                return ("another principal minor is negative", *where, ": unstable.")
+            return (*what, "; another principal minor is ", math(s.principal), *where, ": unstable.")
         case StabilityVerdict.UNSTABLE if long:
-            return ("they exclude a minimum: unstable.",)
+            return ("they exclude a minimum", *where, ": unstable.")
         case StabilityVerdict.UNSTABLE:
-            return (*what, ", negative: unstable." if one else ": unstable.")
+            return (*what, *((", negative",) if one else ()), *where, ": unstable.")
         case StabilityVerdict.CONDITIONAL:
-            where = sign_conditions(s.conditions)
-            contrary = ", unstable where the opposite inequality holds." if one else "."
-            if long:
-                return ("the equilibrium is stable where ", *where, ".")
-            return (*what, ": stable where ", *where, contrary)
+            return _conditional(s, one, () if long else what)
         case StabilityVerdict.UNDECIDED if s.unstable:
             where = sign_conditions(s.unstable, " or ")
             return (*what, ": unstable where ", *where, "; elsewhere the second variation does not decide.")
         case StabilityVerdict.UNDECIDED:
             return (*what, ": the second variation does not decide.") if not long else ("they do not decide.",)
+
+
+def _conditional(s: Stability, one: bool, what: tuple[Part, ...]) -> tuple[Part, ...]:
+    """Stable where conditions hold; with one condition on one coordinate unstable where it is reversed."""
+    where = sign_conditions(s.conditions)
+    if not what:
+        return ("the equilibrium is stable where ", *where, ".")
+    alone = one and len(s.conditions) == 1 and s.conditions[0].relation != "≠"
+    contrary = ", unstable where the opposite inequality holds." if alone else "."
+    return (*what, ": stable where ", *where, contrary)

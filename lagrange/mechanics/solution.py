@@ -334,6 +334,7 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with small oscillations, in every choice without square roots, else in the file's coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_linearization
     from lagrange.mechanics.equilibrium.linearization import linearization
+    from lagrange.mechanics.equilibrium.sampled_checks import check_oscillations
 
     on_stage("small oscillations")
     problem = solution.problem
@@ -344,7 +345,7 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
         if view.motion is None or view.signs:
             return view
         equations = linearization(view.motion, taken)
-        checks.extend(check_linearization(equations))
+        checks.extend((*check_linearization(equations), *check_oscillations(equations)))
         return replace(view, linearization=equations)
 
     choices = tuple(linearized(c) for c in solution.choices)
@@ -357,6 +358,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the equilibria in every set of coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium
+    from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
@@ -377,6 +379,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
             checks += check_workless(works, own.configuration)
         on_stage(_stage("stability", view))
         stability = second_variation(resting)
+        checks += check_stability(resting, stability)
         views.append(replace(view, equilibrium=resting, stability=stability, reactions_at_rest=reactions))
     return replace(
         solution,

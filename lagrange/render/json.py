@@ -358,8 +358,9 @@ def _oscillations(
         ]
     decided = {"stable": True, "unstable": False}
     result |= {"stable": decided.get(stability.verdict.value), "stability": stability.verdict.value}
-    if stability.conditions:
-        result["stable_where"] = [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in stability.conditions]
+    where = stability.presupposed if stability.verdict.value == "stable" else stability.conditions
+    if where:
+        result["stable_where"] = [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in where]
     return result
 
 

@@ -6,6 +6,10 @@ any other is left as an equation. A mode is found in the field of the rational f
 zero is 0 and nothing has to be decided; the root is substituted at the end. The work is bounded by the size of the
 matrices and of what is factored.
 
+Letters have relations that such a factorization does not see: with p = √14, w² − 2 p w + 14 is (w − p)², and
+sin² α and 1 − cos² α are one root. So where there are letters, common divisors of the factors and of their derivatives
+are split off, and modes that are not as many as the multiplicity are sought again at the root itself.
+
     K = k ( 2 −1 ; −1 2 ), M = m      (k − m w)(3k − m w) = 0,  w = k/m: (1, 1),  w = 3k/m: (1, −1)
 
 Shapes: M, K (n, n); a (n,).
@@ -30,9 +34,11 @@ from lagrange.algebra.closed_forms.limits import (
     MOST_MATRIX_SYMBOLS,
 )
 from lagrange.algebra.closed_forms.polynomial_roots import square_root
+from lagrange.algebra.closed_forms.repeated_roots import reduced_by_zero_test, with_repeated_roots_apart
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.linear_algebra import nullspace
+from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.core.records import record
 
 Matrix = tuple[tuple[sp.Expr, ...], ...]
@@ -116,6 +122,8 @@ def letter_factors(polynomial: sp.Expr, letter: sp.Symbol) -> list[tuple[sp.Expr
     _, powers = sp.factor_list(polynomial.xreplace(letters))
     back = {v: e for e, v in letters.items()}
     pieces = [(f.xreplace(back), int(n)) for f, n in powers if letter in f.free_symbols]
+    if letters:
+        pieces = with_repeated_roots_apart(pieces, letter)
     return [(_with_positive_lead(f, letter), n) for f, n in pieces]
 
 
@@ -250,7 +258,59 @@ def modes(
     return [tuple(tuple(numbers.at(x, centre, h) for x in v) for v in basis) for h in halves]
 
 
-def _with_leading_one(vector: Sequence[sp.Poly], numbers: Field) -> list[sp.Poly]:
+def _are_modes(basis: Sequence[Sequence[sp.Expr]], multiplicity: int) -> bool:
+    """Whether there are as many modes as the root is multiple, all finite."""
+    return len(basis) == multiplicity and not any(a.has(sp.zoo, sp.nan, sp.oo) for mode in basis for a in mode)
+
+
+class Expressions:
+    """Expressions as the numbers of `linear_algebra`: what is zero by the exact test is 0. None of them is guessed."""
+
+    exact = True
+    random = None
+
+    def number(self, numerator: int, denominator: int = 1) -> sp.Expr:
+        """A rational number."""
+        return sp.Rational(numerator, denominator)
+
+    def reduce(self, x: sp.Expr) -> sp.Expr:
+        """The expression over one denominator, or 0. Raises InadmissibleError where that is undecided."""
+        return reduced_by_zero_test(x)
+
+    def less(self, row: Sequence[sp.Expr], factor: sp.Expr, other: Sequence[sp.Expr]) -> list[sp.Expr]:
+        """row − factor · other."""
+        return [self.reduce(x - factor * y) for x, y in zip(row, other, strict=True)]
+
+    def inverse(self, x: sp.Expr) -> sp.Expr:
+        """1/x."""
+        return 1 / x
+
+    def vanishes(self, x: sp.Expr) -> bool:
+        """Whether x is 0."""
+        return bool(x == 0)
+
+    def root(self, x: sp.Expr) -> sp.Expr:
+        """√x."""
+        return sp.sqrt(x)
+
+    def sample(self) -> sp.Expr:
+        """Not random: 1."""
+        return sp.S.One
+
+
+def modes_at(root: sp.Expr, mass: Matrix, stiffness: Matrix) -> tuple[tuple[sp.Expr, ...], ...]:
+    """A basis of the a with (K − w M) a = 0 at one root w; none where that is not decided."""
+    numbers = Expressions()
+    rows = [[k - root * m for k, m in zip(ks, ms, strict=True)] for ks, ms in zip(stiffness, mass, strict=True)]
+    try:
+        basis = nullspace(numbers, rows, len(mass))
+        basis = [_with_leading_one(v, numbers) for v in basis]
+    except InadmissibleError:
+        return ()
+    return tuple(tuple(shortest_form(a) for a in v) for v in basis)
+
+
+def _with_leading_one(vector: Sequence[Any], numbers: Field | Expressions) -> list[Any]:
     """The vector divided by its first component that is not zero."""
     first = next(x for x in vector if not numbers.vanishes(x))
     scale = numbers.inverse(first)
@@ -269,7 +329,11 @@ def frequencies(
             continue
         vectors = modes(mass, stiffness, factor, letter) if with_modes else None
         for n, root in enumerate(roots):
-            unordered.append(Frequency(root, factor, letter, multiplicity, vectors[n] if vectors else ()))
+            basis = vectors[n] if vectors else ()
+            if with_modes and not _are_modes(basis, multiplicity):
+                basis = modes_at(root, mass, stiffness)
+                basis = basis if _are_modes(basis, multiplicity) else ()
+            unordered.append(Frequency(root, factor, letter, multiplicity, basis))
     return tuple(_ordered(unordered))
 
 

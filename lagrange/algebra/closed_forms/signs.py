@@ -152,12 +152,45 @@ def different_from_zero(expression: sp.Expr) -> tuple[SignCondition, ...]:
 def _compared(expression: sp.Expr, relation: str, positive: tuple[sp.Expr, ...] = ()) -> SignCondition:
     """e ≥ 0 with the negative terms brought to the other side: k l ≥ m g."""
     primitive = _without_positive_factors(expression, positive)
+    if relation != "≠":
+        primitive = _without_root(primitive, positive)
     terms = sp.Add.make_args(sp.expand(primitive))
     left = [term for term in terms if not term.could_extract_minus_sign()]
     right = [-term for term in terms if term.could_extract_minus_sign()]
     if not left:
         return SignCondition(sp.Add(*right), {"≥": "≤", "≠": "≠", ">": "<"}[relation], sp.S.Zero)
     return SignCondition(sp.Add(*left), relation, sp.Add(*right))
+
+
+def _without_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
+    """A + B √D as a shorter expression of the same sign, where there is one: 8r − a − √(a² + 32r²) as 2r − a.
+
+    With B < 0 and D ≥ 0, A + B √D ≥ 0 holds if and only if A ≥ 0 and A² − B² D ≥ 0. Without its positive factors let
+    the latter be P. If A − λ P is never negative for some λ > 0, then P ≥ 0 implies A ≥ 0, and P ≥ 0 is all there is
+    to say; the same holds with > for ≥. With B > 0 all of this is said of the opposite expression.
+    """
+    roots = {p for term in sp.Add.make_args(e) for p in sp.Mul.make_args(term) if p.is_Pow and p.exp == sp.S.Half}
+    if not e.is_Add or len(roots) != 1:
+        return e
+    [root] = roots
+    a, b = e.xreplace({root: sp.S.Zero}), sp.expand(e).coeff(root)
+    if sp.expand(e - a - b * root) != 0 or a.has(root) or b.has(root) or sign_of(root.base, positive) not in (0, 1):
+        return e
+    opposite = -sign_of(b, positive) if sign_of(b, positive) in (-1, 1) else None
+    if opposite is None:
+        return e
+    a = opposite * a
+    squares = _without_positive_factors(sp.expand(a**2 - b**2 * root.base), positive)
+    shorter = squares.count_ops() < e.count_ops()
+    return opposite * squares if shorter and _outweighs(a, squares, positive) else e
+
+
+def _outweighs(a: sp.Expr, p: sp.Expr, positive: tuple[sp.Expr, ...]) -> bool:
+    """Whether a − λ p is never negative for 1 or a quotient of coefficients as λ."""
+    of_p = sp.expand(p).as_coefficients_dict()
+    of_a = sp.expand(a).as_coefficients_dict()
+    scales = [sp.S.One, *(of_a[m] / c for m, c in of_p.items() if m in of_a and of_a[m] * c > 0)]
+    return any(sign_of(sp.expand(a - scale * p), positive) in (0, 1) for scale in scales)
 
 
 def more_than_zero(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> SignCondition:

@@ -25,3 +25,10 @@ MOST_OSCILLATING = 6
 LONGEST_COEFFICIENT = 100
 # Points of one equilibrium at which the check compares the linear equations.
 MOST_COMPARED_POINTS = 4
+
+# Sampled checks: parameters drawn for one point of a branch, and how many of them must be in the region where it is
+# stated to be stable and in that where it is stated to be unstable. Rows of a determinant of which the frequencies are
+# the roots [3].
+MOST_DRAWS = 40
+SAMPLES_PER_SIDE = 8
+MOST_EXPANDED_ROWS = 4

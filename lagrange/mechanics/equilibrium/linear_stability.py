@@ -26,8 +26,6 @@ from enum import StrEnum
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency, Matrix
-from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED
-from lagrange.algebra.closed_forms.signs import different_from_zero
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.records import record
@@ -35,7 +33,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import (
     Stability,
     StabilityVerdict,
-    conditions_for,
+    by_signs,
     definiteness,
     known_positive,
     on_branch,
@@ -97,19 +95,19 @@ def judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgeme
 def _judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgement:
     known = known_positive(b)
     squares = [f.square for f in s.frequencies]
-    negative = tuple(w for w in squares if w is not None and sign_on(w, known) == -1)
+    negative = [w for w in squares if w is not None and sign_on(w, known) == -1]
     if negative:
-        return StabilityJudgement(Stability(StabilityVerdict.UNSTABLE, negative), Ground.ROOTS)
+        return StabilityJudgement(by_signs(negative, b, resting), Ground.ROOTS)
     if s.symmetric:
         by_potential = _by_potential(s, b, resting, known)
         if by_potential is not None:
             return by_potential
     constant = on_branch(b, sp.Matrix(s.stiffness).det(method="berkowitz"), resting)
     if constant is not None and sign_on(constant, known) == -1:
-        return StabilityJudgement(Stability(StabilityVerdict.UNSTABLE, (constant,)), Ground.DETERMINANT)
+        return StabilityJudgement(by_signs([constant], b, resting), Ground.DETERMINANT)
     if s.roots is None:
         return UNKNOWN
-    return _by_hurwitz(s.roots, known) if s.kind is VelocityTerms.DAMPED else _by_roots(s.roots, known)
+    return (_by_hurwitz if s.kind is VelocityTerms.DAMPED else _by_roots)(s.roots, b, resting)
 
 
 UNKNOWN = StabilityJudgement(Stability(StabilityVerdict.UNDECIDED), None)
@@ -123,21 +121,20 @@ def _by_potential(
     if s.kind is VelocityTerms.NONE:
         squares = [f.square for f in s.frequencies if f.square is not None]
         if of_stiffness.verdict is StabilityVerdict.CONDITIONAL and len(squares) == len(s.frequencies):
-            simple = conditions_for(squares, known) if not any(map(_has_root, squares)) else None
-            if simple is not None:
-                return StabilityJudgement(
-                    Stability(StabilityVerdict.CONDITIONAL, of_stiffness.minors, simple), Ground.POTENTIAL
-                )
+            by_roots = by_signs(squares, b, resting) if not any(map(_has_root, squares)) else of_stiffness
+            if by_roots.verdict is StabilityVerdict.CONDITIONAL:
+                simple = replace(of_stiffness, conditions=by_roots.conditions)
+                return StabilityJudgement(simple, Ground.POTENTIAL)
         return StabilityJudgement(of_stiffness, Ground.POTENTIAL)
     size = len(s.damping)
     loss = tuple(tuple((s.damping[i][j] + s.damping[j][i]) / 2 for j in range(size)) for i in range(size))
-    full = s.kind is VelocityTerms.DAMPED and definiteness(loss, b, resting).verdict is StabilityVerdict.STABLE
+    full = s.kind is VelocityTerms.DAMPED and definiteness(loss, b, resting).is_always_stable
     if full:
         return StabilityJudgement(of_stiffness, Ground.POTENTIAL, asymptotic=True)
     passive = s.kind is VelocityTerms.GYROSCOPIC or _is_passive(loss, known)
     if passive and of_stiffness.verdict is StabilityVerdict.STABLE:
         reaches = s.kind is VelocityTerms.DAMPED and s.roots is not None
-        dies = reaches and _by_hurwitz(s.roots or (), known).stability.verdict is StabilityVerdict.STABLE
+        dies = reaches and _by_hurwitz(s.roots or (), b, resting).stability.is_always_stable
         return StabilityJudgement(of_stiffness, Ground.POTENTIAL, asymptotic=dies)
     return None
 
@@ -167,42 +164,37 @@ def _is_passive(loss: Matrix, known: Sequence[sp.Expr]) -> bool:
     return size == 1 or sign_on(sp.expand(loss[0][0] * loss[1][1] - loss[0][1] ** 2), known) in (0, 1)
 
 
-def _by_hurwitz(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> StabilityJudgement:
+def _by_hurwitz(a: Sequence[sp.Expr], b: Branch, resting: Equilibrium) -> StabilityJudgement:
     """All roots p have negative real parts, up to the fourth degree: a_j > 0 and a_1 a_2 a_3 > a_0 a_3² + a_1² a_4."""
-    a = _with_positive_leading(a, known)
+    a = _with_positive_leading(a, known_positive(b))
     if len(a) not in (3, 5):
         return UNKNOWN
     expressions = list(a[1:])
     if len(a) == 5:
         expressions.append(sp.expand(a[1] * a[2] * a[3] - a[0] * a[3] ** 2 - a[1] ** 2 * a[4]))
-    return _if_positive(expressions, known, Ground.HURWITZ, dies=True)
+    return _if_positive(expressions, b, resting, Ground.HURWITZ, dies=True)
 
 
-def _by_roots(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> StabilityJudgement:
+def _by_roots(a: Sequence[sp.Expr], b: Branch, resting: Equilibrium) -> StabilityJudgement:
     """All ω² real, positive and different, for at most two of them."""
-    a = _with_positive_leading(a, known)
+    a = _with_positive_leading(a, known_positive(b))
     if len(a) not in (2, 3):
         return UNKNOWN
     if len(a) == 2:
-        return _if_positive([-a[1]], known, Ground.ROOTS, dies=False)
+        return _if_positive([-a[1]], b, resting, Ground.ROOTS, dies=False)
     discriminant = sp.expand(a[1] ** 2 - 4 * a[0] * a[2])
-    judgement = _if_positive([a[2], -a[1], discriminant], known, Ground.ROOTS, dies=False)
-    return _where_different(judgement, discriminant)
+    judgement = _if_positive([a[2], -a[1], discriminant], b, resting, Ground.ROOTS, dies=False)
+    return _where_different(judgement)
 
 
-def _where_different(judgement: StabilityJudgement, discriminant: sp.Expr) -> StabilityJudgement:
+def _where_different(judgement: StabilityJudgement) -> StabilityJudgement:
     """Stable only if the roots are different: a discriminant (c J − κ m)² is positive unless c J = κ m."""
     stability = judgement.stability
-    if (
-        stability.verdict not in (StabilityVerdict.STABLE, StabilityVerdict.CONDITIONAL)
-        or discriminant.count_ops() > LARGEST_SIGNED
-    ):
+    if stability.verdict is not StabilityVerdict.STABLE or not stability.presupposed:
         return judgement
-    powers = (f.as_base_exp() for f in sp.Mul.make_args(sp.factor(discriminant)))
-    apart = tuple(c for base, e in powers if e.is_even for c in different_from_zero(base))
-    if not apart:
-        return judgement
-    conditional = replace(stability, verdict=StabilityVerdict.CONDITIONAL, conditions=(*stability.conditions, *apart))
+    conditional = replace(
+        stability, verdict=StabilityVerdict.CONDITIONAL, conditions=stability.presupposed, presupposed=()
+    )
     return replace(judgement, stability=conditional)
 
 
@@ -213,20 +205,9 @@ def _with_positive_leading(a: Sequence[sp.Expr], known: Sequence[sp.Expr]) -> li
 
 
 def _if_positive(
-    expressions: Sequence[sp.Expr], known: Sequence[sp.Expr], ground: Ground, dies: bool
+    expressions: Sequence[sp.Expr], b: Branch, resting: Equilibrium, ground: Ground, dies: bool
 ) -> StabilityJudgement:
     """Stable where all expressions are positive, unstable where one is negative."""
-    signs = [sign_on(w, known) for w in expressions]
-    values = tuple(expressions)
-    if -1 in signs:
-        return StabilityJudgement(Stability(StabilityVerdict.UNSTABLE, values), ground)
-    if 0 in signs:
-        return StabilityJudgement(Stability(StabilityVerdict.UNDECIDED, values), ground)
-    if None not in signs:
-        return StabilityJudgement(Stability(StabilityVerdict.STABLE, values), ground, dies)
-    conditions = conditions_for(expressions, known)
-    return (
-        UNKNOWN
-        if conditions is None
-        else StabilityJudgement(Stability(StabilityVerdict.CONDITIONAL, values, conditions), ground, dies)
-    )
+    stability = by_signs(expressions, b, resting)
+    decided = stability.verdict in (StabilityVerdict.STABLE, StabilityVerdict.CONDITIONAL)
+    return StabilityJudgement(stability, ground, dies and decided)

@@ -6,9 +6,10 @@ that the constraints leave free,
 
     V_kj = −D_j Q_k ,      D_j = ∂/∂q_j + Σ_d B_dj ∂/∂q_d ,      Q_k the generalized force of the free δq_k ,
 
-and there is a potential if V_kj = V_jk. The signs of the leading minors decide. A sign that the parameters leave open
-becomes a condition. If V'' of a single coordinate vanishes, the first derivative of V that does not vanish decides;
-with several coordinates a vanishing minor leaves the question undecided.
+and there is a potential if V_kj = V_jk. The signs of the principal minors decide (`definiteness`). A sign that the
+parameters leave open becomes a condition. If V'' of a single coordinate vanishes, the first derivative of V that does
+not vanish decides; with several coordinates a second variation that is never negative and vanishes somewhere leaves the
+question undecided.
 
 Where a pivot of the displacements vanishes at an equilibrium (a bead at the lowest point of x² + y² = l²), other
 displacements are free there, and V_kj is that of V − Σ λ f with the multipliers λ of the equilibrium, for A δq = 0.
@@ -16,15 +17,16 @@ displacements are free there, and V_kj is that of V − Σ λ f with the multipl
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import StrEnum
+from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED
+from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
 from lagrange.algebra.closed_forms.polynomial_roots import factors
-from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved, shortest_form
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import Surface, is_zero
@@ -50,7 +52,10 @@ class Stability:
 
     minors      the leading minors of V_kj on the branch; the first is V'' where there is one coordinate
     conditions  stable where these hold
+    presupposed if stable or unstable: what must hold for the signs to be strict. Where one of these fails, a minor
+                vanishes, and nothing is decided
     unstable    if undecided: unstable where one of these holds
+    principal   a negative principal minor, if it decides and is not among the leading ones
     order       of the first nonzero derivative of V in one coordinate; `minors` contains it
     free        the coordinates of the free δq, if they differ from those elsewhere and multipliers are used
     """
@@ -58,9 +63,16 @@ class Stability:
     verdict: StabilityVerdict
     minors: tuple[sp.Expr, ...] = ()
     conditions: tuple[SignCondition, ...] = ()
+    presupposed: tuple[SignCondition, ...] = ()
     unstable: tuple[SignCondition, ...] = ()
+    principal: sp.Expr | None = None
     order: int = 2
     free: tuple[sp.Symbol, ...] = ()
+
+    @property
+    def is_always_stable(self) -> bool:
+        """Whether it is stable for all values of the parameters."""
+        return self.verdict is StabilityVerdict.STABLE and not self.presupposed
 
 
 @record
@@ -210,48 +222,162 @@ def _with_multipliers(b: Branch, e: Equilibrium) -> Stability:
 
 
 def definiteness(matrix: Sequence[Sequence[sp.Expr]], b: Branch, e: Equilibrium) -> Stability:
-    """Whether a symmetric matrix, shape (f, f), rewritten for a branch, is positive definite.
+    """Whether a symmetric matrix K, shape (f, f), rewritten for a branch, is positive definite.
 
     Stable: it is; unstable: it takes negative values; conditional: it is where the conditions hold.
+
+    K is positive definite if and only if all leading minors are positive (Sylvester), and K ≥ 0 if and only if no
+    principal minor is negative, since a principal minor is the product of the eigenvalues of K on some of the axes. So
+
+    * one negative principal minor, leading or not, and K takes negative values: 0, −1 for the saddle x y;
+    * a leading minor that is zero, and det K ≠ 0: K takes negative values, since a regular K ≥ 0 would be definite;
+    * leading minors of open sign, and no other that is zero or negative: definite just where the open ones are
+      positive, and K takes negative values where one of them is negative.
     """
     minors = []
     for n in range(1, len(matrix) + 1):
-        minor = on_branch(b, sp.Matrix([list(row[:n]) for row in matrix[:n]]).det(method="berkowitz"), e)
+        minor = _minor(matrix, range(n), b, e)
         if minor is None:
             return Stability(StabilityVerdict.UNDECIDED)
         minors.append(minor)
     known = known_positive(b)
-    signs = [sign_on(m, known) for m in minors]
+    judged = by_signs(minors, b, e)
     written = tuple(min(m, shortest_form(m), key=lambda x: int(x.count_ops())) for m in minors)
-    diagonal = [sign_on(matrix[n][n], known) for n in range(len(matrix))]
-    if -1 in diagonal or _is_indefinite(signs):
-        return Stability(StabilityVerdict.UNSTABLE, written)
+    if judged.verdict is StabilityVerdict.STABLE or any(sign_on(m, known) == -1 for m in minors):
+        return replace(judged, minors=written)
+    others = [m for rows in _not_leading(len(matrix)) if (m := _minor(matrix, rows, b, e)) is not None]
+    negative = next((m for m in others if sign_on(m, known) == -1), None)
+    if negative is not None:
+        presupposed = not_vanishing([negative], b, e)
+        verdict = StabilityVerdict.UNSTABLE
+        return Stability(verdict, written, presupposed=presupposed, principal=shortest_form(negative))
+    if any(sign_on(m, known) == 0 for m in minors):
+        return replace(_never_definite(minors[-1], [*minors, *others], b, e), minors=written)
+    return replace(judged, minors=written)
+
+
+def _minor(matrix: Sequence[Sequence[sp.Expr]], rows: Sequence[int], b: Branch, e: Equilibrium) -> sp.Expr | None:
+    """The principal minor of some rows on a branch; None if it cannot be written in closed form."""
+    return on_branch(b, sp.Matrix([[matrix[i][j] for j in rows] for i in rows]).det(method="berkowitz"), e)
+
+
+def _not_leading(size: int) -> Iterator[tuple[int, ...]]:
+    """The rows of each principal minor that is not a leading one, the smaller ones first."""
+    for n in range(1, size):
+        yield from (rows for rows in combinations(range(size), n) if rows != tuple(range(n)))
+
+
+def _never_definite(det: sp.Expr, minors: Iterable[sp.Expr], b: Branch, e: Equilibrium) -> Stability:
+    """The verdict where a leading minor is zero, and none of the principal minors is known to be negative."""
+    known = known_positive(b)
+    sign = sign_on(det, known)
+    if sign == 1:
+        return Stability(StabilityVerdict.UNSTABLE, presupposed=not_vanishing([det], b, e))
+    if sign is None:
+        return Stability(StabilityVerdict.UNDECIDED, unstable=different_from_zero(det))
+    opposite = [-m for m in minors if sign_on(m, known) is None]
+    return Stability(StabilityVerdict.UNDECIDED, unstable=where_positive(opposite, known))
+
+
+def by_signs(expressions: Sequence[sp.Expr], b: Branch, e: Equilibrium) -> Stability:
+    """The verdict where all of some expressions must be positive, and one that is negative means instability."""
+    known = known_positive(b)
+    signs = [sign_on(x, known) for x in expressions]
+    values = tuple(expressions)
+    if -1 in signs:
+        negative = [x for x, sign in zip(expressions, signs, strict=True) if sign == -1]
+        presupposed = min((not_vanishing([x], b, e) for x in negative), key=len)
+        return Stability(StabilityVerdict.UNSTABLE, values, presupposed=presupposed)
     if 0 in signs:
-        opposite = [-matrix[n][n] for n, sign in enumerate(diagonal) if sign is None]
-        return Stability(StabilityVerdict.UNDECIDED, written, unstable=where_positive(opposite, known))
+        return Stability(StabilityVerdict.UNDECIDED, values)
     if None not in signs:
-        return Stability(StabilityVerdict.STABLE, written)
-    conditions = conditions_for(minors, known)
-    return (
-        Stability(StabilityVerdict.UNDECIDED, written)
-        if conditions is None
-        else Stability(StabilityVerdict.CONDITIONAL, written, conditions)
-    )
+        return Stability(StabilityVerdict.STABLE, values, presupposed=not_vanishing(expressions, b, e))
+    try:
+        conditions = conditions_for(expressions, known)
+    except NeverPositiveError:
+        return Stability(StabilityVerdict.UNSTABLE, values)
+    if conditions is None:
+        return Stability(StabilityVerdict.UNDECIDED, values)
+    presupposed = not_vanishing(expressions, b, e, [sp.factor(_positive_part(c)) for c in conditions])
+    return Stability(StabilityVerdict.CONDITIONAL, values, (*conditions, *presupposed))
 
 
-def known_positive(b: Branch) -> list[sp.Expr]:
-    """Expressions that are positive on a branch, by the conditions for its existence."""
-    known = [c.lhs - c.rhs for c in b.conditions if c.relation in ("≥", ">")]
-    known += [c.rhs - c.lhs for c in b.conditions if c.relation in ("≤", "<")]
-    return [sp.factor(p) for p in known]
+def not_vanishing(
+    expressions: Iterable[sp.Expr], b: Branch, e: Equilibrium, positive: Sequence[sp.Expr] = ()
+) -> tuple[SignCondition, ...]:
+    """What keeps the factors of known sign different from zero: a > b of √(a² − b²), where b ≤ a on the branch.
+
+    A condition a ≥ b for the existence of the branch, a root and an even power give a sign that is not strict.
+
+    positive  what is known to be positive besides
+    """
+    known, strict = [*known_positive(b), *positive], [*known_positive(b, strict=True), *positive]
+    conditions: list[SignCondition] = []
+    for x in expressions:
+        for base, odd in _bases(x):
+            sign_is_open = odd and sign_of(base, known) is None  # then it is a condition already
+            if sign_is_open or sign_of(base, strict) is not None:
+                continue
+            square = _square_in_parameters(base, b, e)
+            if square is None:
+                conditions += different_from_zero(base)
+                continue
+            for f in (f for f, _ in _bases(square) if sign_of(f, strict) is None):
+                sign = sign_of(f, known)
+                conditions += different_from_zero(f) if sign is None else [more_than_zero(sign * f)]
+    return tuple(dict.fromkeys(conditions))
+
+
+def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | None:
+    """x² without coordinates, if it is the same at all points of a branch: cos² θ where tan θ = a."""
+    squares = {on_branch(replace(b, common=at), x**2, e, in_parameters=True) for at in (b.common, *b.points)}
+    squares = {s for s in squares if s is not None and not s.free_symbols & {*e.solution.unknowns}}
+    return squares.pop() if len(squares) == 1 else None
+
+
+def _bases(x: sp.Expr) -> Iterator[tuple[sp.Expr, bool]]:
+    """The factors of an expression without their exponents, those under roots among them; whether exponents are odd."""
+    for factor in sp.Mul.make_args(sp.factor(x) if x.count_ops() <= LARGEST_SIGNED else x):
+        base, exponent = factor.as_base_exp()
+        if exponent.is_Rational and not exponent.is_Integer:
+            yield from ((f, False) for f, _ in _bases(base))
+        elif not base.is_number:
+            yield base, bool(exponent.is_odd)
+
+
+class NeverPositiveError(Exception):
+    """Some expressions are positive for no values of the parameters."""
+
+
+def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
+    """Expressions that are positive on a branch, or zero at its ends, by the conditions for its existence.
+
+    strict  only those that cannot be zero
+    """
+    above = (">",) if strict else (">", "≥")
+    below = ("<",) if strict else ("<", "≤")
+    known = [c.lhs - c.rhs for c in b.conditions if c.relation in above]
+    for c in b.conditions:
+        if c.relation in below:
+            within = c.lhs.args[0] if isinstance(c.lhs, sp.Abs) else None
+            known += [c.rhs - c.lhs] if within is None else [c.rhs - within, c.rhs + within]
+    known = [sp.factor(p) for p in known]
+    numerators = (above for above, below in map(sp.fraction, known) if below != 1 and sign_of(below) == 1)
+    return [*known, *numerators]
 
 
 def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[SignCondition, ...] | None:
-    """The conditions under which all expressions are positive; None if they are too long to be of use."""
+    """The conditions under which all expressions are positive; None if they are too long to be of use.
+
+    Raises NeverPositiveError if they cannot be, one being negative where those before it are positive.
+    """
     known = list(known)
     conditions = []
     for e in expressions:
-        if sign_on(e, known) is None:
+        sign = sign_on(e, known)
+        if sign in (-1, 0):
+            raise NeverPositiveError
+        if sign is None:
             condition = more_than_zero(e, known)
             conditions.append(condition)
             known.append(sp.factor(condition.lhs - condition.rhs) * (-1 if condition.relation == "<" else 1))
@@ -262,8 +388,13 @@ def conditions_for(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> 
 
 
 def _without_weaker(conditions: Sequence[SignCondition]) -> list[SignCondition]:
-    """The conditions without those implied by another one: of e > 2a and e > 4a, with a > 0, the second."""
-    above = [(c.lhs - c.rhs) * (-1 if c.relation == "<" else 1) for c in conditions]
+    """The conditions without those implied by another one: of e > 2a and e > 4a, with a > 0, the second.
+
+    Raises NeverPositiveError if two of them exclude each other.
+    """
+    above = [_positive_part(c) for c in conditions]
+    if any(sign_of(sp.expand(x + y)) in (-1, 0) for x, y in combinations(above, 2)):
+        raise NeverPositiveError
     kept = list(range(len(conditions)))
     for n in range(len(conditions)):
         others = [k for k in kept if k != n]
@@ -272,26 +403,31 @@ def _without_weaker(conditions: Sequence[SignCondition]) -> list[SignCondition]:
     return [conditions[k] for k in kept]
 
 
+def _positive_part(c: SignCondition) -> sp.Expr:
+    """What a condition says to be positive."""
+    return (c.lhs - c.rhs) * (-1 if c.relation == "<" else 1)
+
+
 def where_positive(expressions: Iterable[sp.Expr], known: Sequence[sp.Expr]) -> tuple[SignCondition, ...]:
-    """The condition for each expression to be positive, one by one; without those that are too long to be of use."""
-    each = (conditions_for([e], known) for e in expressions)
-    return tuple(dict.fromkeys(c for conditions in each for c in conditions or ()))
+    """Conditions one of which must hold for one of the expressions to be positive: without those that imply another."""
+    conditions: list[SignCondition] = []
+    for e in expressions:
+        try:
+            conditions += conditions_for([e], known) or ()
+        except NeverPositiveError:
+            continue
+    conditions = list(dict.fromkeys(conditions))
+    implied = (
+        any(sign_of(sp.expand(_positive_part(other) - _positive_part(c))) == 1 for other in conditions if other != c)
+        for c in conditions
+    )
+    return tuple(c for c, weaker in zip(conditions, implied, strict=True) if not weaker)
 
 
 def _vanishes(pivot: sp.Expr, b: Branch, e: Equilibrium) -> bool:
     """Whether a pivot is zero, or may be, on a branch: then other δq are the free ones there."""
     value = on_branch(b, pivot, e)
     return value is None or is_zero(value) is not False
-
-
-def _is_indefinite(signs: list[int | None]) -> bool:
-    """Whether the leading minors exclude a minimum: positive ones followed by a negative one."""
-    for s in signs:
-        if s == -1:
-            return True
-        if s != 1:
-            return False
-    return False
 
 
 def sign_on(e: sp.Expr, known: Sequence[sp.Expr]) -> int | None:

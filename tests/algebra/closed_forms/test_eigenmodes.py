@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 import sympy as sp
 from mpmath import matrix, mp, mpf
 
@@ -63,6 +64,27 @@ def test_a_frequency_that_belongs_to_two_modes() -> None:
         ("3*b/m", 1, 1),
         ("3*c/m", 2, 2),
     ]
+
+
+@pytest.mark.parametrize(
+    ("potential", "wanted"),
+    [
+        ("sqrt(14)*(x^2 + y^2)/2", [(sp.sqrt(14), 2)]),  # ω⁴ − 2√14 ω² + 14 is a square
+        ("sqrt(3)*(x^2 + y^2 + z^2)/2", [(sp.sqrt(3), 3)]),
+        ("sqrt(5)*(x^2 + y^2)/2 + z^2", [(2, 1), (sp.sqrt(5), 2)]),
+        ("sqrt(2)*(x^2 + y^2 + z^2 + x*y + y*z + z*x)/2", [(sp.sqrt(2) / 2, 2), (2 * sp.sqrt(2), 1)]),
+    ],
+)
+def test_a_multiple_frequency_with_a_root_in_it_has_all_its_modes(
+    potential: str, wanted: list[tuple[sp.Expr, int]]
+) -> None:
+    names = "x, y, z" if "z" in potential else "x, y"
+    place = names if "z" in potential else "x, y, 0"
+    text = f"coordinates: [{names}]\nparticles: {{P: {{mass: 1, position: '[{place}]'}}}}\n"
+    [s] = linear_equations(solved(text + f"forces: {{v: {{potential: '{potential}'}}}}\n")).at
+    assert s is not None
+    assert [(f.multiplicity, len(f.modes)) for f in s.frequencies] == [(n, n) for _, n in wanted]
+    assert all(sp.expand(f.square - w) == 0 for f, (w, _) in zip(s.frequencies, wanted, strict=True))
 
 
 TRIPLE = """

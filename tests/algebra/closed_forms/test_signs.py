@@ -8,6 +8,7 @@ import pytest
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import (
+    SignCondition,
     between_minus_one_and_one,
     different_from_zero,
     more_than_zero,
@@ -22,6 +23,9 @@ EXPRESSIONS = [
     a, -a, a * b, -a / b, a + b, -a - b * c, a - b, x, x**2, x * y, x**2 + a, -(x**2) - a, 1 - sp.cos(x), sp.sin(x) - 2,
     a**2 - a * b + b**2, x**2 + x + 1, x**2 + x - 1, a + sp.sqrt(a**2 + b**2), a - sp.sqrt(a**2 + b**2),
     sp.sqrt(a**2 + b**2) - b, a * (x**2 + 1) / (b + c), sp.sqrt(a) - sp.sqrt(b), a**3 - b**3,
+    8 * a - b - sp.sqrt(b**2 + 32 * a**2), b - 8 * a + sp.sqrt(b**2 + 32 * a**2), a - b - sp.sqrt(a**2 + b**2),
+    a - b + sp.sqrt(b**2 + c**2), 3 * a - sp.sqrt(b**2 + c**2), a - b - sp.sqrt(b**2 + a * c), 2 * a - b + sp.sqrt(a * b),
+    2 * a - b - sp.sqrt(a * b), x - sp.sqrt(x**2 + a), a - b * sp.sqrt(x**2 + 1),
 ]  # fmt: skip
 DECIDED = 18
 """Signs that can be told, of those."""
@@ -68,6 +72,15 @@ def test_a_condition_has_no_minus_signs() -> None:
     [different] = different_from_zero(x - y)
     assert (different.lhs - different.rhs) in (x - y, y - x)
     assert different_from_zero(a + b) == ()
+
+
+def test_a_condition_with_a_root_is_stated_without_it_where_that_is_shorter() -> None:
+    """8a ≥ b + √(b² + 32a²) is b ≤ 2a; a − b ≥ √(b² + a c) says a ≥ b besides, which (a − b)² ≥ ... does not."""
+    root = sp.sqrt(b**2 + 32 * a**2)
+    assert not_negative(8 * a - b - root) == (SignCondition(2 * a, "≥", b),)
+    assert more_than_zero(b + root - 8 * a) == SignCondition(b, ">", 2 * a)
+    [kept] = not_negative(a - b - sp.sqrt(b**2 + a * c)) or ()
+    assert kept.lhs.has(sp.sqrt) or kept.rhs.has(sp.sqrt) or kept == SignCondition(a, "≥", 2 * b + c)
 
 
 @pytest.mark.parametrize(

@@ -5,9 +5,11 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.answers.examiner import check_answer
 from lagrange.answers.verdicts import Judgement
 from lagrange.core.diagnostics import Fragment, Source
+from lagrange.mechanics.equilibrium.stability import Stability
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict as Stable
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
@@ -102,3 +104,99 @@ def test_stability_where_other_displacements_are_free() -> None:
         assert s.verdict is (Stable.STABLE if below else Stable.UNSTABLE)
         assert [str(q) for q in s.free] == ["x"]
         assert sp.cancel(s.minors[0] - (1 if below else -1) * m * g * b / a**2) == 0
+
+
+def stability_of(potential: str, coordinates: str = "x, y", constraint: str = "") -> tuple[Stability, ...]:
+    text = f"title: v\nparameters: [k, a, b, F]\ncoordinates: [{coordinates}]\nfind: equilibrium\n"
+    text += f"forces: {{v: {{potential: '{potential}'}}}}\n" + (
+        f"constraints: {{c: {constraint}}}\n" if constraint else ""
+    )
+    found = solve(read(text)).own.stability
+    assert found is not None
+    return found.verdicts
+
+
+@pytest.mark.parametrize(
+    ("potential", "verdict"),
+    [
+        ("k*x*y", Stable.UNSTABLE),  # minors 0, −k²
+        ("(k - a)*x^2/2 + (a - k)*y^2/2", Stable.UNSTABLE),  # one of them is negative, whatever the signs
+        ("(k - a)*x^2/2 - b*x*y", Stable.UNSTABLE),  # k − a, −b²: the first is open, the second decides
+        ("k*x^2/2 + a*x*y + b*y^2/2", Stable.CONDITIONAL),
+        ("k*x^2/2 + k*x*y + k*y^2/2", Stable.UNDECIDED),  # never negative, zero along x = −y
+        ("(k - a)*x^2/2 + (a - k - b)*y^2/2", Stable.UNSTABLE),  # k > a and a > k + b exclude each other
+    ],
+)
+def test_signs_of_minors_in_two_coordinates(potential: str, verdict: Stable) -> None:
+    assert [s.verdict for s in stability_of(potential)] == [verdict]
+
+
+def test_a_principal_minor_decides_where_the_leading_ones_do_not() -> None:
+    """Leading minors 0, 0, 0; the block of x and z is regular and indefinite."""
+    k = sp.Symbol("k", positive=True)
+    [s] = stability_of("k*x*z + 0*y", "x, y, z")
+    assert s.verdict is Stable.UNSTABLE
+    assert s.minors == (0, 0, 0)
+    assert s.principal == -(k**2)
+
+
+def test_a_zero_minor_with_a_determinant_of_open_sign() -> None:
+    """V = k x y + (a − b) z²/2 takes negative values; so does (a − b) x y, unless a = b."""
+    assert stability_of("k*x*y + (a - b)*z^2/2", "x, y, z")[0].verdict is Stable.UNSTABLE
+    [s] = stability_of("(a - b)*x*y")
+    a, b = symbols("a b", positive=True)
+    assert s.verdict is Stable.UNSTABLE
+    assert s.presupposed == (SignCondition(a, "≠", b),)
+
+
+def test_a_negative_minor_decides_beside_one_of_open_sign() -> None:
+    """V = k (φ − ψ)²/2 + a F sin φ at φ = ψ = π/2: the minors are k − a F and −a F k."""
+    verdicts = stability_of("k*(phi - psi)^2/2 + a*F*sin(phi)", "phi, psi")
+    assert [s.verdict for s in verdicts] == [Stable.UNSTABLE, Stable.STABLE]
+
+
+DOUBLE_PENDULUM = """
+title: Double pendulum
+axes: {i: right, j: up}
+parameters: [m, M, g, a, b]
+coordinates: [x, y, X, Y]
+particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: M, position: X*i + Y*j}}
+constraints: {upper: x^2 + y^2 = a^2, lower: (X - x)^2 + (Y - y)^2 = b^2}
+gravity: -g*j
+find: equilibrium
+"""
+
+
+def test_a_double_pendulum_is_stable_only_if_it_hangs() -> None:
+    """With the upper rod up and the lower one down the minors are (M a − (M + m) b) g/(a b) and a negative one."""
+    own = solve(read(DOUBLE_PENDULUM)).own
+    assert own.stability is not None
+    assert own.equilibrium is not None
+    a, b = symbols("a b", positive=True)
+    height = sp.Symbol("y", real=True), sp.Symbol("Y", real=True)
+    for branch, s in zip(own.equilibrium.branches, own.stability.verdicts, strict=True):
+        at = {r.lhs: r.rhs for r in branch.relations}
+        hangs = sp.expand(at[height[0]] + a) == 0 and sp.expand(at[height[1]] + a + b) == 0
+        assert s.verdict is (Stable.STABLE if hangs else Stable.UNSTABLE)
+
+
+def test_a_branch_is_not_called_stable_where_it_ends() -> None:
+    """cos θ = b/a exists where a ≥ b; at a = b its second derivative (a² − b²)/a vanishes."""
+    a, b = symbols("a b", positive=True)
+    stability = solve(read(BEAD)).own.stability
+    assert stability is not None
+    assert stability.verdicts[2].verdict is Stable.STABLE
+    assert stability.verdicts[2].presupposed == (SignCondition(a, ">", b),)
+
+
+def test_no_condition_says_what_another_one_implies() -> None:
+    """A pendulum in its angles under a force F i: at tan θ = F/(m g), φ = 0 it is stable where cos θ > 0, and cos θ is
+    not zero there in any case."""
+    theta = sp.Symbol("theta", real=True)
+    text = "title: v\nparameters: [m, l, g, F]\ncoordinates: [theta, phi]\nfind: equilibrium\n"
+    potential = "-m*g*l*cos(theta) - F*l*sin(theta)*cos(phi)"
+    found = solve(read(text + f"forces: {{v: {{potential: '{potential}'}}}}\n")).own
+    assert found.stability is not None
+    first = found.stability.verdicts[0]
+    assert first.verdict is Stable.CONDITIONAL
+    assert first.conditions == (SignCondition(sp.cos(theta), ">", sp.S.Zero),)
