@@ -46,6 +46,8 @@ from lagrange.core.records import record
 
 @record
 class _State:
+    """A place in the search; `nonzero` are divisors with unknowns: another state takes the place where they vanish."""
+
     equations: tuple[sp.Expr, ...]
     values: Values = field(default_factory=dict)
     common: Values = field(default_factory=dict)
@@ -55,6 +57,7 @@ class _State:
     stuck: tuple[sp.Expr, ...] = ()
     solved: tuple[sp.Symbol, ...] = ()
     signs: tuple[tuple[Values, ...], ...] = ()
+    nonzero: tuple[sp.Expr, ...] = ()
 
 
 class _TooLongError(Exception):
@@ -148,6 +151,8 @@ class _BranchSearch:
         """The equations with the known values substituted, as polynomials; None where they are contradictory."""
         kept = []
         state = self._with_roots(state)
+        if any(self._vanishes(a, state) for a in state.nonzero):
+            return None
         for e in state.equations:
             changed = resolved(e, state.values) if state.values else e
             parts = numerator(changed)
@@ -172,6 +177,14 @@ class _BranchSearch:
             if e not in kept:
                 kept.append(e)
         return replace(state, equations=tuple(sorted(kept, key=lambda e: (e.count_ops(), str(e)))))
+
+    def _vanishes(self, divisor: sp.Expr, state: _State) -> bool:
+        """Whether a divisor is zero for the known values."""
+        parts = numerator(resolved(divisor, state.values))
+        if parts is None:
+            return False
+        reduced = self.letters.reduced(parts[0])
+        return bool(reduced == 0 or (not self.letters.unknowns_in(reduced) and is_zero(self.letters.write(reduced))))
 
     def _with_roots(self, state: _State) -> _State:
         """The state with the values substituted under roots too: √(x² + y²) is √x², another letter, where y = 0."""
@@ -334,7 +347,9 @@ class _BranchSearch:
                     )
                 ]
                 if with_unknowns:
-                    states.append(replace(state, equations=(*rest, a, b)))
+                    [divided] = states
+                    vanishing = replace(state, equations=(*rest, a, b))
+                    return [replace(divided, nonzero=(*state.nonzero, a)), vanishing]
                 return states
         return None
 
