@@ -33,8 +33,11 @@ from lagrange.algebra.closed_forms.solution_sets import (
     Branch,
     SolutionSet,
     as_stated,
+    denominators,
+    determined,
     merged_branches,
     resolved,
+    separated,
     sides,
     verified,
     without_repetitions,
@@ -71,6 +74,7 @@ def solutions(
     *,
     known: Mapping[sp.Symbol, sp.Expr] | None = None,
     beside: Sequence[sp.Expr] = (),
+    origin: Sequence[sp.Expr] = (),
 ) -> SolutionSet:
     """The solutions of a system, each of `equations` being zero.
 
@@ -78,16 +82,13 @@ def solutions(
     first     unknowns to be eliminated before others: multipliers, forces
     known     angles that are given, θ = α, modulo 2π
     beside    other expressions that are to be taken at the solutions (`SolutionSet.at`)
+    origin    the equations before they were multiplied by denominators: these must have values at a solution
 
     Raises NotAlgebraicError where a given angle has no letters.
     """
-    letters = TrigLetters((*equations, *beside, *(sp.cos(u) for u in known or ())), unknowns)
-    readable, strange = [], []
-    for e in equations:
-        try:
-            readable.append(letters.read(e))
-        except NotAlgebraicError:
-            strange.append(e)
+    letters = TrigLetters((*equations, *origin, *beside, *(sp.cos(u) for u in known or ())), unknowns)
+    readable, strange = _read(equations, letters)
+    divisors = denominators((*readable, *_read(origin, letters)[0]))
     search = _BranchSearch(letters, first)
     try:
         branches = list(search.branches(_given(known or {}, tuple(readable), letters)))
@@ -95,10 +96,28 @@ def solutions(
         branches = [Branch((), left=tuple(equations))]
         return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(branches), None)
     branches = [replace(b, left=(*b.left, *strange)) for b in branches]
+
+    def stated(some: Sequence[Branch]) -> list[Branch]:
+        alike = merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(some)])
+        return without_repetitions([part for b in alike for part in determined(b, letters, unknowns)])
+
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
-    kept, verdict = verified(branches, readable, letters)
-    chosen = without_repetitions(merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(kept)]))
-    return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(chosen), verdict)
+    regular, singular = separated(branches, divisors, letters)
+    kept, verdict = verified(regular, readable, letters)
+    return SolutionSet(
+        tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))
+    )
+
+
+def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp.Expr], list[sp.Expr]]:
+    """The expressions in letters, and those that have none."""
+    readable, strange = [], []
+    for e in expressions:
+        try:
+            readable.append(letters.read(e))
+        except NotAlgebraicError:
+            strange.append(e)
+    return readable, strange
 
 
 def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], letters: TrigLetters) -> _State:

@@ -249,7 +249,8 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     else:
         equations = [c.expression for c in e.conditions]
     coordinates = e.configuration.slots.coordinates
-    solution = solutions(equations, (*coordinates, *e.forces, *multipliers), (*multipliers, *e.forces))
+    unknowns = (*coordinates, *e.forces, *multipliers)
+    solution = solutions(equations, unknowns, (*multipliers, *e.forces), origin=e.work.forces)
     return replace(
         e, solution=solution, branches=_without(solution.branches, multipliers), multipliers=tuple(multipliers)
     )
