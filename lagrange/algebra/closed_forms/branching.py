@@ -20,7 +20,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
-from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
     Relation,
     Root,
@@ -149,6 +149,9 @@ class _BranchSearch:
         if not state.equations:
             yield self._finished(state)
             return
+        if (with_root := self._root_given(state)) is not None:
+            yield from self.branches(with_root) if with_root.equations else ()
+            return
         for n, e in enumerate(state.equations):
             pieces = self._pieces(e, state)
             if pieces is not None:
@@ -219,6 +222,32 @@ class _BranchSearch:
         return (
             replace(state, values={**state.values, **renamed}, common={**state.common, **renamed}) if renamed else state
         )
+
+    def _root_given(self, state: _State) -> _State | None:
+        """The state after √D = v is replaced by D = v² where v ≥ 0, and √D by v; no equations where v < 0.
+
+        None if no equation of several unknowns is of this kind.
+        """
+        for n, e in enumerate(state.equations):
+            for root in self.letters.roots:
+                if root not in e.free_symbols or root in state.values or len(self.letters.unknowns_in(e)) < 2:
+                    continue
+                poly = sp.Poly(e, root)
+                if poly.degree() != 1 or any(self.letters.unknowns_in(c) for c in poly.coeffs()):
+                    continue
+                value = factored_quotient(-poly.coeff_monomial(1) / poly.coeff_monomial(root))
+                allowed = not_negative(value)
+                if allowed is None:
+                    return replace(state, equations=())
+                rest = (*state.equations[:n], *state.equations[n + 1 :])
+                return replace(
+                    state,
+                    equations=(*rest, self.letters.roots[root] - value**2),
+                    values={**state.values, root: value},
+                    common={**state.common, root: value},
+                    conditions=(*state.conditions, *(c for c in allowed if c not in state.conditions)),
+                )
+        return None
 
     def _without_squares(self, e: sp.Expr) -> sp.Expr:
         """The shorter of the polynomial and its reduction by C² + S² = 1; 0 where it is zero."""

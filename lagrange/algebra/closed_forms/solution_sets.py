@@ -19,7 +19,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN, MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
-from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, TrigLetters
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
@@ -320,15 +320,37 @@ def without_repetitions(branches: Sequence[Branch]) -> list[Branch]:
         branches = [b for b in branches if not b.special or len(b.relations) == 1]
     kept = []
     for n, b in enumerate(branches):
-        own = set(b.relations)
+        own = _states(b)
         wider = (
-            set(o.relations) <= own and not o.left and (set(o.relations) != own or m < n) and len(o.points) >= 1
+            _states(o) <= own and (_states(o) != own or m < n) and len(o.points) >= 1
             for m, o in enumerate(branches)
             if m != n
         )
         if b.special or not any(wider):
             kept.append(b)
     return kept
+
+
+def is_part(b: Branch, wider: Branch, solution: SolutionSet) -> bool:
+    """Whether every point of a branch satisfies the relations of another one, which have a value there."""
+    if wider.left or not b.points:
+        return False
+    for r in wider.relations:
+        try:
+            sides = [solution.letters.read(e) for e in (r.lhs, r.rhs)]
+        except NotAlgebraicError:
+            return False
+        for p in b.points:
+            if any(_vanishes(d, p, solution.letters) for d in denominators(sides)):
+                return False
+            if not is_zero(solution.letters.write(resolved(sides[0] - sides[1], p))):
+                return False
+    return True
+
+
+def _states(b: Branch) -> set[object]:
+    """What a branch asks of the unknowns and the parameters."""
+    return {*b.relations, *b.conditions, *b.left}
 
 
 def parameters_given(
