@@ -40,6 +40,7 @@ from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
+from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates
 
 
 @record
@@ -99,6 +100,7 @@ class Equilibrium:
     branches     those of the solution, without multipliers as far as possible
     multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
     singular     where the conditions multiplied by their denominators hold, but a force has no value
+    idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
     """
 
     configuration: Configuration
@@ -113,6 +115,7 @@ class Equilibrium:
     branches: tuple[Branch, ...]
     multipliers: tuple[sp.Symbol, ...] = ()
     singular: tuple[SingularPlace, ...] = ()
+    idle: tuple[tuple[sp.Symbol, ...], ...] = ()
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -288,7 +291,8 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         branches += tuple(b for b in beside if not b.special and not any(is_part(b, o, solution) for o in branches))
     excluded, _ = _without(solution.excluded, multipliers)
     singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
-    return replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular)
+    idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
+    return replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
 
 
 def _without_length(b: Branch, solution: SolutionSet, configuration: Configuration) -> tuple[str, ...]:
