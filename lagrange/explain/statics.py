@@ -242,7 +242,11 @@ def _singular(equilibrium: Equilibrium) -> Iterator[Block]:
         if place.springs:
             called = listed(f"the {link_called(name, 'spring')}" for name in place.springs)
             one = len(place.springs) == 1
-            what = (*called, " has length 0 and its force" if one else " have length 0 and their forces", " no direction")
+            what = (
+                *called,
+                " has length 0 and its force" if one else " have length 0 and their forces",
+                " no direction",
+            )
         else:
             what = ("a force has no value",)
         yield prose(*where, *what, ": not an equilibrium in the ordinary sense.", detail=Detail.BRIEF)

@@ -155,7 +155,8 @@ def separated(
     branches: Sequence[Branch], divisors: Sequence[sp.Expr], letters: TrigLetters
 ) -> tuple[list[Branch], list[Branch]]:
     """The branches where no divisor vanishes, and those where one does."""
-    kept, excluded = [], []
+    kept: list[Branch] = []
+    excluded: list[Branch] = []
     for b in branches:
         if b.special:
             kept.append(b)
@@ -285,7 +286,11 @@ def _of_two_signs(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]
 
 
 def _with_angles(
-    b: Branch, points: Sequence[Values], angles: Sequence[sp.Symbol], letters: TrigLetters, unknowns: Sequence[sp.Symbol]
+    b: Branch,
+    points: Sequence[Values],
+    angles: Sequence[sp.Symbol],
+    letters: TrigLetters,
+    unknowns: Sequence[sp.Symbol],
 ) -> Branch:
     """Some points of a branch, at which some angles have one value each."""
     relations = [Relation(r.lhs, letters.read(r.rhs)) for r in b.relations]
@@ -293,7 +298,11 @@ def _with_angles(
     for u in angles:
         angle = letters.angles[u]
         values = {s: points[0][s] for s in angle.letters}
-        own = [r for r in relations if r.lhs.has(*CIRCULAR) and angle.measure in [f.args[0] for f in r.lhs.atoms(*CIRCULAR)]]
+        own = [
+            r
+            for r in relations
+            if r.lhs.has(*CIRCULAR) and angle.measure in [f.args[0] for f in r.lhs.atoms(*CIRCULAR)]
+        ]
         relations = [r for r in relations if r not in own] + list(root_at(angle, values).relations)
         common |= values
     return as_stated(replace(b, relations=tuple(relations), points=tuple(points), common=common), letters, unknowns)

@@ -1,7 +1,7 @@
 """Poles of a chart among the equilibria: positions at which a coordinate moves nothing.
 
-With r = l (sin θ cos φ, sin θ sin φ, −cos θ) the position θ = 0 is the same for every φ. There δφ moves nothing, and the
-displacements δθ at one φ are not all the displacements of the particle. So Q_θ = Q_φ = 0 is necessary for equilibrium,
+With r = l (sin θ cos φ, sin θ sin φ, −cos θ) the position θ = 0 is the same for every φ. There δφ moves nothing, and
+the displacements δθ at one φ are not all the displacements of the particle. So Q_θ = Q_φ = 0 is necessary for equilibrium,
 and sufficient only if it holds for every φ: a horizontal force is not balanced at θ = 0, although Q_θ = F l cos φ
 vanishes for φ = π/2.
 

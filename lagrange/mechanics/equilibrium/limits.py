@@ -25,3 +25,9 @@ MOST_OSCILLATING = 6
 LONGEST_COEFFICIENT = 100
 # Points of one equilibrium at which the check compares the linear equations.
 MOST_COMPARED_POINTS = 4
+
+# Random parameters at which each branch of equilibria is tried as it is stated, and draws until its conditions hold;
+# unsolved equations of a branch on whose surface points are sought, which takes seconds with more.
+STATED_SAMPLES = 2
+MOST_DRAWS = 200
+MOST_UNSOLVED = 2
