@@ -134,7 +134,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
         length = s.length_symbol
         free: tuple[Part, ...] = (" and natural length ", math(s.length)) if s.length != 0 else ()
         blocks += [
-            prose(f"The {_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
+            prose(f"The {link_called(s.name, 'spring')}, of stiffness ", math(s.stiffness), *free, ",", *_joins(s),
                   ". Its length and the force with which it pulls its ends together are"),
             display(Equation((length, s.distance), label=f"length-{s.name}"),
                     Equation((s.stiffness * (length - s.length), s.pull), label=f"pull-{s.name}")),
@@ -143,7 +143,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
         length = d.length_symbol
         either = "" if d.distance.is_Pow else " (or its negative, which serves equally well)"
         blocks += [
-            prose(f"The {_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
+            prose(f"The {link_called(d.name, 'damper')}, of coefficient ", math(d.coefficient), ",", *_joins(d),
                   f". Its length{either} and the force with which it pulls its ends together are"),
             display(Equation((length, d.distance), label=f"length-{d.name}"),
                     Equation((d.coefficient * prime(length), d.pull), label=f"pull-{d.name}")),
@@ -151,7 +151,7 @@ def explain_links(configuration: Configuration) -> list[Block]:
     return blocks
 
 
-def _called(name: str, kind: str) -> str:
+def link_called(name: str, kind: str) -> str:
     """`spring left`; `upper spring` where the name says so itself."""
     return spoken(name) if spoken(name).endswith(kind) else f"{kind} {spoken(name)}"
 

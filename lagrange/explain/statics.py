@@ -9,6 +9,7 @@ import sympy as sp
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.explain.bodies import link_called
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.words import (
     branch_conditions,
@@ -169,6 +170,7 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
     """The solutions, each in a box."""
     if not equilibrium.branches:
         yield from _none(equilibrium, radicands)
+        yield from _singular(equilibrium)
         return
     if all(not b.relations and not b.left for b in equilibrium.branches):
         yield prose("Every position is an equilibrium.", detail=Detail.BRIEF)
@@ -189,6 +191,8 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
         ]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
     yield from _remarks(equilibrium)
+    yield from _singular(equilibrium)
+    yield from _poles(equilibrium)
 
 
 def _none(equilibrium: Equilibrium, radicands: Sequence[sp.Expr]) -> Iterator[Block]:
@@ -228,6 +232,44 @@ def _remarks(equilibrium: Equilibrium) -> Iterator[Block]:
         )
         words = f"{fewer} for {len(equilibrium.forces)} unknown forces: only these combinations are determined, and "
         yield prose(words, *names, plural(len(equilibrium.undetermined), " remains free.", " remain free."))
+
+
+def _singular(equilibrium: Equilibrium) -> Iterator[Block]:
+    """The positions at which a force has no value, and why that is so."""
+    for place in equilibrium.singular:
+        equations = place.branch.equations
+        where: tuple[Part, ...] = ("Where ", *listed(math(r.lhs, r.rhs) for r in equations), ", ")
+        if place.springs:
+            called = listed(f"the {link_called(name, 'spring')}" for name in place.springs)
+            one = len(place.springs) == 1
+            what = (
+                *called,
+                " has length 0 and its force" if one else " have length 0 and their forces",
+                " no direction",
+            )
+        else:
+            what = ("a force has no value",)
+        yield prose(*where, *what, ": not an equilibrium in the ordinary sense.", detail=Detail.BRIEF)
+
+
+def _poles(equilibrium: Equilibrium) -> Iterator[Block]:
+    """The equilibria at which the coordinates are singular."""
+    suffix = suffix_of(equilibrium.configuration.name)
+    groups: dict[tuple[tuple[sp.Symbol, ...], bool], list[Part]] = {}
+    for n, (b, idle) in enumerate(zip(equilibrium.branches, equilibrium.idle, strict=False), start=1):
+        bound = any(r.residual.has(*idle) for r in b.equations) if idle else False
+        groups.setdefault((idle, bound), []).append(Ref(f"equilibrium{suffix}-{n}"))
+    for (idle, bound), places in groups.items():
+        if not idle:
+            continue
+        names = listed(math(q) for q in idle)
+        words: list[Part] = ["At ", *listed(places), " the position is the same for every value of ", *names]
+        words.append(": the coordinates are singular there.")
+        if bound:
+            words += [" The conditions hold for particular values of ", *names, " only, so the forces do work in other "
+                      "displacements from this position: it is an equilibrium only if ", *names,
+                      plural(len(idle), " is", " are"), " fixed by other means."]  # fmt: skip
+        yield prose(*words, detail=Detail.BRIEF)
 
 
 def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iterator[Block]:

@@ -20,7 +20,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
-from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
     Relation,
     Root,
@@ -33,8 +33,11 @@ from lagrange.algebra.closed_forms.solution_sets import (
     Branch,
     SolutionSet,
     as_stated,
+    denominators,
+    determined,
     merged_branches,
     resolved,
+    separated,
     sides,
     verified,
     without_repetitions,
@@ -46,6 +49,8 @@ from lagrange.core.records import record
 
 @record
 class _State:
+    """A place in the search; `nonzero` are divisors with unknowns: another state takes the place where they vanish."""
+
     equations: tuple[sp.Expr, ...]
     values: Values = field(default_factory=dict)
     common: Values = field(default_factory=dict)
@@ -55,6 +60,7 @@ class _State:
     stuck: tuple[sp.Expr, ...] = ()
     solved: tuple[sp.Symbol, ...] = ()
     signs: tuple[tuple[Values, ...], ...] = ()
+    nonzero: tuple[sp.Expr, ...] = ()
 
 
 class _TooLongError(Exception):
@@ -68,6 +74,7 @@ def solutions(
     *,
     known: Mapping[sp.Symbol, sp.Expr] | None = None,
     beside: Sequence[sp.Expr] = (),
+    origin: Sequence[sp.Expr] = (),
 ) -> SolutionSet:
     """The solutions of a system, each of `equations` being zero.
 
@@ -75,16 +82,13 @@ def solutions(
     first     unknowns to be eliminated before others: multipliers, forces
     known     angles that are given, θ = α, modulo 2π
     beside    other expressions that are to be taken at the solutions (`SolutionSet.at`)
+    origin    the equations before they were multiplied by denominators: these must have values at a solution
 
     Raises NotAlgebraicError where a given angle has no letters.
     """
-    letters = TrigLetters((*equations, *beside, *(sp.cos(u) for u in known or ())), unknowns)
-    readable, strange = [], []
-    for e in equations:
-        try:
-            readable.append(letters.read(e))
-        except NotAlgebraicError:
-            strange.append(e)
+    letters = TrigLetters((*equations, *origin, *beside, *(sp.cos(u) for u in known or ())), unknowns)
+    readable, strange = _read(equations, letters)
+    divisors = denominators((*readable, *_read(origin, letters)[0]))
     search = _BranchSearch(letters, first)
     try:
         branches = list(search.branches(_given(known or {}, tuple(readable), letters)))
@@ -92,10 +96,28 @@ def solutions(
         branches = [Branch((), left=tuple(equations))]
         return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(branches), None)
     branches = [replace(b, left=(*b.left, *strange)) for b in branches]
+
+    def stated(some: Sequence[Branch]) -> list[Branch]:
+        alike = merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(some)])
+        return without_repetitions([part for b in alike for part in determined(b, letters, unknowns)])
+
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
-    kept, verdict = verified(branches, readable, letters)
-    chosen = without_repetitions(merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(kept)]))
-    return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(chosen), verdict)
+    regular, singular = separated(branches, divisors, letters)
+    kept, verdict = verified(regular, readable, letters)
+    return SolutionSet(
+        tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))
+    )
+
+
+def _read(expressions: Sequence[sp.Expr], letters: TrigLetters) -> tuple[list[sp.Expr], list[sp.Expr]]:
+    """The expressions in letters, and those that have none."""
+    readable, strange = [], []
+    for e in expressions:
+        try:
+            readable.append(letters.read(e))
+        except NotAlgebraicError:
+            strange.append(e)
+    return readable, strange
 
 
 def _given(known: Mapping[sp.Symbol, sp.Expr], equations: tuple[sp.Expr, ...], letters: TrigLetters) -> _State:
@@ -127,6 +149,9 @@ class _BranchSearch:
         if not state.equations:
             yield self._finished(state)
             return
+        if (with_root := self._root_given(state)) is not None:
+            yield from self.branches(with_root) if with_root.equations else ()
+            return
         for n, e in enumerate(state.equations):
             pieces = self._pieces(e, state)
             if pieces is not None:
@@ -148,6 +173,8 @@ class _BranchSearch:
         """The equations with the known values substituted, as polynomials; None where they are contradictory."""
         kept = []
         state = self._with_roots(state)
+        if any(self._vanishes(a, state) for a in state.nonzero):
+            return None
         for e in state.equations:
             changed = resolved(e, state.values) if state.values else e
             parts = numerator(changed)
@@ -173,6 +200,14 @@ class _BranchSearch:
                 kept.append(e)
         return replace(state, equations=tuple(sorted(kept, key=lambda e: (e.count_ops(), str(e)))))
 
+    def _vanishes(self, divisor: sp.Expr, state: _State) -> bool:
+        """Whether a divisor is zero for the known values."""
+        parts = numerator(resolved(divisor, state.values))
+        if parts is None:
+            return False
+        reduced = self.letters.reduced(parts[0])
+        return bool(reduced == 0 or (not self.letters.unknowns_in(reduced) and is_zero(self.letters.write(reduced))))
+
     def _with_roots(self, state: _State) -> _State:
         """The state with the values substituted under roots too: √(x² + y²) is √x², another letter, where y = 0."""
         used = {s for e in state.equations for s in e.free_symbols}
@@ -187,6 +222,32 @@ class _BranchSearch:
         return (
             replace(state, values={**state.values, **renamed}, common={**state.common, **renamed}) if renamed else state
         )
+
+    def _root_given(self, state: _State) -> _State | None:
+        """The state after √D = v is replaced by D = v² where v ≥ 0, and √D by v; no equations where v < 0.
+
+        None if no equation of several unknowns is of this kind.
+        """
+        for n, e in enumerate(state.equations):
+            for root in self.letters.roots:
+                if root not in e.free_symbols or root in state.values or len(self.letters.unknowns_in(e)) < 2:
+                    continue
+                poly = sp.Poly(e, root)
+                if poly.degree() != 1 or any(self.letters.unknowns_in(c) for c in poly.coeffs()):
+                    continue
+                value = factored_quotient(-poly.coeff_monomial(1) / poly.coeff_monomial(root))
+                allowed = not_negative(value)
+                if allowed is None:
+                    return replace(state, equations=())
+                rest = (*state.equations[:n], *state.equations[n + 1 :])
+                return replace(
+                    state,
+                    equations=(*rest, self.letters.roots[root] - value**2),
+                    values={**state.values, root: value},
+                    common={**state.common, root: value},
+                    conditions=(*state.conditions, *(c for c in allowed if c not in state.conditions)),
+                )
+        return None
 
     def _without_squares(self, e: sp.Expr) -> sp.Expr:
         """The shorter of the polynomial and its reduction by C² + S² = 1; 0 where it is zero."""
@@ -334,7 +395,9 @@ class _BranchSearch:
                     )
                 ]
                 if with_unknowns:
-                    states.append(replace(state, equations=(*rest, a, b)))
+                    [divided] = states
+                    vanishing = replace(state, equations=(*rest, a, b))
+                    return [replace(divided, nonzero=(*state.nonzero, a)), vanishing]
                 return states
         return None
 

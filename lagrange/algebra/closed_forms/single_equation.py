@@ -249,6 +249,16 @@ def at_angle(angle: LetteredAngle, measure: sp.Expr) -> Root:
     return Root((relation,), ({c: sp.cos(measure), s: sp.sin(measure)},))
 
 
+def root_at(angle: LetteredAngle, values: Values) -> Root:
+    """An angle given by both cosine and sine: as a share of π where it is one."""
+    cosine, sine = (values[s] for s in angle.letters)
+    if cosine.is_number and sine.is_number:
+        measure = sp.atan2(sine, cosine)
+        if (measure / sp.pi).is_Rational:
+            return at_angle(angle, measure)
+    return Root((Relation(sp.sin(angle.measure), sine), Relation(sp.cos(angle.measure), cosine)), (values,))
+
+
 def between_minus_pi_and_pi(angle: sp.Expr) -> sp.Expr:
     """An angle modulo 2π, if it is a multiple of π: above −π, up to π."""
     turns = angle / sp.pi

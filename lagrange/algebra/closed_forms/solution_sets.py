@@ -1,8 +1,9 @@
 """The solutions of a system of equations, branch by branch: how they are stored, verified, merged and stated.
 
 Every point of a branch is substituted back into the equations, exactly, and one that does not satisfy them is dropped:
-squaring, and multiplying by a denominator, introduce such points. Points that are stated alike, θ with cos θ = b/a,
-make one branch. A branch contained in another one is dropped. How branches are found: `branching`.
+squaring, and multiplying by a denominator, introduce such points. Where a denominator vanishes the equations have no
+value; these points are kept apart (`SolutionSet.excluded`). Points that are stated alike, θ with cos θ = b/a, make one
+branch. A branch contained in another one is dropped. How branches are found: `branching`.
 
 The value of an unknown is written in the shortest of a few forms, cot α as 1/tan α.
 """
@@ -11,13 +12,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import field, replace
+from itertools import combinations
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN, MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.signs import SignCondition
-from lagrange.algebra.closed_forms.single_equation import Relation, Values
-from lagrange.algebra.closed_forms.unit_circle import TrigLetters
+from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
@@ -103,6 +105,7 @@ class SolutionSet:
 
     equations  of the system, each zero
     verified   whether every point satisfies every equation, exactly; None where that is undecided
+    excluded   where an equation multiplied by its denominator holds, but the denominator vanishes: no solutions
     """
 
     equations: tuple[sp.Expr, ...]
@@ -110,6 +113,7 @@ class SolutionSet:
     letters: TrigLetters
     branches: tuple[Branch, ...]
     verified: bool | None = True
+    excluded: tuple[Branch, ...] = ()
 
     @property
     def solved(self) -> bool:
@@ -141,6 +145,37 @@ def sides(e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     return sp.Add(*left), sp.Add(*right)
 
 
+def denominators(equations: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
+    """The expressions, in letters, that some equations divide by."""
+    powers = (p for e in equations for p in sp.ordered(e.atoms(sp.Pow)) if p.exp.is_negative)
+    return tuple(dict.fromkeys(p.base for p in powers if not p.base.is_number))
+
+
+def separated(
+    branches: Sequence[Branch], divisors: Sequence[sp.Expr], letters: TrigLetters
+) -> tuple[list[Branch], list[Branch]]:
+    """The branches where no divisor vanishes, and those where one does."""
+    kept: list[Branch] = []
+    excluded: list[Branch] = []
+    for b in branches:
+        if b.special:
+            kept.append(b)
+            continue
+        singular = [any(_vanishes(d, p, letters) for d in divisors) for p in b.points]
+        for part, place in ((kept, False), (excluded, True)):
+            points = tuple(p for p, at_pole in zip(b.points, singular, strict=True) if at_pole is place)
+            if points:
+                part.append(replace(b, points=points))
+    return kept, excluded
+
+
+def _vanishes(divisor: sp.Expr, point: Values, letters: TrigLetters) -> bool:
+    try:
+        return bool(is_zero(letters.write(resolved(divisor, point))))
+    except DivisionByZeroError:
+        return False
+
+
 def verified(
     branches: Sequence[Branch], equations: Sequence[sp.Expr], letters: TrigLetters
 ) -> tuple[list[Branch], bool | None]:
@@ -154,7 +189,7 @@ def verified(
             kept.append(b)
             continue
         verdicts = [_satisfies(p, equations, letters) for p in b.points]
-        if None in verdicts or len(b.points) == MOST_BRANCH_POINTS or {True, False} <= {*verdicts}:
+        if None in verdicts or len(b.points) == MOST_BRANCH_POINTS:
             verdict = None
         points = tuple(p for p, holds in zip(b.points, verdicts, strict=True) if holds is not False)
         if points:
@@ -224,6 +259,55 @@ def as_stated(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) ->
     return replace(b, relations=tuple(relations), conditions=_joined(conditions))
 
 
+def determined(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> list[Branch]:
+    """Branches that state the points of one, and no others.
+
+    A cosine, sine or tangent leaves the sign of the other function open, so that k angles state 2^k points. Where the
+    branch has fewer, signs belong together: tan θ = √2 with tan φ = 1 only if cos φ > 0. The fewest angles are then
+    given outright, φ = π/4, or by both cosine and sine.
+    """
+    angles = _of_two_signs(b, letters, unknowns)
+    if b.special or b.left or len(b.points) >= 2 ** len(angles):
+        return [b]
+    for number in range(1, len(angles) + 1):
+        for fixed in combinations(angles, number):
+            parts: dict[object, list[Values]] = {}
+            for p in b.points:
+                parts.setdefault(tuple(p[s] for u in fixed for s in letters.angles[u].letters), []).append(p)
+            if all(len(part) == 2 ** (len(angles) - number) for part in parts.values()):
+                return [_with_angles(b, part, fixed, letters, unknowns) for part in parts.values()]
+    return [b]
+
+
+def _of_two_signs(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -> list[sp.Symbol]:
+    """The angles that are given by one function of theirs."""
+    stated = [f.args[0] for r in b.relations for f in [r.lhs.as_base_exp()[0]] if isinstance(f, CIRCULAR)]
+    return [u for u in unknowns if u in letters.angles and stated.count(letters.angles[u].measure) == 1]
+
+
+def _with_angles(
+    b: Branch,
+    points: Sequence[Values],
+    angles: Sequence[sp.Symbol],
+    letters: TrigLetters,
+    unknowns: Sequence[sp.Symbol],
+) -> Branch:
+    """Some points of a branch, at which some angles have one value each."""
+    relations = [Relation(r.lhs, letters.read(r.rhs)) for r in b.relations]
+    common = dict(b.common)
+    for u in angles:
+        angle = letters.angles[u]
+        values = {s: points[0][s] for s in angle.letters}
+        own = [
+            r
+            for r in relations
+            if r.lhs.has(*CIRCULAR) and angle.measure in [f.args[0] for f in r.lhs.atoms(*CIRCULAR)]
+        ]
+        relations = [r for r in relations if r not in own] + list(root_at(angle, values).relations)
+        common |= values
+    return as_stated(replace(b, relations=tuple(relations), points=tuple(points), common=common), letters, unknowns)
+
+
 def _joined(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
     """Each condition once; a ≥ b and a ≠ b are a > b."""
     relations_between: dict[tuple[sp.Expr, sp.Expr], set[str]] = {}
@@ -245,15 +329,37 @@ def without_repetitions(branches: Sequence[Branch]) -> list[Branch]:
         branches = [b for b in branches if not b.special or len(b.relations) == 1]
     kept = []
     for n, b in enumerate(branches):
-        own = set(b.relations)
+        own = _states(b)
         wider = (
-            set(o.relations) <= own and not o.left and (set(o.relations) != own or m < n) and len(o.points) >= 1
+            _states(o) <= own and (_states(o) != own or m < n) and len(o.points) >= 1
             for m, o in enumerate(branches)
             if m != n
         )
         if b.special or not any(wider):
             kept.append(b)
     return kept
+
+
+def is_part(b: Branch, wider: Branch, solution: SolutionSet) -> bool:
+    """Whether every point of a branch satisfies the relations of another one, which have a value there."""
+    if wider.left or not b.points:
+        return False
+    for r in wider.relations:
+        try:
+            sides = [solution.letters.read(e) for e in (r.lhs, r.rhs)]
+        except NotAlgebraicError:
+            return False
+        for p in b.points:
+            if any(_vanishes(d, p, solution.letters) for d in denominators(sides)):
+                return False
+            if not is_zero(solution.letters.write(resolved(sides[0] - sides[1], p))):
+                return False
+    return True
+
+
+def _states(b: Branch) -> set[object]:
+    """What a branch asks of the unknowns and the parameters."""
+    return {*b.relations, *b.conditions, *b.left}
 
 
 def parameters_given(

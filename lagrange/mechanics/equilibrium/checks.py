@@ -4,7 +4,9 @@ Equilibrium requires a system at rest with fixed constraints: forces that depend
 name.
 
     Lagrange's generalized forces    −(d/dt ∂T/∂q' − ∂T/∂q − Q) at rest, from T, V and F, against the virtual work
-    substitution                     every equilibrium substituted back into the equations that it solves, exactly
+    substitution                     every equilibrium substituted back into the equations that it solves, exactly; and
+                                     positions sampled from what is stated into the forces before any step
+                                     (`stated_equilibria`)
     reactions                        substituted into Lagrange's equations at rest, in the file's coordinates
     coordinates                      at every equilibrium of a choice, Q = −Aᵀ λ in the file's coordinates, by ranks
     linear equations                 M, D, K from Lagrange's equations, differentiated and taken at each equilibrium
@@ -34,6 +36,7 @@ from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
 from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 from lagrange.problem.model import AppliedForce, AppliedMoment, Damper, Friction, Potential, Problem, Spring
 
@@ -106,12 +109,12 @@ def check_equilibrium(resting: Equilibrium, original: Equilibrium) -> list[Check
     name = resting.configuration.name
     how = f"{certainty(resting.configuration.surface)}, at random points"
     checks = [Check("Lagrange's equations have the same generalized forces at rest", _same_forces(resting), how, name)]
-    if any(not b.left for b in resting.branches):
-        checks.append(
-            Check(
-                "every equilibrium satisfies the conditions", resting.solution.verified, "exact, by substitution", name
-            )
-        )
+    stated = stated_equilibria_hold(resting)
+    solved = [resting.solution.verified] if any(not b.left for b in resting.branches) else []
+    verdicts = [*solved, *([stated] if stated is not None else [])]
+    if verdicts:
+        words = "every equilibrium satisfies the conditions"
+        checks.append(Check(words, all_hold(verdicts), "exact, by substitution", name))
     if resting is not original and resting.solution.solved and resting.branches:
         how = "exact, by ranks"
         checks.append(

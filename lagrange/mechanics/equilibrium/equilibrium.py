@@ -10,6 +10,9 @@ Q_k + Σ_d B_dk Q_d = 0, together with the constraints. These conditions are sol
 Where a pivot would be divided by, multipliers stand in for the reactions, Q + Aᵀ λ = 0, so that no position is lost.
 Unknown forces are solved for first: as many of them as there are conditions are found for every position.
 
+A force need not have a value everywhere: a spring of length 0 pulls in no direction, a potential may have a pole. Such
+a position is no equilibrium, although it may satisfy a condition multiplied by its denominator; it is named.
+
 Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechanics, ch. 3.
 """
 
@@ -23,19 +26,21 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.single_equation import Values
-from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet
-from lagrange.algebra.exact.zero_test import is_zero, rank
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import CommonFactor, common_factor, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.records import record
-from lagrange.core.symbols import multiplier, variation
+from lagrange.core.symbols import variation
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
+from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates
 
 
 @record
@@ -75,6 +80,14 @@ class ConditionOfEquilibrium:
 
 
 @record
+class SingularPlace:
+    """Positions at which a force has no value; `springs` are those that have the length 0 there."""
+
+    branch: Branch
+    springs: tuple[str, ...]
+
+
+@record
 class Equilibrium:
     """The equilibria of one configuration.
 
@@ -84,8 +97,10 @@ class Equilibrium:
     forces       the unknown forces that occur
     given        whether the position is arbitrary, because only the forces are determined
     solution     all solutions
-    branches     those of the solution, without multipliers
+    branches     those of the solution, without multipliers as far as possible
     multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
+    singular     where the conditions multiplied by their denominators hold, but a force has no value
+    idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
     """
 
     configuration: Configuration
@@ -99,6 +114,8 @@ class Equilibrium:
     solution: SolutionSet
     branches: tuple[Branch, ...]
     multipliers: tuple[sp.Symbol, ...] = ()
+    singular: tuple[SingularPlace, ...] = ()
+    idle: tuple[tuple[sp.Symbol, ...], ...] = ()
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -117,15 +134,28 @@ class Equilibrium:
 
     @cached_property
     def needs_multipliers(self) -> bool:
-        """Whether dividing by pivots may lose equilibria: a pivot vanishes at one, or no equilibrium was found."""
+        """Whether the conditions are better stated with multipliers.
+
+        Dividing by pivots may lose equilibria: a pivot vanishes at one, or no equilibrium was found. Or multipliers
+        remain in what could not be solved.
+        """
         pivots = self.elimination.pivots
+        if any(s in self.multipliers for b in self.branches for r in b.equations for s in r.residual.free_symbols):
+            return True
         if not self.multipliers or not pivots or not self.elimination.independent:
             return False
         points = [p for b in self.branches for p in b.points]
         if not points:
             coordinates = set(self.configuration.slots.coordinates)
             return any(p.free_symbols & coordinates for p in pivots)
-        return any(is_zero(pivot.xreplace(at)) is not False for pivot in pivots for at in points)
+        return any(self._value_is_zero(pivot, at) is not False for pivot in pivots for at in points)
+
+    def _value_is_zero(self, e: sp.Expr, at: Values) -> bool | None:
+        """Whether an expression is zero at a point of a branch; None: undecided, or it has no value there."""
+        try:
+            return is_zero(self.solution.at(at, e))
+        except (NotAlgebraicError, DivisionByZeroError):
+            return None
 
     @property
     def exists(self) -> bool | None:
@@ -243,36 +273,72 @@ def _for_forces(e: Equilibrium) -> Equilibrium | None:
 
 def _for_all(e: Equilibrium) -> Equilibrium:
     """The equilibrium with all positions, and the forces belonging to them."""
-    multipliers = [multiplier(f"of_equilibrium_{n}") for n, _ in enumerate(e.binding)]
+    multipliers = tuple(row.multiplier for row in e.binding)
     if multipliers:
         equations = [*e.balance(multipliers), *e.configuration.finite_constraints]
     else:
         equations = [c.expression for c in e.conditions]
     coordinates = e.configuration.slots.coordinates
-    solution = solutions(equations, (*coordinates, *e.forces, *multipliers), (*multipliers, *e.forces))
-    return replace(
-        e, solution=solution, branches=_without(solution.branches, multipliers), multipliers=tuple(multipliers)
-    )
+    unknowns = (*coordinates, *e.forces, *multipliers)
+
+    def solved(*more: sp.Expr) -> SolutionSet:
+        return solutions([*equations, *more], unknowns, (*multipliers, *e.forces), origin=e.work.forces)
+
+    solution = solved()
+    branches, divisors = _without(solution.branches, multipliers)
+    for divisor in divisors:
+        beside, _ = _without(solved(divisor).branches, multipliers)
+        branches += tuple(b for b in beside if not b.special and not any(is_part(b, o, solution) for o in branches))
+    excluded, _ = _without(solution.excluded, multipliers)
+    singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
+    idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
+    return replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
 
 
-def _without(branches: tuple[Branch, ...], multipliers: list[sp.Symbol]) -> tuple[Branch, ...]:
-    """The branches without their relations for multipliers; branches that become equal are merged."""
+def _without_length(b: Branch, solution: SolutionSet, configuration: Configuration) -> tuple[str, ...]:
+    """The springs that have the length 0 in all positions of a branch."""
+
+    def vanishes(length: sp.Expr, at: Values) -> bool:
+        try:
+            return bool(is_zero(solution.at(at, length)))
+        except (NotAlgebraicError, DivisionByZeroError):
+            return False
+
+    return tuple(s.name for s in configuration.springs if all(vanishes(s.distance, p) for p in b.points))
+
+
+def _without(
+    branches: tuple[Branch, ...], multipliers: Sequence[sp.Symbol]
+) -> tuple[tuple[Branch, ...], tuple[sp.Expr, ...]]:
+    """The branches without their relations for multipliers, and the divisors with unknowns that this takes.
+
+    Branches that become equal are merged.
+    """
     merged: dict[object, Branch] = {}
-    for b in (_turned(b, multipliers) for b in branches):
-        relations = tuple(r for r in b.relations if r.lhs not in multipliers)
-        key = (relations, b.conditions, b.left)
+    divisors: dict[sp.Expr, None] = {}
+    for b in branches:
+        turned, divided = _turned(b, multipliers)
+        divisors |= dict.fromkeys(divided)
+        relations = tuple(r for r in turned.relations if r.lhs not in multipliers)
+        key = (relations, turned.conditions, turned.left)
         known = merged.get(key)
-        merged[key] = replace(b, relations=relations, points=(*(known.points if known else ()), *b.points))
-    return tuple(merged.values())
+        points = (*(known.points if known else ()), *turned.points)
+        merged[key] = replace(turned, relations=relations, points=points)
+    return tuple(merged.values()), tuple(divisors)
 
 
-def _turned(b: Branch, multipliers: list[sp.Symbol]) -> Branch:
-    """The branch with a relation y = c λ, a coordinate by a free multiplier, turned into λ = y/c with free y."""
+def _turned(b: Branch, multipliers: Sequence[sp.Symbol]) -> tuple[Branch, list[sp.Expr]]:
+    """The branch with a relation y = c λ, a coordinate by a free multiplier, turned into λ = y/c with free y.
+
+    The second result is c, where that may vanish: such positions are in another branch.
+    """
+    divisors = []
     for m in multipliers:
         for r in b.relations:
             rate = sp.expand(r.rhs).diff(m)
             if r.lhs in multipliers or not r.lhs.is_Symbol or rate == 0 or m in rate.free_symbols or b.left:
                 continue
+            divisors += [sp.fraction(sp.together(rate))[0]] if rate.free_symbols else []
             rule = {m: sp.cancel((r.lhs - r.rhs.xreplace({m: sp.S.Zero})) / rate)}
             relations = tuple(
                 replace(o, rhs=sp.factor(o.rhs.xreplace(rule)) if m in o.rhs.free_symbols else o.rhs)
@@ -282,7 +348,7 @@ def _turned(b: Branch, multipliers: list[sp.Symbol]) -> Branch:
             points = tuple(_given_by(p, r.lhs, rule) for p in b.points)
             b = replace(b, relations=relations, points=points, common=_given_by(b.common, r.lhs, rule))
             break
-    return b
+    return b, divisors
 
 
 def _given_by(values: Values, free: sp.Symbol, rule: dict[sp.Symbol, sp.Expr]) -> Values:

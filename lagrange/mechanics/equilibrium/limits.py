@@ -32,3 +32,9 @@ MOST_COMPARED_POINTS = 4
 MOST_DRAWS = 40
 SAMPLES_PER_SIDE = 8
 MOST_EXPANDED_ROWS = 4
+
+# Random parameters at which each branch of equilibria is tried as it is stated, and draws until its conditions hold;
+# unsolved equations of a branch on whose surface points are sought, which takes seconds with more.
+STATED_SAMPLES = 2
+MOST_DRAWS = 200
+MOST_UNSOLVED = 2
