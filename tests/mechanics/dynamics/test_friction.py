@@ -334,3 +334,20 @@ def test_what_a_surface_keeps_constant_is_put_into_the_normal_force(problem: Rea
         found, "z'' = -g - mu*(x'^2 + y'^2)*z'/(R*sqrt(x'^2 + y'^2 + z'^2))", "x*y'' - y*x'' = "
         "-mu*(x'^2 + y'^2)*(x*y' - y*x')/(R*sqrt(x'^2 + y'^2 + z'^2))",
     ) is Verdict.EQUIVALENT  # fmt: skip
+
+
+def test_block_on_a_rough_circular_track(problem: Read) -> None:
+    """On top, x = R sin θ: R θ'' = g sin θ − μ (g cos θ − R θ'²). The run did not end, dividing by 1 + x²/y²."""
+    found = solution(
+        problem,
+        "parameters: [m, g, R, mu]\ncoordinates: [x, y]\nparticles: {P: {mass: m, position: '[x, y]'}}\n"
+        "constraints: {c: x^2 + y^2 = R^2}\ngravity: '[0, -g]'\n"
+        "forces: {rub: {friction: mu, constraint: c, on: P, slip: positive, contact: positive}}\n",
+    )
+    assert found.own.dynamics is not None
+    values = dict(zip("x y x' y' g R mu m".split(), map(sp.Rational, "3 4 4/5 -3/5 10 5 1/2 1".split()), strict=True))
+    x, y = found.own.dynamics.accelerations.values()
+    state = {s: values[s.name] for e in (x, y) for s in e.free_symbols}
+    turned = (10 * sp.Rational(3, 5) - (8 - sp.Rational(1, 5)) / 2) / 5
+    assert x.xreplace(state) == 4 * turned - sp.Rational(3, 25)
+    assert y.xreplace(state) == -3 * turned - sp.Rational(4, 25)
