@@ -345,7 +345,13 @@ def test_block_on_a_rough_circular_track(problem: Read) -> None:
         "forces: {rub: {friction: mu, constraint: c, on: P, slip: positive, contact: positive}}\n",
     )
     assert found.own.dynamics is not None
-    values = dict(zip("x y x' y' g R mu m".split(), map(sp.Rational, "3 4 4/5 -3/5 10 5 1/2 1".split()), strict=True))
+    values = dict(
+        zip(
+            ["x", "y", "x'", "y'", "g", "R", "mu", "m"],
+            map(sp.Rational, ["3", "4", "4/5", "-3/5", "10", "5", "1/2", "1"]),
+            strict=True,
+        )
+    )
     x, y = found.own.dynamics.accelerations.values()
     state = {s: values[s.name] for e in (x, y) for s in e.free_symbols}
     turned = (10 * sp.Rational(3, 5) - (8 - sp.Rational(1, 5)) / 2) / 5
