@@ -27,7 +27,7 @@ from lagrange.algebra.fourier.elements import UNIT, Basis, Element, Number, Term
 from lagrange.algebra.fourier.limits import HIGHEST_MULTIPLE, LARGEST_TRIAL_DIVISOR, LONGEST_POWER
 from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, pack, place, unpack
 from lagrange.algebra.fourier.product_to_sum import Factoring
-from lagrange.core.symbols import Sign, Slots, base, prime, t
+from lagrange.core.symbols import Sign, Slots, base, partial, prime, t
 
 __all__ = ["Element", "FourierRing", "RingDerivation"]
 
@@ -84,7 +84,7 @@ class RingDerivation:
         for symbol in sorted(generator.expression.free_symbols, key=lambda s: str(s.name)):
             rate = self._rate(symbol)
             if rate:
-                terms.append(ring.from_sympy(generator.expression.diff(symbol)) * rate)
+                terms.append(ring.from_sympy(partial(generator.expression, symbol)) * rate)
         return ring.total(terms)
 
 
