@@ -357,3 +357,25 @@ def test_block_on_a_rough_circular_track(problem: Read) -> None:
     turned = (10 * sp.Rational(3, 5) - (8 - sp.Rational(1, 5)) / 2) / 5
     assert x.xreplace(state) == 4 * turned - sp.Rational(3, 25)
     assert y.xreplace(state) == -3 * turned - sp.Rational(4, 25)
+
+
+@pytest.mark.parametrize(
+    ("coefficient", "choice", "right"),
+    [
+        ("y", "{coordinates: [x]}", "x'' = g*sin(alpha)"),  # y = 0: the plane is smooth
+        ("mu*x", "{coordinates: [s], substitute: {x: 2*s, y: 0}}", "2*s'' = g*sin(alpha) - 2*mu*s*g*cos(alpha)"),
+        ('"mu*x\'"', "{coordinates: [s], substitute: {x: 2*s, y: 0}}", "2*s'' = g*sin(alpha) - 2*mu*s'*g*cos(alpha)"),
+    ],
+)
+def test_a_coefficient_that_varies_is_rewritten_in_a_choice(
+    problem: Read, coefficient: str, choice: str, right: str
+) -> None:
+    text = INCLINE.format(more=", slip: positive, contact: positive").replace(
+        "friction: mu", f"friction: {coefficient}"
+    )
+    found = solution(problem, f"{text}generalized_coordinates: {{c: {choice}}}\n")
+    [chosen] = found.choices
+    assert chosen.motion is not None
+    eliminated = {*found.own.configuration.slots.coordinates} - {*chosen.configuration.slots.coordinates}
+    assert all(e.free_symbols.isdisjoint(eliminated) for e in chosen.motion.expressions)
+    assert verdict(found, right) is Verdict.EQUIVALENT
