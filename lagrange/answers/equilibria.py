@@ -369,6 +369,8 @@ class EquilibriumComparison:
             return False if False in verdicts else None if None in verdicts else True
         except DivisionByZeroError:
             return False
+        except NotAlgebraicError:
+            return None
 
     def _open(self, point: Values, solution: SolutionSet) -> int:
         """How many unknowns a point leaves open."""

@@ -227,6 +227,10 @@ def _by_chain_rule(e: sp.Basic, of: Callable[[sp.Basic], sp.Expr], rate: Callabl
         return e.exp * e.base ** (e.exp - 1) * changing[0][1]
     if isinstance(e, Unspecified):
         return sp.Add(*(e.partial(k - 3) * r for k, r in changing))
+    if isinstance(e, sp.sign):
+        return sp.S.Zero  # constant except where it jumps, and there the motion has no acceleration
+    if isinstance(e, sp.Abs):
+        return sp.sign(e.args[0]) * changing[0][1]
     if isinstance(e, sp.Function):
         return sp.Add(*(e.fdiff(k + 1) * r for k, r in changing))
     return sp.Add(*(e.diff(s) * rate(s) for s in sorted(e.free_symbols, key=lambda s: s.name)))

@@ -168,9 +168,14 @@ class Vector:
 
     def xreplace(self, rule: dict[sp.Basic, sp.Basic]) -> Vector:
         """The vector with symbols replaced; in i, j, k if that changes its triad."""
-        if self.triad.directions is None or not (self.triad.directions.free_symbols & set(rule)):
-            return self.map(lambda c: c.xreplace(rule))
-        return self.fixed().map(lambda c: c.xreplace(rule))
+        return self.rewritten(lambda c: c.xreplace(rule))
+
+    def rewritten(self, write: Callable[[sp.Expr], sp.Expr]) -> Vector:
+        """The vector with `write` applied to all that it contains; in i, j, k if that changes its triad."""
+        directions = self.triad.directions
+        if directions is None or directions.applyfunc(write) == directions:
+            return self.map(write)
+        return self.fixed().map(write)
 
     def as_sum(self) -> sp.Expr:
         """Σ component · unit vector, for printing."""

@@ -134,7 +134,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
     blocks: list[Block] = []
     for r in friction_forces:
         begin = f"While {the(r.friction.on)} slides, the friction {spoken(r.friction.name)} is "
-        first: tuple[Part, ...] = (begin, math(r.friction.coefficient), " times the magnitude of the reaction")
+        first: tuple[Part, ...] = (begin, math(r.coefficient), " times the magnitude of the reaction")
         second: tuple[Part, ...] = (
             "directed against the slip ", math(r.slip), ". It does work and counts as an applied force. This holds "
             "while the slip is not zero; without slip, static friction takes whatever value prevents it, up to a "

@@ -34,6 +34,7 @@ from lagrange.explain.motion import (
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
 from lagrange.explain.statement import explain_statement
+from lagrange.mechanics.constraints.definedness import explained_failures
 from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
@@ -83,6 +84,11 @@ def report(
     on_stage: OnStage = silent,
 ) -> Report:
     """Solves a problem and explains the solution. Arguments are those of `solve`; raises what `solve` raises."""
+    with explained_failures(problem):
+        return _reported(problem, choice, complete, method, on_stage)
+
+
+def _reported(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Report:
     solution = solve(problem, choice, complete=complete, method=method, on_stage=on_stage)
     on_stage("comparing answers")
     answers = tuple(compared_answers(solution))

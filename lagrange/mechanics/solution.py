@@ -22,6 +22,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.mechanics.constraints.classification import Classification, classify
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
+from lagrange.mechanics.constraints.definedness import check_defined, explained_failures
 from lagrange.mechanics.constraints.displacements import Elimination, transport_rates, virtual_displacements
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
 from lagrange.mechanics.dynamics.checks import (
@@ -166,6 +167,11 @@ def solve(
 
     Raises ProblemError if the problem contradicts itself, UndecidedError or NotCoveredError if it cannot be solved.
     """
+    with explained_failures(problem):
+        return _solved(problem, choice, complete, method, on_stage)
+
+
+def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     _refuse_what_is_not_covered(problem)
     if Find.LINEARIZATION in problem.find and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
@@ -189,6 +195,7 @@ def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solu
     """The constraints, the displacements that they allow, and the choices of generalized coordinates."""
     on_stage("classifying the constraints")
     classification = classify(problem)
+    check_defined(problem, classification.constrained)
     configuration = file_configuration(problem, classification.constrained)
     on_stage("displacements")
     own = _in_coordinates(own_coordinates(configuration))

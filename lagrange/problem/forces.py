@@ -22,6 +22,7 @@ from lagrange.problem.sections import (
     FORCE,
     POSITION,
     RATE,
+    SPRING,
     Allowed,
     Section,
     entries_of,
@@ -179,9 +180,9 @@ def _moment(f: _Entry) -> Force:
 
 def _spring(f: _Entry) -> Force:
     stiffness, ends, length, sense = f.all_of(
-        lambda: f.scalar("spring", ENERGY),
+        lambda: f.scalar("spring", SPRING),
         f.ends,
-        lambda: f.scalar("length", ENERGY) if f.section.get("length") else sp.S.Zero,
+        lambda: f.scalar("length", SPRING) if f.section.get("length") else sp.S.Zero,
         lambda: f.sense("sense"),
     )
     if sense is not None and sum(c != 0 for c in (ends[1] - ends[0]).components) != 1:

@@ -251,6 +251,7 @@ class Problem:
     bodies: tuple[Body, ...] = ()
     constraints: tuple[Constraint, ...] = ()
     gravity: Vector | None = None
+    gravity_span: Span | None = None
     forces: tuple[Force, ...] = ()
     unknowns: tuple[sp.Symbol, ...] = ()
     speeds: tuple[Speed, ...] = ()

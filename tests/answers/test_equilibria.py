@@ -176,3 +176,17 @@ def test_numbers_of_the_file_count() -> None:
     assert verdict(read(text), "theta = 0 or theta = pi or cos(theta) = 1/2").verdict is EQUIVALENT
     assert verdict(read(text), "theta = 0 or theta = pi or theta = pi/3 or theta = -pi/3").verdict is EQUIVALENT
     assert verdict(read(text), "theta = 0 or theta = pi or cos(theta) = 1/3").verdict is WRONG
+
+
+ROCKING_STONE = """
+title: Rocking stone
+parameters: [W, a, b]
+coordinates: [phi]
+forces: {weight: {potential: "W*((a + b)*cos(phi) - b*cos(phi*(1 + b/a)))"}}
+find: equilibrium
+"""
+
+
+def test_an_angle_of_which_no_multiple_occurs_is_undecided() -> None:
+    """With sin(φ (1 + b/a)) the conditions are no polynomials in sin φ and cos φ: it ended in an exception."""
+    assert verdict(read(ROCKING_STONE), "phi = 0").verdict is Verdict.UNDECIDED

@@ -13,6 +13,7 @@ from lagrange.core.symbols import (
     derivative,
     differential,
     multiplier,
+    partial,
     prime,
     t,
     variation,
@@ -93,3 +94,13 @@ def test_names_are_the_text_form() -> None:
     ]
     assert base(prime(x, 2)) == x
     assert base(x) == x
+
+
+def test_a_sign_is_constant_away_from_its_jump() -> None:
+    """SymPy has Derivative(sign(x), x), or a DiracDelta, neither of which can be evaluated or printed."""
+    x = sp.Symbol("x", real=True)
+    slots = Slots((x,))
+    assert partial(sp.sign(x) * x**2, x) == 2 * x * sp.sign(x)
+    assert partial(sp.Abs(x**2 - 1), x) == 2 * x * sp.sign(x**2 - 1)
+    twice = slots.time_derivative(slots.time_derivative(sp.Abs(x)))
+    assert twice == sp.sign(x) * slots.accelerations[0]

@@ -95,3 +95,12 @@ def test_replacing_an_angle_leaves_the_turning_triad() -> None:
     vector = Vector((r, sp.S.Zero, sp.S.Zero), TRIADS["polar"]).xreplace({phi: z**2})
     assert vector.triad == FIXED
     assert vector.components == (r * sp.cos(z**2), r * sp.sin(z**2), 0)
+
+
+def test_a_vector_is_rewritten_with_its_triad(triad: Triad) -> None:
+    """Where φ is Ω t, e_φ is no unit vector of φ any more: the vector is then written in i, j, k."""
+    vector, rule = Vector((r**2, z, phi), triad), {phi: 2 * z}
+    rewritten = vector.rewritten(lambda e: e.xreplace(rule))
+    assert all(phi not in c.free_symbols for c in (*rewritten.components, *rewritten.fixed().components))
+    assert rewritten == vector.fixed().xreplace(rule)
+    assert vector.rewritten(lambda e: e.xreplace({z: r})).triad == triad

@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.core.vectors import Vector
+from lagrange.problem.loader import read_problem
 from lagrange.problem.model import (
     AppliedForce,
     AppliedMoment,
@@ -77,3 +79,15 @@ def test_forces() -> None:
     assert (rub.coefficient, rub.constraint, rub.on, rub.slip, rub.contact) == (mu, "rod", "P", None, None)
     assert isinstance(full, Friction)
     assert (full.surface_velocity, full.slip, full.contact) == (vector(F, 0, 0), 1, -1)
+
+
+@pytest.mark.parametrize("spring", ["spring: c*x, between: [P, 0*i]", "spring: c, between: [P, 0*i], length: l*x"])
+def test_a_spring_is_the_same_wherever_it_is(spring: str) -> None:
+    """V = c x (d − l)²/2 is no spring: its force is not c x (d − l), and a check did not hold."""
+    head = "title: T\nparameters: [m, c, l]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"
+    text = f"{head}forces: {{s: {{{spring}}}}}\n"
+    with pytest.raises(ProblemError) as caught:
+        read_problem(Source("p.yaml", text))
+    [finding] = caught.value.diagnostics
+    assert finding.code == "not-allowed-here"
+    assert "potential" in finding.help

@@ -61,7 +61,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "components": ("A vector has two or three components.", problem("gravity: '[1, 2, 3, 4]'")),
     "constant-too-involved": ("A constant is worked out exactly; write it more simply, or as a parameter.", None),
     "division-by-vector": ("Divide by the length of the vector.", problem("let: {n: '(x*i)/(y*j)'}")),
-    "division-by-zero": ("The divisor is exactly zero.", "x/(1 - 1) = 0"),
+    "division-by-zero": ("The divisor is exactly zero, always or wherever the constraints hold.", "x/(1 - 1) = 0"),
     "empty-brackets": ("Something must stand between brackets.", "sin() = 0"),
     "empty-expression": ("Write an expression.", problem("let: {n: ' '}")),
     "empty-side": ("Both sides of an equation must be there; write 0 where nothing is left.", "theta'' ="),
@@ -229,6 +229,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + ROD + "generalized_coordinates: {two: {coordinates: [a, b], substitute: {x: l*sin(a+b), y: l*cos(a+b)}}}")),
     "too-few-coordinates": ("The choice would add a constraint of its own.", problem(
         PARTICLE + "generalized_coordinates: {line: {coordinates: [s], substitute: {x: s, y: s}}}")),
+    "no-direction": ("Both ends of a spring are one point.", problem(
+        PARTICLE + "constraints: {floor: y = 0}\nforces: {s: {spring: g, between: [P, x*i], length: l}}\n")),
     "no-inertia": ("Something moves without mass; the equations do not determine its acceleration.", problem(
         "particles: {P: {mass: m, position: x*i}}\n")),
     "varying-inertia": ("Axes that spin in the body need two equal moments of inertia.", problem(

@@ -34,6 +34,7 @@ from lagrange.algebra.exact.limits import (
 from lagrange.algebra.exact.points import Operation, Point
 from lagrange.algebra.exact.points_needed import NONZERO_DIGITS, REAL_DIGITS, ZERO_DIGITS
 from lagrange.algebra.exact.prime_field import InadmissibleError, ZeroDivisorError
+from lagrange.core.symbols import partial
 
 _mp = MPContext()
 _mp.dps = REAL_DIGITS
@@ -310,7 +311,7 @@ def newton_point(point: RealPoint, constraints: Sequence[sp.Expr], coordinates: 
     try:
         graph = point.graph
         residual = [graph.node(f) for f in constraints]
-        jacobian = [[graph.node(f.diff(q)) for q in coordinates] for f in constraints]
+        jacobian = [[graph.node(partial(f, q)) for q in coordinates] for f in constraints]
         return _iterate(point, residual, jacobian, coordinates)
     except (InadmissibleError, UnsupportedError, DivisionByZeroError):
         return False

@@ -19,7 +19,7 @@ from sympy import QQ, QQ_I
 from sympy.polys.rings import PolyRing
 
 from lagrange.algebra.fourier.elements import Basis, Element, Terms
-from lagrange.algebra.fourier.limits import LARGEST_DIVISION, LONGEST_CHAIN
+from lagrange.algebra.fourier.limits import LARGEST_DIVISION, LONGEST_CHAIN, MOST_JOINING_ROUNDS
 from lagrange.algebra.fourier.polynomials import lowest, pack, place, unpack
 
 Complex = tuple[int, int]
@@ -117,13 +117,21 @@ def _shortened(numerator: Element, base: Element, exponent: int, order: int) -> 
 
 def over_one_denominator(element: Element) -> Element:
     """The same, with fractions joined where that saves terms, and reduced."""
-    joined = element
+    # Joining over one denominator may expose a common one with another: until nothing changes.
+    for _ in range(MOST_JOINING_ROUNDS):
+        joined = _joined_by_each_denominator(element)
+        if joined == element:
+            break
+        element = joined
+    return element
+
+
+def _joined_by_each_denominator(element: Element) -> Element:
     for index in element.basis.related:
         base = element.basis.generators[index].base
-        if base is not None and not base.is_monomial and any(place(m, index) < 0 for m, _ in joined.terms):
-            joined = _joined(joined, index, base, element.basis.generators[index].order)
-    # Joining over one denominator may expose a common one with another: until nothing changes.
-    return element if joined == element else over_one_denominator(joined)
+        if base is not None and not base.is_monomial and any(place(m, index) < 0 for m, _ in element.terms):
+            element = _joined(element, index, base, element.basis.generators[index].order)
+    return element
 
 
 def as_fraction(element: Element) -> tuple[Element, int]:

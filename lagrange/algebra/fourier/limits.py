@@ -8,11 +8,15 @@ All bound the time of one step or the length of what is printed. A number in bra
 # power of a sum, that is one [10]. cos^60 has 31 terms; cos(10^6 θ) becomes an angle of its own (test_trigonometry).
 LONGEST_POWER = 20_000
 HIGHEST_MULTIPLE = 64
+# Primes by which a number under a root is divided, those that SymPy tries for its own roots.
+LARGEST_TRIAL_DIVISOR = 2**15
 
 # Exact division (`division`): terms of dividend times divisor [392; 4 beyond, up to 1,139], and length of one chain
 # e^{i(v + 2kw)} when a sine or cosine is divided out [5].
 LARGEST_DIVISION = 400
 LONGEST_CHAIN = 64
+# Rounds in which fractions are joined, as one may expose another; each must change something [2].
+MOST_JOINING_ROUNDS = 8
 
 # Sums as products (`product_to_sum`): terms of a sum in which all pairs are joined, else only the first pair of equal
 # coefficient [155 beyond, up to 18]; angles and degree of a polynomial in single sines and cosines [3; 8], of which

@@ -136,21 +136,27 @@ def factorization(polynomial: Polynomial, known: Iterable[Polynomial] = ()) -> t
     """Sign and factors of a polynomial without common number or monomial, if factors save operations.
 
     Known factors are taken out first, as they are; of the rest the whole, the square-free or the irreducible
-    factors, whichever are shortest.
+    factors, whichever are shortest. A known factor with negative exponents, 1 + x²/y², divides no polynomial as it is.
     """
     unfactored = [(polynomial, 1)]
-    if is_irreducible(polynomial) or any(e < 0 for m in polynomial for _, e in unpack(m)):
+    if is_irreducible(polynomial) or not _is_polynomial(polynomial):
         return 1, unfactored
     variables = _PolynomialVariables(polynomial)
     rest, known_factors = variables.outside(polynomial), []
-    for base in known:
+    for base in filter(_is_polynomial, known):
         divisor, exponent = variables.outside(base), 0
-        while divisor and not (division := rest.div(divisor))[1]:
+        # Only division by a polynomial that is no number lowers the degree, and so comes to an end.
+        while not divisor.is_ground and not (division := rest.div(divisor))[1]:
             rest, exponent = division[0], exponent + 1
         if exponent:
             known_factors.append((base, exponent))
     candidates = [(1, unfactored), *((sign, [*known_factors, *factors]) for sign, factors in variables.factored(rest))]
     return min(candidates, key=lambda c: _effort(c[1]))
+
+
+def _is_polynomial(sum_of_monomials: Polynomial) -> bool:
+    """Whether no exponent is negative."""
+    return all(e >= 0 for m in sum_of_monomials for _, e in unpack(m))
 
 
 def _effort(factors: Factorization) -> int:

@@ -24,10 +24,10 @@ import sympy as sp
 
 from lagrange.algebra.fourier.division import without_denominator
 from lagrange.algebra.fourier.elements import UNIT, Basis, Element, Number, Terms
-from lagrange.algebra.fourier.limits import HIGHEST_MULTIPLE, LONGEST_POWER
+from lagrange.algebra.fourier.limits import HIGHEST_MULTIPLE, LARGEST_TRIAL_DIVISOR, LONGEST_POWER
 from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, pack, place, unpack
 from lagrange.algebra.fourier.product_to_sum import Factoring
-from lagrange.core.symbols import Sign, Slots, base, prime, t
+from lagrange.core.symbols import Sign, Slots, base, partial, prime, t
 
 __all__ = ["Element", "FourierRing", "RingDerivation"]
 
@@ -84,7 +84,7 @@ class RingDerivation:
         for symbol in sorted(generator.expression.free_symbols, key=lambda s: str(s.name)):
             rate = self._rate(symbol)
             if rate:
-                terms.append(ring.from_sympy(generator.expression.diff(symbol)) * rate)
+                terms.append(ring.from_sympy(partial(generator.expression, symbol)) * rate)
         return ring.total(terms)
 
 
@@ -163,7 +163,9 @@ class FourierRing(Basis):
     def _number_root(self, number: int, exponent: Fraction) -> Element:
         """A rational power of an integer, by its primes: √6 is √2 √3, so that √2 √3 - √6 is 0."""
         product = self.one
-        for prime_factor, multiplicity in sp.factorint(number).items():
+        # Trial division only: to factor a number of sixty digits may take forever. What is left counts as one prime.
+        factors = sp.factorint(number, limit=LARGEST_TRIAL_DIVISOR, use_rho=False, use_pm1=False, use_ecm=False)
+        for prime_factor, multiplicity in factors.items():
             total = exponent * multiplicity
             if total.denominator == 1:
                 product = product * Fraction(prime_factor) ** int(total)

@@ -22,7 +22,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Slots, prime
+from lagrange.core.symbols import Sign, Slots, partial, prime
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import Configuration, substituted_configuration
 from lagrange.mechanics.constraints.limits import LONGEST_EXPANDED, LONGEST_SOLVED, MOST_SOLVED_TERMS
@@ -77,7 +77,7 @@ def generalized_coordinates(choice: Choice, original: Configuration) -> Generali
         expressed, signs, through_rates = choice.substitute, (), ()
     coordinates = (*choice.coordinates, *through_rates)
     slots = Slots(coordinates, original.slots.prescribed)
-    jacobian = sp.ImmutableMatrix([[expressed.get(q, q).diff(s) for s in coordinates] for q in old])
+    jacobian = sp.ImmutableMatrix([[partial(expressed.get(q, q), s) for s in coordinates] for q in old])
     satisfied: list[str] = []
     kept: list[Row] = []
     rule = dict(expressed)

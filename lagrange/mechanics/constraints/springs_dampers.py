@@ -166,5 +166,5 @@ def _root(squared: sp.Expr) -> sp.Expr:
 
 
 def _unsigned(length: sp.Expr) -> sp.Expr:
-    """s instead of |s|."""
-    return length.args[0] if isinstance(length, sp.Abs) else length
+    """s instead of |s|, 2 s instead of 2 |s|."""
+    return sp.Mul(*(f.args[0] if isinstance(f, sp.Abs) else f for f in sp.Mul.make_args(length)))

@@ -29,7 +29,7 @@ from lagrange.algebra.exact.zero_test import Point, Surface, agreed, has_real_po
 from lagrange.algebra.forms.exact_forms import ExteriorForm, differentiated, exterior_derivative, one_form, wedge
 from lagrange.core.diagnostics import Diagnostic, ProblemError, UndecidedError
 from lagrange.core.records import record
-from lagrange.core.symbols import t
+from lagrange.core.symbols import partial, t
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -377,7 +377,7 @@ def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
     slots = configuration.slots
     rate = slots.time_derivative(kinetic_energy(configuration))
     power = applied_power(configuration) - sp.Add(
-        *(configuration.potential.diff(q) * v for q, v in zip(slots.coordinates, slots.velocities, strict=True))
+        *(partial(configuration.potential, q) * v for q, v in zip(slots.coordinates, slots.velocities, strict=True))
     )
     system = System(configuration, motion.expressions)
     expressions = (rate, power, *system.equations, *system.accelerated_constraints)

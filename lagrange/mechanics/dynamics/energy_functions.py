@@ -2,10 +2,11 @@
 
     T = Σ m v·v/2 + Σ H·ω/2 ,   p_k = ∂T/∂q_k' ,   Q_k = −∂V/∂q_k + Q'_k ,   L = T − V
 
-V is the potential of the springs, of the given potentials, of constant forces (−F·r), and of the part of every other
-force that depends on neither velocity nor time, if ∂Q_i/∂q_k = ∂Q_k/∂q_i and the table of integrals contains it: a
-magnetic force is separated from an electric one. Everything else is in Q'_k: dampers, friction (even where it is
-constant), constant moments (no potential with one value at each position), forces that depend on velocities or time.
+V is the potential of the springs, of the given potentials, of constant forces at points that move with their body
+(−F·r), and of the part of every other force that depends on neither velocity nor time, if ∂Q_i/∂q_k = ∂Q_k/∂q_i and the
+table of integrals contains it: a magnetic force is separated from an electric one. Everything else is in Q'_k: dampers,
+friction (even where it is constant), constant moments (no potential with one value at each position), forces that
+depend on velocities or time.
 With T = T2 + T1 + T0 by degree in the velocities,
 
     E = T + V ,     h = Σ p_k q_k' − L = T2 − T0 + V        (Jacobi) ,
@@ -52,16 +53,25 @@ def are_true_coordinates(configuration: Configuration) -> bool:
     return True
 
 
-def is_constant_force(load: Load, configuration: Configuration) -> bool:
-    """Whether a force is constant and acts at a point that is a function of true coordinates."""
+def is_constant_force(load: Load, configuration: Configuration, ring: FourierRing) -> bool:
+    """Whether a force has the potential −F·r: it is constant, acts at a point that is a function of true coordinates,
+    and −∂(F·r)/∂q_k is its generalized force.
+
+    That fails where the point of application is not one of the body's own: a cord that leaves a disc at R i, however
+    the disc is turned, has F·r = const, and Q_φ = R F.
+    """
     moving = {*configuration.slots.coordinates, *configuration.slots.prescribed, t}
     if any(base(s) in moving for c in load.vector.fixed().components for s in c.free_symbols):
         return False
     turning = next((r for r in configuration.rotations if r.name == load.on), None)
-    if turning is None or not turning.given:
+    if turning is None:
         return True
-    [centre] = (p.position for p in configuration.points if p.name == load.on)
-    return (load.point - centre).is_zero
+    if turning.given:
+        [centre] = (p.position for p in configuration.points if p.name == load.on)
+        return (load.point - centre).is_zero
+    slopes = (dot(load.vector, load.point.partial(q), ring) for q in configuration.slots.coordinates)
+    forces = _generalized(load, configuration, ring)
+    return all(ring.is_zero(slope - force) for slope, force in zip(slopes, forces, strict=True))
 
 
 def of_the_rest(
@@ -294,7 +304,7 @@ def energy_functions(
     ring = textbook.ring
     springs = sp.Add(*(s.energy for s in configuration.springs))
     fields = configuration.potential - springs
-    steady = [f for f in configuration.loads if f.name not in frictions and is_constant_force(f, configuration)]
+    steady = [f for f in configuration.loads if f.name not in frictions and is_constant_force(f, configuration, ring)]
     potential = ring.zero - ring.total(dot(f.vector, f.point, ring) for f in steady)
     loads = [f for f in configuration.loads if f not in steady]
     others, forces, hidden = of_the_rest(configuration, loads, frictions, ring)

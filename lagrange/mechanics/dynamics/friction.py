@@ -32,16 +32,18 @@ from lagrange.problem.model import Friction
 class FrictionForce:
     """One friction force in the coordinates of a configuration.
 
-    normal   |g|: |R| = |λ| · normal
-    slip     v_s
-    speed    s, if the slip is along a line; otherwise None
-    sense    the sign of s: ±1 if known, otherwise sign(s); 1 if there is no line
-    along    the unit vector of the slip, w/|w| or v_s/|v_s|
-    contact  the sign of λ: ±1 if the file gives it, otherwise a `Sign`
+    coefficient  μ, which may depend on the place
+    normal       |g|: |R| = |λ| · normal
+    slip         v_s
+    speed        s, if the slip is along a line; otherwise None
+    sense        the sign of s: ±1 if known, otherwise sign(s); 1 if there is no line
+    along        the unit vector of the slip, w/|w| or v_s/|v_s|
+    contact      the sign of λ: ±1 if the file gives it, otherwise a `Sign`
     """
 
     friction: Friction
     reaction: Reaction
+    coefficient: sp.Expr
     normal: sp.Expr
     slip: Vector
     speed: sp.Expr | None
@@ -51,13 +53,13 @@ class FrictionForce:
 
     def load(self, magnitude: sp.Expr, point: Vector) -> Load:
         """The force, for a given |R|."""
-        size: sp.Expr = -self.friction.coefficient * magnitude * self.sense
+        size: sp.Expr = -self.coefficient * magnitude * self.sense
         return Load(self.friction.name, self.friction.on, (self.along * size).map(textbook_form), point)
 
     @property
     def share(self) -> Vector:
         """The force for λ = 1, σ being its sign."""
-        size: sp.Expr = -self.friction.coefficient * self.contact * self.normal * self.sense
+        size: sp.Expr = -self.coefficient * self.contact * self.normal * self.sense
         share: Vector = self.along * size
         return share
 
@@ -154,9 +156,9 @@ def _friction_force(
         sense = sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
     along = _without_moduli(along, configuration)
     contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
-    return FrictionForce(
-        friction, reaction, _size(direction, reaction, configuration), slip, speed, sense, along, contact
-    )
+    coefficient = friction.coefficient.xreplace(configuration.substitution)
+    size = _size(direction, reaction, configuration)
+    return FrictionForce(friction, reaction, coefficient, size, slip, speed, sense, along, contact)
 
 
 def _is_placed_freely(point: MassPoint) -> bool:

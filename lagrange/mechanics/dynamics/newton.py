@@ -30,7 +30,7 @@ import sympy as sp
 from lagrange.algebra.fourier.linear_systems import tidy_quotient
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import differential, t, variation
+from lagrange.core.symbols import differential, partial, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
@@ -348,7 +348,7 @@ def _field(placed: Placed, configuration: Configuration) -> Forces | None:
     if potential == 0 and not configuration.dampers:
         return Forces({}, {})
     resistance = [sp.Add(*(d.pull * d.distance.diff(q) for d in configuration.dampers)) for q in slots.coordinates]
-    slopes = tuple(-potential.diff(q) - r for q, r in zip(slots.coordinates, resistance, strict=True))
+    slopes = tuple(-partial(potential, q) - r for q, r in zip(slots.coordinates, resistance, strict=True))
     return form_as_forces(Row("", slopes, sp.S.Zero), placed, configuration.states)
 
 

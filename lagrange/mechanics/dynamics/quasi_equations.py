@@ -27,7 +27,7 @@ from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing, RingDerivation
 from lagrange.algebra.fourier.textbook_form import CommonFactor, Textbook, textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import base, prime, t, variation
+from lagrange.core.symbols import base, partial, prime, t, variation
 from lagrange.core.triads import axis_names
 from lagrange.core.vectors import FIXED, Triad, Vector, triad_along
 from lagrange.core.verdicts import all_hold
@@ -212,7 +212,7 @@ def _force(motion: _Motion, points: Mapping[str, Moving], turning: Mapping[str, 
     coordinates = configuration.slots.coordinates
     work = [_work(motion, load, points, s) for load in configuration.loads]
     work += [motion.dot(configuration.moment_on(name), m.partials[s]) for name, m in turning.items()]
-    slopes = [-configuration.potential.diff(q) for q in coordinates]
+    slopes = [-partial(configuration.potential, q) for q in coordinates]
     work.append(motion.pulled(slopes, s))
     work += [motion.pulled([-d.pull * d.distance.diff(q) for q in coordinates], s) for d in configuration.dampers]
     return ring.total(work)

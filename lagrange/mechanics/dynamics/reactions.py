@@ -246,9 +246,9 @@ def reactions_at(
             if r.rod is not None and (v := values[r.multiplier]) is not None
         },
         directions={
-            r.name: {p: g.map(place.write) for p, g in r.directions.items()} for r in determined if r.directions
+            r.name: {p: g.rewritten(place.write) for p, g in r.directions.items()} for r in determined if r.directions
         },
-        couples={r.name: {b: g.map(place.write) for b, g in r.moments.items()} for r in determined if r.moments},
+        couples={r.name: {b: g.rewritten(place.write) for b, g in r.moments.items()} for r in determined if r.moments},
         accelerations={s: values[s] for s in system.unknowns if s.name.endswith("''")},
         values={s: v for s, v in values.items() if v is not None and s not in undetermined},
         combinations=tuple(c for c in combinations if len(c.terms) > 1),

@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 
-from lagrange.algebra.fourier.polynomials import common, lowest, pack, place, shared, unpack
+from lagrange.algebra.fourier.polynomials import (
+    Polynomial,
+    common,
+    factorization,
+    lowest,
+    pack,
+    place,
+    shared,
+    unpack,
+)
 
 l, m, M, a, omega = sp.symbols("l m M a omega", positive=True)
 numbers = st.integers(-1000, 1000)
@@ -30,3 +41,19 @@ def test_common_monomials() -> None:
     assert common((monomial(2, -1, 3), monomial(1, -2, 0))) == monomial(1, -1, 0)
     assert common((monomial(2, -1), monomial(-1, 1))) == 0
     assert shared(monomial(2, -1, 3), monomial(1, -2, 1)) == monomial(1, 0, 1)
+
+
+def polynomial(*terms: tuple[tuple[int, ...], int]) -> Polynomial:
+    return {pack(enumerate(exponents)): Fraction(c) for exponents, c in terms}
+
+
+def test_known_factors_are_divided_out_as_often_as_they_divide() -> None:
+    square, sum_ = polynomial(((2, 0), 1), ((1, 1), 2), ((0, 2), 1)), polynomial(((1, 0), 1), ((0, 1), 1))
+    assert factorization(square, [sum_]) == (1, [(sum_, 2)])
+
+
+def test_division_by_known_factors_comes_to_an_end() -> None:
+    """A base with negative exponents, 1 + x²/y², divided without end, as any number would."""
+    circle = polynomial(((2, 0), 1), ((0, 2), 1))
+    for base in (polynomial(((0, 0), 1), ((2, -2), 1)), polynomial(((0, 0), 1)), polynomial(((0, 0), 2))):
+        assert factorization(circle, [base]) == (1, [(circle, 1)])

@@ -218,3 +218,12 @@ def test_high_powers_are_left_alone() -> None:
 
 
 numbers = st.integers(-1000, 1000)
+
+
+def test_a_number_under_a_root_is_divided_by_small_primes_only() -> None:
+    """A product of two primes of thirty digits is not factored, which may take forever; its root is its root."""
+    ring = FourierRing()
+    number = sp.Integer(31415926535897932384626433897) * 27182818284590452353602874829
+    root = ring.from_sympy(sp.Pow(6 * number, sp.S.Half))
+    assert root * root == ring.number(int(6 * number))
+    assert root == ring.from_sympy(sqrt(2) * sqrt(3) * sp.Pow(number, sp.S.Half))

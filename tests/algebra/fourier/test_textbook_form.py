@@ -279,6 +279,14 @@ def test_forms(expression: sp.Expr, expected: sp.Expr) -> None:
     assert textbook_form(expression) == expected
 
 
+def test_roots_of_sums_with_negative_exponents() -> None:
+    """Their numerators were divided by 1 + x²/y² without end."""
+    for base in (1 + x**2 / y**2, l**4 / r**2 + 1, m / x**4 - 1 / (l**2 * y**2), 1 / x + 1 / y):
+        expression = X * (x**2 + y**2) * (r**2 + l**4) / sqrt(base) + (x + y) ** 2 * sqrt(base) / base**2
+        values = {s: sp.Rational(n, 7) for n, s in enumerate(sorted(expression.free_symbols, key=str), 3)}
+        assert abs((textbook_form(expression) - expression).xreplace(values).evalf(30)) < 1e-20
+
+
 def test_hidden_zeros_are_found() -> None:
     radical = y**2 / (l**2 - y**2) + 1 - l**2 / (l**2 - y**2)
     partial_fractions = 1 / ((l - x) * (l - y)) - (1 / (l - x) - 1 / (l - y)) / (x - y)

@@ -69,3 +69,12 @@ def test_lengths_and_pulls_are_identities() -> None:
     for text in said:
         equation = read_equation(Fragment.of(text), scope)
         assert is_zero(equation.lhs - equation.rhs), text
+
+
+def test_a_damper_along_a_line_has_no_sign_in_a_choice(problem: Read) -> None:
+    """The distance 2 |s| has the rate 2 s' along the line; c (2 s')² came out with sign(s)²."""
+    text = ON_A_LINE.format(ends="P, 0*i", more="").replace("spring: c", "damper: c")
+    found = solve(problem(f"{text}generalized_coordinates: {{c: {{coordinates: [s], substitute: {{x: 2*s}}}}}}\n"))
+    motion = found.choices[0].motion
+    assert motion is not None
+    assert not any(e.has(sp.sign) for e in motion.expressions)

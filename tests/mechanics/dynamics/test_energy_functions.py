@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import Source
@@ -149,3 +150,30 @@ def test_jacobis_integral_of_what_is_carried_has_no_constant_terms() -> None:
     slots = choice.conserved.motion.configuration.slots
     moving = {*slots.coordinates, *slots.velocities}
     assert all(not term.free_symbols.isdisjoint(moving) for term in sp.Add.make_args(jacobi.expression))
+
+
+CORD = """
+title: A disc and a cord
+parameters: [m, J, R, T]
+coordinates: [{coordinates}]
+bodies:
+  disc: {{mass: m, inertia: J, position: {position}, angle: phi}}
+forces:
+  cord: {{on: disc, vector: T*j, at: {at}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("coordinates", "position", "at", "expected"),
+    [
+        ("phi", "0*i", "R*i", ["J*v_phi^2/2 - T*R*phi"]),  # a cord that leaves the disc on its right, at every angle
+        ("phi", "0*i", "R*e1_disc", ["J*v_phi^2/2 - T*R*sin(phi)"]),  # a cord tied to the rim
+        ("y, phi", "-y*j", "R*i - y*j", ["J*v_phi + m*R*v_y", "m*v_y^2/2 + J*v_phi^2/2 + T*y - T*R*phi"]),  # a yo-yo
+        ("phi", "0*i", "R*cos(2*phi)*i", ["J*v_phi^2/2 - T*R*sin(2*phi)/2"]),  # neither
+    ],
+    ids=["unwinding", "tied", "yo-yo", "moving"],
+)
+def test_the_potential_of_a_cord(coordinates: str, position: str, at: str, expected: list[str]) -> None:
+    """−F·r is the potential of a constant force only where its point of application is carried by the body."""
+    found = of(CORD.format(coordinates=coordinates, position=position, at=at))
+    assert [sp.simplify(d) for d in differences(found, *expected)] == [0] * len(expected)

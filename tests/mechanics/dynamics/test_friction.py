@@ -334,3 +334,48 @@ def test_what_a_surface_keeps_constant_is_put_into_the_normal_force(problem: Rea
         found, "z'' = -g - mu*(x'^2 + y'^2)*z'/(R*sqrt(x'^2 + y'^2 + z'^2))", "x*y'' - y*x'' = "
         "-mu*(x'^2 + y'^2)*(x*y' - y*x')/(R*sqrt(x'^2 + y'^2 + z'^2))",
     ) is Verdict.EQUIVALENT  # fmt: skip
+
+
+def test_block_on_a_rough_circular_track(problem: Read) -> None:
+    """On top, x = R sin θ: R θ'' = g sin θ − μ (g cos θ − R θ'²). The run did not end, dividing by 1 + x²/y²."""
+    found = solution(
+        problem,
+        "parameters: [m, g, R, mu]\ncoordinates: [x, y]\nparticles: {P: {mass: m, position: '[x, y]'}}\n"
+        "constraints: {c: x^2 + y^2 = R^2}\ngravity: '[0, -g]'\n"
+        "forces: {rub: {friction: mu, constraint: c, on: P, slip: positive, contact: positive}}\n",
+    )
+    assert found.own.dynamics is not None
+    values = dict(
+        zip(
+            ["x", "y", "x'", "y'", "g", "R", "mu", "m"],
+            map(sp.Rational, ["3", "4", "4/5", "-3/5", "10", "5", "1/2", "1"]),
+            strict=True,
+        )
+    )
+    x, y = found.own.dynamics.accelerations.values()
+    state = {s: values[s.name] for e in (x, y) for s in e.free_symbols}
+    turned = (10 * sp.Rational(3, 5) - (8 - sp.Rational(1, 5)) / 2) / 5
+    assert x.xreplace(state) == 4 * turned - sp.Rational(3, 25)
+    assert y.xreplace(state) == -3 * turned - sp.Rational(4, 25)
+
+
+@pytest.mark.parametrize(
+    ("coefficient", "choice", "right"),
+    [
+        ("y", "{coordinates: [x]}", "x'' = g*sin(alpha)"),  # y = 0: the plane is smooth
+        ("mu*x", "{coordinates: [s], substitute: {x: 2*s, y: 0}}", "2*s'' = g*sin(alpha) - 2*mu*s*g*cos(alpha)"),
+        ('"mu*x\'"', "{coordinates: [s], substitute: {x: 2*s, y: 0}}", "2*s'' = g*sin(alpha) - 2*mu*s'*g*cos(alpha)"),
+    ],
+)
+def test_a_coefficient_that_varies_is_rewritten_in_a_choice(
+    problem: Read, coefficient: str, choice: str, right: str
+) -> None:
+    text = INCLINE.format(more=", slip: positive, contact: positive").replace(
+        "friction: mu", f"friction: {coefficient}"
+    )
+    found = solution(problem, f"{text}generalized_coordinates: {{c: {choice}}}\n")
+    [chosen] = found.choices
+    assert chosen.motion is not None
+    eliminated = {*found.own.configuration.slots.coordinates} - {*chosen.configuration.slots.coordinates}
+    assert all(e.free_symbols.isdisjoint(eliminated) for e in chosen.motion.expressions)
+    assert verdict(found, right) is Verdict.EQUIVALENT

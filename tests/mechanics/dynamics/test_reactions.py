@@ -276,3 +276,22 @@ def test_dependent_constraints_that_leave_no_velocity(problem: Read, forces: str
         ["lambda_line", "lambda_stop", "lambda_also"],
     ]
     assert [str(c.value) for c in found] == values
+
+
+def test_reactions_in_a_choice_contain_no_coordinate_that_it_eliminates(problem: Read) -> None:
+    """A bead on a hoop that turns with Ω: across it, N = 2 m R Ω θ' cos θ e_φ with φ = Ω t."""
+    found = solution(
+        problem,
+        "parameters: [m, g, R, Omega]\ncoordinates: [r, theta, phi]\n"
+        "frame: {type: spherical, coordinates: [r, theta, phi]}\nparticles: {P: {mass: m, position: r*e_r}}\n"
+        "constraints: {sphere: r = R, turning: phi = Omega*t}\ngravity: -g*k\n"
+        "generalized_coordinates: {angle: {coordinates: [theta], substitute: {r: R, phi: Omega*t}}}\n",
+    )
+    dynamics = found.choices[0].dynamics
+    assert dynamics is not None
+    assert dynamics.reactions is not None
+    across = dynamics.reactions.forces["turning"]["P"]
+    assert across.triad.directions is None
+    size = "2*m*R*Omega*theta'*cos(theta)"
+    expected = (value(f"-{size}*sin(Omega*t)", found), value(f"{size}*cos(Omega*t)", found), sp.S.Zero)
+    assert all(is_zero(a - b) is True for a, b in zip(across.components, expected, strict=True))
