@@ -11,8 +11,10 @@ linear, and the equation follows if and only if Σ r_i = 0. So
 and the sum for a changed equation costs next to nothing. f and c are numbers at one state; they are sought among simple
 factors, and each candidate is tested at a second state that shares no random number with the first, by exact
 arithmetic. Roots and absolute values are on a random branch at each state: then more states are taken, real ones among
-them, so that a change that is right on one branch only does not pass. If no single change is enough, the group of terms
-that differs is named, if it is one: those with accelerations, those with velocities, the others.
+them, so X
+If no single change is enough, the equation is compared with c E for each derived equation E and simple factors c. If
+it differs least for one of them, and there in one group of terms only, that group is named: the terms with
+accelerations, those with velocities, the others.
 """
 
 from __future__ import annotations
@@ -148,6 +150,8 @@ class Group(Enum):
 class Diagnosis:
     """The one change that makes an equation right; without a slip, only the group of terms that differs.
 
+    absent  whether the equation has no terms of this group at all
+    alone   whether it has no terms of other groups
     term    the term in the answer; None if it is missing
     right   what it should be; None if there should be no such term
     factor  right / term, for a wrong factor
@@ -160,6 +164,8 @@ class Diagnosis:
     right: sp.Expr | None = None
     factor: sp.Expr | None = None
     times: sp.Expr = sp.S.One
+    absent: bool = False
+    alone: bool = False
 
 
 def diagnosed(equation: sp.Expr, system: System) -> Diagnosis | None:
@@ -169,10 +175,14 @@ def diagnosed(equation: sp.Expr, system: System) -> Diagnosis | None:
             diagnosis = _Search(form, system).change()
             if diagnosis is not None:
                 return _with_group(diagnosis, times, system)
-        group = _Search(equation, system).group()
+        search = _Search(equation, system)
+        group = search.group()
     except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
         return None
-    return None if group is None else Diagnosis(group)
+    if group is None:
+        return None
+    present = {group_of(term, system) for term in search.terms}
+    return Diagnosis(group, absent=group not in present, alone=present <= {group})
 
 
 def in_symbols(diagnosis: Diagnosis, equation: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]) -> Diagnosis:
@@ -223,6 +233,7 @@ class _Search:
         self.system = system
         self.slots = system.configuration.slots
         self.terms = terms_of(equation) or ()
+        self.brackets = tuple(e for e in sp.Add.make_args(equation) if e not in self.terms)
         used = set().union(*(e.free_symbols for e in (equation, *system.equations)))
         moving = {*self.slots.coordinates, *self.slots.prescribed, t}
         unknowns = {*system.multipliers}
@@ -231,6 +242,7 @@ class _Search:
         self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
         # On some branches the equation may be right. Changes are sought at the first state, where it is wrong.
         self.states = sorted(residue_states((equation,), system), key=lambda state: follows(equation, [state]))
+        self._scales: dict[sp.Expr, list[tuple[sp.Expr, Any]]] = {}
 
     def change(self) -> Diagnosis | None:
         """The likeliest change that makes the equation right; None if none is found."""
@@ -250,43 +262,70 @@ class _Search:
         return None
 
     def group(self) -> Group | None:
-        """The group of terms that differs at the states, if it is one and the same."""
-        if self.system.multipliers or self.system.configuration.rows:
-            return None
-        differences = [self._differences(state) for state in self.states]
-        known = [d for d in differences if d is not None]
-        if len(known) < len(differences):
-            return Group.INERTIA
-        at_rest, moving = (any(side) for side in zip(*known, strict=True))
-        if at_rest and moving:
-            return None
-        return Group.FORCE if at_rest else Group.VELOCITY if moving else None
+        """The group of terms in which the equation differs from the multiple c E of a derived one that is nearest.
 
-    def _differences(self, state: ResidueState) -> tuple[bool, bool] | None:
-        """Whether the terms without velocities differ, and whether those with; None: those with accelerations do.
-
-        The accelerations of the equation are Σ c_k times those of the derived equations E_k. With these c_k, what is
-        left of it minus Σ c_k E_k at zero velocities is the difference in forces; the rest is that in velocity terms.
+        The nearest has most terms in common, and of those that have, the simplest factor. None if it differs in several
+        groups, or if another one that is as near differs in others; with multipliers or constraints a derived equation
+        is one of many, and None as well.
         """
-        rows = affine_rows(state.point, (self.equation, *equations_of(self.system)), state.unknowns)
-        c = state.point.solution(
-            [list(column) for column in zip(*(r[:-1] for r in rows[1:]), strict=True)], rows[0][:-1]
-        )
-        if c is None:
+        if self.system.multipliers or self.system.configuration.rows or not self.terms:
             return None
-        resting = state.point.with_values(dict.fromkeys(self.slots.velocities, state.point.number(0)))
-        rest = affine_rows(resting, (self.equation, *equations_of(self.system)), state.unknowns)
+        own = {*self.terms}
+        multiples: dict[tuple[int, int], list[tuple[sp.Expr, sp.Expr]]] = {}
+        for derived in self.system.equations:
+            for scale, _ in self._scales_to(derived):
+                other = {sp.expand(scale * term) for term in terms_of(derived) or ()}
+                differing = max(len(own - other), len(other - own))
+                simplicity = min(int(factor.count_ops()) for factor in (scale, -scale))
+                multiples.setdefault((differing, simplicity), []).append((derived, scale))
+        nearest = multiples[min(multiples)] if multiples else []
+        groups = {self._only_difference(derived, scale) for derived, scale in nearest}
+        return groups.pop() if len(groups) == 1 else None
+
+    def _only_difference(self, derived: sp.Expr, scale: sp.Expr) -> Group | None:
+        """The group of terms in which the equation differs from a multiple of a derived one, if it is one group."""
+        if scale.free_symbols & {*self._rates}:
+            return None
+        differing: set[Group] = set()
+        for state in self.states:
+            c = state.value(scale)
+            if c is None:
+                return None
+            differing |= self._differences(state, derived, c)
+        return differing.pop() if len(differing) == 1 else None
+
+    @cached_property
+    def _rates(self) -> tuple[sp.Symbol, ...]:
+        """The velocities, and the derivatives of prescribed motions."""
+        used = set().union(*(e.free_symbols for e in (self.equation, *self.system.equations)))
+        prescribed = (s for s in used if base(s) in self.slots.prescribed and base(s) != s)
+        return (*self.slots.velocities, *sorted(prescribed, key=str))
+
+    def _differences(self, state: ResidueState, derived: sp.Expr, c: Any) -> set[Group]:
+        """The groups of terms in which the equation differs from c times a derived one, at one state.
+
+        What is left at zero velocities, without the accelerations, are the forces; the rest is in velocity terms.
+        """
+        resting = state.point.with_values(dict.fromkeys(self._rates, state.point.number(0)))
         reduce, vanishes = state.point.arithmetic.reduce, state.point.arithmetic.vanishes
-        at_rest = reduce(rest[0][-1] - sum(x * row[-1] for x, row in zip(c, rest[1:], strict=True)))
-        moving = reduce(rows[0][-1] - sum(x * row[-1] for x, row in zip(c, rows[1:], strict=True)))
-        return not vanishes(at_rest), not vanishes(reduce(moving - at_rest))
+        (*inertia, moving), (*_, at_rest) = (
+            [reduce(a - c * b) for a, b in zip(*affine_rows(p, (self.equation, derived), state.unknowns), strict=True)]
+            for p in (state.point, resting)
+        )
+        differs = {
+            Group.INERTIA: not all(map(vanishes, inertia)),
+            Group.VELOCITY: not vanishes(reduce(moving - at_rest)),
+            Group.FORCE: not vanishes(at_rest),
+        }
+        return {group for group, different in differs.items() if different}
 
     # Candidates: (cost, diagnosis), sought at the first state. Several changes may make the same equation right.
     # The change of lowest cost that holds at all states is named; a common slip costs less than a rare one.
 
     def _by_number(self, residues: Sequence[list[Any]], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
-        """A wrong sign or a wrong numerical coefficient."""
-        for term, residue in zip(self.terms, residues, strict=True):
+        """A wrong sign or a wrong numerical coefficient, of a term or of a sum in brackets."""
+        bracketed = [(e, r) for e in self.brackets if (r := self.states[0].residue(e)) is not None]
+        for term, residue in (*zip(self.terms, residues, strict=True), *bracketed):
             wanted = self._wanted(residue, total)
             number = None if wanted is None else self._as_number(wanted)
             if number is None or number == 0:
@@ -305,7 +344,7 @@ class _Search:
         for term, residue in zip(self.terms, residues, strict=True):
             for n, (slip, variant) in enumerate(variants(term, self.slots, self.parameters, self.angles)):
                 replaced = state.residue(variant)
-                if replaced is None:
+                if replaced is None or state.vanishes(replaced):
                     continue
                 if state.vanishes(reduce(a - b + c) for a, b, c in zip(total, residue, replaced, strict=True)):
                     yield _COSTS[slip] + 0.001 * n, Diagnosis(None, slip, term, variant)
@@ -333,13 +372,14 @@ class _Search:
             if wanted is not None and state.point.arithmetic.vanishes(wanted) and len(self.terms) > 1:
                 yield 4.6, Diagnosis(None, Slip.EXTRA, term)
         reduce = state.point.arithmetic.reduce
-        for term in self._vocabulary:
-            residue = state.residue(term)
-            ratio = None if residue is None else state.ratio(total, residue)
-            if ratio is None:
-                continue
-            for cost, factor in self._scales_of(reduce(-ratio), term):
-                yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
+        for derived in self.system.equations:
+            for term in terms_of(derived) or ():
+                residue = state.residue(term)
+                ratio = None if residue is None else state.ratio(total, residue)
+                if ratio is None:
+                    continue
+                for cost, factor in self._scales_of(reduce(-ratio), term, derived):
+                    yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
 
     def _holds(self, diagnosis: Diagnosis) -> bool:
         """Whether the change makes the equation right at all states, and leaves an equation of motion."""
@@ -347,9 +387,10 @@ class _Search:
         if not sp.expand(changed).free_symbols & {*self.slots.accelerations}:
             return False
         for state in self.states:
-            parts = [*(x for x in self.terms if x != diagnosis.term), diagnosis.right]
+            taken = None if diagnosis.term is None else -diagnosis.term
+            parts = [*self.terms, taken, diagnosis.right]
             residues = [state.residue(x) for x in parts if x is not None]
-            if not residues or any(r is None for r in residues):
+            if any(r is None for r in residues):
                 return False
             sums = [state.point.arithmetic.reduce(sum(c)) for c in zip(*residues, strict=True)]
             if not state.vanishes(sums):
@@ -374,15 +415,17 @@ class _Search:
             if number is not None and (number in _USUAL or _is_decimal(term)):
                 yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
 
-    def _scales_of(self, wanted: Any, term: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
-        """The factor of a missing term, with its cost: first the factors between the answer and the derived terms."""
+    def _scales_of(self, wanted: Any, term: sp.Expr, derived: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
+        """The factor of a missing term of a derived equation, with its cost: first those that other terms have."""
         state = self.states[0]
-        for factor, value in self._scales:
+        for factor, value in self._scales_to(derived):
             if state.point.arithmetic.vanishes(state.point.arithmetic.reduce(value - wanted)):
                 yield 0.0, factor
                 return
+        moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         for cost, factor in sorted(self._factors_of(wanted, term), key=lambda pair: pair[0])[:1]:
-            yield 1.5 + cost, factor
+            if not factor.free_symbols & moving:
+                yield 1.5 + cost, factor
 
     def _as_number(self, value: Any) -> sp.Rational | None:
         """A value as a fraction of small numbers; None if it is none."""
@@ -410,17 +453,21 @@ class _Search:
             values.append((value, arithmetic.inverse(value)) if usable else None)
         return values
 
-    @cached_property
-    def _scales(self) -> list[tuple[sp.Expr, Any]]:
-        """The ratios t/T of a term of the equation to a derived one, as far as they are simple, with their values."""
+    def _scales_to(self, derived: sp.Expr) -> list[tuple[sp.Expr, Any]]:
+        """The simple ratios of a term of the equation to one of a derived equation, with their values."""
+        if derived not in self._scales:
+            self._scales[derived] = self._ratios_to(derived)
+        return self._scales[derived]
+
+    def _ratios_to(self, derived: sp.Expr) -> list[tuple[sp.Expr, Any]]:
         state = self.states[0]
         moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         scales: dict[sp.Expr, Any] = {}
         for own in self.terms:
-            for derived in self._vocabulary:
-                scale = own / derived
+            for term in terms_of(derived) or ():
+                scale = own / term
                 # A ratio that moves is taken only from terms with accelerations, as a factor of the whole equation.
-                moves = bool(scale.free_symbols & moving) and not self._is_inertia(derived)
+                moves = bool(scale.free_symbols & moving) and not self._is_inertia(term)
                 if (
                     scale in scales
                     or moves
@@ -432,11 +479,6 @@ class _Search:
                 if value is not None:
                     scales[scale] = value
         return list(scales.items())
-
-    @cached_property
-    def _vocabulary(self) -> list[sp.Expr]:
-        """The terms of the derived equations."""
-        return list(dict.fromkeys(term for e in self.system.equations for term in terms_of(e) or ()))
 
 
 _USUAL = frozenset((sp.S.One, *NUMBERS))

@@ -17,6 +17,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.conventions import Convention, other_convention
 from lagrange.answers.diagnosis import diagnosed, in_symbols
+from lagrange.answers.displacement_statements import NOT_FOR_ALL, displaced_coordinates, without_displacements
 from lagrange.answers.hints import Advisor
 from lagrange.answers.limits import MAX_EQUATIONS
 from lagrange.answers.readings import Reading, read_answer
@@ -126,15 +127,24 @@ def _right_for_positive_radii(
 def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, reference: Reference) -> _Attempt | None:
     """The verdict in one set of coordinates; None if the answer uses others."""
     used = {base(s).name for r in readings for e in r.components for s in e.free_symbols}
+    displaced = displaced_coordinates([e for r in readings for e in r.components], reference.scope.slots.coordinates)
+    used |= {q.name for q in displaced}
     if not used & reference.moving <= candidate.known:
         return None
     if candidate.only_for and used.isdisjoint(candidate.only_for):
         return None
     slots = candidate.configuration.slots
-    components = tuple(
-        () if r.error else tuple(_without_constant(candidate.read(e), slots) for e in r.components) for r in readings
-    )
     system = candidate.system
+    components = tuple(
+        ()
+        if r.error
+        else tuple(
+            part
+            for e in r.components
+            for part in without_displacements(_without_constant(candidate.read(e), slots), system.configuration)
+        )
+        for r in readings
+    )
     free = [u for u in reference.unknowns if u.name in used and u not in system.multipliers]
     try:
         result = compare([e for es in components for e in es], system, free)
@@ -254,9 +264,13 @@ def _with_reasons(
     advisor = Advisor(system.configuration.slots)
     convention = _convention(attempt, system) if diagnosing else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
+        displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
         if bad:
             equation, linear = bad[0][0], bad[0][1] is not Standing.NOT_LINEAR
+            if displaced:
+                equations[n] = replace(equations[n], diagnosis=NOT_FOR_ALL, hints=(NOT_FOR_ALL,) * 3)
+                continue
             kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
             wanted = diagnosing and kind in _TO_BE_DIAGNOSED
@@ -267,7 +281,7 @@ def _with_reasons(
             units = reference.mismatch(readings[n]) if wanted else None
             hints = advisor.hints(why, change, units, convention, readings[n].sides)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)
-        elif len(es) == 1 and standings[0] is Standing.FOLLOWS:
+        elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced:
             following.append((n, es[0]))
     # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
     complete = all(Standing.REDUNDANT not in standings for standings in attempt.standings)

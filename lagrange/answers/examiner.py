@@ -82,8 +82,7 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
         from lagrange.answers.frequencies import check_frequencies
 
         linearizations = [v.linearization for v in solution.views if v.linearization is not None]
-        verdict = check_frequencies(answers.frequencies, linearizations, reference_of_solution(solution))
-        yield AnswerVerdict(verdict, name="frequencies")
+        yield check_frequencies(answers.frequencies, linearizations, reference_of_solution(solution))
     if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
         yield of_reactions
 

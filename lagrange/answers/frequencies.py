@@ -1,9 +1,10 @@
 """Stated frequencies of small oscillations: are they right, and all of them?
 
-A list has the frequencies ω of one equilibrium. Each must be a root of the characteristic equation, by exact
-substitution, so that no closed form is needed; all different ones must be there, with or without the frequency 0. A
-root ω² that is negative for all values of the parameters is no frequency. Several lists belong to several equilibria.
-A list is tried at every equilibrium, in every set of coordinates, and the best verdict counts.
+A list has the frequencies ω of one equilibrium. Each must be a root of the characteristic equation there, by exact
+substitution, so that no closed form is needed; coordinates in either have their values at the equilibrium. All
+different ones must be there, with or without the frequency 0. A root ω² that is negative for all values of the
+parameters is no frequency. Several lists belong to several equilibria. A list is tried at every equilibrium, in every
+set of coordinates, and the best verdict counts. It is wrong only if the linear equations are known at all equilibria.
 """
 
 from __future__ import annotations
@@ -14,31 +15,112 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.single_equation import Values
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.references import Reference
-from lagrange.answers.verdicts import Verdict
+from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import read_value
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 
 _BEST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
+_NONE_KNOWN = "no equilibrium with a characteristic equation for the frequencies is known in closed form"
+_NOT_ALL_KNOWN = "it belongs to no equilibrium that is known, but not all are known in closed form"
+_SEVERAL = "no equilibrium has all of them"
+
+
+@record
+class _Place:
+    """A point of an equilibrium and its linear equations.
+
+    resting  all equilibria of the configuration
+    """
+
+    oscillations: SmallOscillations
+    resting: Equilibrium
+    branch: Branch
+    point: Values
+
+    @property
+    def characteristic(self) -> sp.Expr:
+        """The polynomial in ω at the point."""
+        assert self.oscillations.characteristic is not None
+        return self.oscillations.characteristic
+
+    def at(self, e: sp.Expr) -> sp.Expr:
+        """An expression with the values of the coordinates. Raises NotAlgebraicError."""
+        coordinates = {*self.resting.configuration.slots.coordinates}
+        stated = {r.lhs: r.rhs for r in self.branch.relations if r.lhs in coordinates}
+        for _ in stated:
+            e = e.xreplace(stated)
+        return self.resting.solution.at(self.point, e) if e.free_symbols & coordinates else e
+
+    def sign(self, e: sp.Expr) -> int | None:
+        """The sign of an expression, if it is the same for all values of the parameters."""
+        try:
+            return sign_of(self.at(e))
+        except NotAlgebraicError:
+            return None
+
+    def is_root(self, claim: sp.Expr, values: Values) -> bool | None:
+        """Whether a frequency satisfies the characteristic equation; None: undecided."""
+        try:
+            residual = self.at(self.characteristic.xreplace({self.oscillations.unknown: claim}))
+            return is_zero(residual.xreplace(values))
+        except DivisionByZeroError:
+            return False
+        except NotAlgebraicError:
+            return None
+
+    def differ(self, a: sp.Expr, b: sp.Expr, values: Values) -> bool | None:
+        """Whether two frequencies differ in magnitude; None: undecided."""
+        try:
+            same = is_zero(self.at(a**2 - b**2).xreplace(values))
+        except (DivisionByZeroError, NotAlgebraicError):
+            return None
+        return None if same is None else not same
 
 
 def check_frequencies(
     stated: Sequence[Sequence[Fragment]], linearizations: Sequence[Linearization], reference: Reference
-) -> Verdict:
+) -> AnswerVerdict:
     """The verdict on all lists together."""
-    at = [s for f in linearizations for s in f.at if s is not None and s.oscillates and s.characteristic is not None]
-    if not at:
-        return Verdict.UNDECIDED
     try:
         lists = [[_read(f, reference) for f in fragments] for fragments in stated]
-    except ProblemError:
-        return Verdict.UNREADABLE
+    except ProblemError as error:
+        why = error.diagnostics[0].message
+        return AnswerVerdict(Verdict.UNREADABLE, unreadable=tuple(error.diagnostics), name=_NAME, diagnosis=why)
+    places = [p for f in linearizations for p in _places(f)]
+    if not places:
+        return AnswerVerdict(Verdict.UNDECIDED, name=_NAME, diagnosis=_NONE_KNOWN)
+    complete = any(_is_complete(f) for f in linearizations)
     values = dict(reference.values)
-    verdicts = [min((_verdict(claims, s, values) for s in at), key=_BEST.index) for claims in lists]
-    return max(verdicts, key=_BEST.index)
+    texts = [[f.text.strip() for f in fragments] for fragments in stated]
+    verdicts = [_of_list(c, t, places, values, complete=complete) for c, t in zip(lists, texts, strict=True)]
+    return max(verdicts, key=lambda v: _BEST.index(v.verdict))
+
+
+_NAME = "frequencies"
+
+
+def _places(f: Linearization) -> Iterator[_Place]:
+    """The points at which the characteristic equation is one for ω."""
+    for branch, s in zip(f.branches, f.at, strict=True):
+        if s is not None and s.oscillates and s.characteristic is not None:
+            yield from (_Place(s, f.equilibrium, branch, p) for p in branch.points)
+
+
+def _is_complete(f: Linearization) -> bool:
+    """Whether all equilibria, and the characteristic equations there, are known."""
+    known = all(
+        b.special or (s is not None and s.characteristic is not None) for b, s in zip(f.branches, f.at, strict=True)
+    )
+    return f.complete and f.equilibrium.solution.verified is not None and known
 
 
 def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
@@ -48,29 +130,46 @@ def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
     return value
 
 
-def _verdict(claims: Sequence[sp.Expr], s: SmallOscillations, values: dict[sp.Symbol, sp.Rational]) -> Verdict:
-    """The verdict on one list at one equilibrium."""
-    claims = [c.xreplace(values) for c in claims]
-    assert s.characteristic is not None
-    polynomial = s.characteristic.xreplace(values)
-    try:
-        right = [is_zero(polynomial.xreplace({s.unknown: c})) for c in claims]
-        if None in right or False in right:
-            return Verdict.WRONG if False in right else Verdict.UNDECIDED
-        nonzero = [c for c in claims if is_zero(c) is False]
-        same = [is_zero(a**2 - b**2) for a, b in combinations(nonzero, 2)]
-    except DivisionByZeroError:
-        return Verdict.WRONG
-    if None in same:
+def _of_list(
+    claims: Sequence[sp.Expr],
+    texts: Sequence[str],
+    places: Sequence[_Place],
+    values: dict[sp.Symbol, sp.Rational],
+    *,
+    complete: bool,
+) -> AnswerVerdict:
+    """The verdict on one list, at the equilibrium where it is best."""
+    roots = [[p.is_root(c, values) for c in claims] for p in places]
+    verdict = min((_at_one(claims, r, p, values) for r, p in zip(roots, places, strict=True)), key=_BEST.index)
+    if verdict is Verdict.WRONG and not complete:
+        return AnswerVerdict(Verdict.UNDECIDED, name=_NAME, diagnosis=_NOT_ALL_KNOWN)
+    diagnosis = UNDECIDED if verdict is Verdict.UNDECIDED else ""
+    if verdict is Verdict.WRONG and len(claims) > 1:
+        nowhere = [text for text, *at in zip(texts, *roots, strict=True) if True not in at]
+        diagnosis = f"not right: {', '.join(nowhere)}" if nowhere else _SEVERAL
+    return AnswerVerdict(verdict, name=_NAME, diagnosis=diagnosis)
+
+
+def _at_one(
+    claims: Sequence[sp.Expr], right: Sequence[bool | None], place: _Place, values: dict[sp.Symbol, sp.Rational]
+) -> Verdict:
+    """The verdict on one list at one equilibrium; `right`: whether each is a root there."""
+    if None in right or False in right:
+        return Verdict.WRONG if False in right else Verdict.UNDECIDED
+    nonzero = [c for c in claims if place.differ(c, sp.S.Zero, values)]
+    different = [place.differ(a, b, values) for a, b in combinations(nonzero, 2)]
+    if None in different:
         return Verdict.UNDECIDED
-    repeated = sum(v is True for v in same)
-    return Verdict.EQUIVALENT if len(nonzero) - repeated == sum(_degrees(s)) else Verdict.INCOMPLETE
+    repeated = different.count(False)
+    return Verdict.EQUIVALENT if len(nonzero) - repeated == sum(_degrees(place)) else Verdict.INCOMPLETE
 
 
-def _degrees(s: SmallOscillations) -> Iterator[int]:
+def _degrees(place: _Place) -> Iterator[int]:
     """The number of different frequencies of each factor, without zero and roots ω² known to be negative."""
-    factors = {f.factor: f for f in s.frequencies}
-    growing = {(f.factor, f.square) for f in s.frequencies if f.square is not None and sign_of(f.square) == -1}
+    frequencies = place.oscillations.frequencies
+    factors = {f.factor: f for f in frequencies}
+    squares = {(f.factor, f.square) for f in frequencies if f.square is not None}
+    none = [factor for factor, square in squares if place.sign(square) in (-1, 0)]
     for f in factors.values():
         if f.factor != f.letter:
-            yield int(sp.degree(f.factor, f.letter)) - sum(factor == f.factor for factor, _ in growing)
+            yield int(sp.degree(f.factor, f.letter)) - none.count(f.factor)

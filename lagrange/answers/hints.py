@@ -27,10 +27,10 @@ _GROUPS = {
     Group.VELOCITY: "a velocity term",
     Group.FORCE: "a force term (without velocities and accelerations)",
 }
-_DIFFERS = {
-    Group.INERTIA: "its terms with accelerations differ from those asked for",
-    Group.VELOCITY: "its terms with velocities are not right; the others are",
-    Group.FORCE: "its terms without velocities are not right; the others are",
+_TERMS = {
+    Group.INERTIA: "terms with accelerations",
+    Group.VELOCITY: "terms with velocities",
+    Group.FORCE: "terms without velocities and accelerations",
 }
 _DIMENSIONS = "its terms have different dimensions"
 _WHY = {
@@ -71,9 +71,18 @@ class Advisor:
         if change is None:
             return ""
         if change.slip is None:
-            return _DIFFERS[change.group] if change.group else ""
+            return self._differing(change)
         group = _GROUPS[change.group] if change.group else "a term"
         return f"{group} is missing" if change.slip is Slip.MISSING else f"look at {group}"
+
+    def _differing(self, change: Diagnosis) -> str:
+        """Which terms are not right, if they are of one kind."""
+        if change.group is None:
+            return ""
+        terms = _TERMS[change.group]
+        if change.absent:
+            return f"its terms are right, but {terms} are missing"
+        return f"something is wrong in its {terms}" + ("" if change.alone else "; the others are right")
 
     def _change(self, change: Diagnosis | None, sides: Sequence[sp.Expr | Vector]) -> str:
         if change is None:
@@ -141,7 +150,7 @@ def _is_on_the_right(term: sp.Expr, sides: Sequence[sp.Expr | Vector]) -> bool:
     """Whether a term of left side − right side comes from the right side."""
     if len(sides) != 2 or not isinstance(sides[1], sp.Expr):
         return False
-    return -term in (terms_of(sides[1]) or ())
+    return -term in (terms_of(sides[1]) or ()) or -term in sp.Add.make_args(sides[1])
 
 
 def _unsigned(term: sp.Expr) -> sp.Expr:

@@ -48,6 +48,8 @@ SYSTEMS = {
     "rolling": ("s", "m, I, R, g, alpha", ["(m + I/R^2)*s'' = m*g*sin(alpha)"]),
     "hoop": ("theta", "R, g, omega", ["R*theta'' - R*omega^2*sin(theta)*cos(theta) + g*sin(theta) = 0"]),
     "ladder": ("theta", "l, g", ["2*l*theta'' - 3*g*cos(theta)/2 = 0"]),
+    "drag": ("x", "m, k, b, c", ["m*x'' + b*x' + c*x'^2 + k*x = 0"]),
+    "lifted": ("X, h", "M, m, F", ["(M + m)*X'' = F", "m*h'' = 0"]),
     "sphere": (
         "theta, phi",
         "l, g",
@@ -187,7 +189,16 @@ TABLE = [
         "cos(a - b)",
     ),
     ("spring", "m*r'' - m*r*theta'^2 + k*r - m*g*cos(theta) = 0", Slip.MISSING, "force", "-k*l is missing"),
-    ("spring", "m*r'' - m*r*theta'^2 - k*(r - l) - m*g*cos(theta) = 0", None, None, "terms without velocities"),
+    ("spring", "m*r'' - m*r*theta'^2 - k*(r - l) - m*g*cos(theta) = 0", Slip.SIGN, "force", "the term k*(r - l)"),
+    (
+        "spring",
+        "m*r'' = m*r*theta'^2 + k*(r - l) + m*g*cos(theta)",
+        Slip.SIGN,
+        "force",
+        "the sign of the term k*(r - l)",
+    ),
+    ("coupled", "m*x'' + k*x - c*(x - y) = 0", Slip.SIGN, "force", "the sign of the term c*(x - y)"),
+    ("coupled", "m*x'' + k*x + 2*c*(x - y) = 0", Slip.FACTOR, "force", "c*(x - y) in place of 2*c*(x - y)"),
     ("spring", "m*r'' + k*(r - l) - m*g*cos(theta) = 0", Slip.MISSING, "velocity", "is missing"),
     ("spring", "m*r'' - m*r*theta'^2 + k*(r - l) - m*g*sin(theta) = 0", Slip.FUNCTION, "force", "cos(theta)"),
     ("spring", "r*theta'' + r'*theta' + g*sin(theta) = 0", Slip.FACTOR, "velocity", "a factor 2 is missing"),
@@ -273,8 +284,11 @@ def turned_spring() -> Reference:
 @pytest.mark.parametrize(
     ("equation", "words"),
     [
-        ("s'' = s*phi'^2 - g*sqrt(1 - sin(b)^2)", "terms without velocities are not right"),
-        ("s'' = abs(s)*phi'^2 - g*cos(b)", "terms with velocities are not right"),
+        (
+            "s'' = s*phi'^2 - g*sqrt(1 - sin(b)^2)",
+            "something is wrong in its terms without velocities and accelerations; the others are right",
+        ),
+        ("s'' = abs(s)*phi'^2 - g*cos(b)", "something is wrong in its terms with velocities; the others are right"),
     ],
 )
 def test_a_root_is_not_right_on_one_branch(equation: str, words: str) -> None:
@@ -283,6 +297,43 @@ def test_a_root_is_not_right_on_one_branch(equation: str, words: str) -> None:
         [found] = check_equations([Fragment.of(equation)], turned_spring()).equations
         assert words in found.diagnosis
         assert "measured" not in found.diagnosis
+
+
+IN_FORCES = "; something is wrong in its terms without velocities and accelerations; the others are right"
+IN_VELOCITIES = "; something is wrong in its terms with velocities; the others are right"
+IN_INERTIA = "; something is wrong in its terms with accelerations; the others are right"
+
+
+@pytest.mark.parametrize(
+    ("key", "equation", "said"),
+    [
+        ("pendulum", "theta'' - 3*(g/l)*cos(theta)^3 = 0", IN_FORCES),
+        ("hoop", "R*theta'' - R*omega^2*sin(theta) + g*cos(theta) = 0", IN_FORCES),
+        ("coupled", "m*x'' + 2*k*x + c*(x + y) = 0", IN_FORCES),
+        ("kepler", "r*phi'' - r'*phi' + phi'^2 = 0", IN_VELOCITIES),
+        ("pendulum", "theta'' + theta'^2*sin(theta) + theta'*cos(theta) + g/l*sin(theta) = 0", IN_VELOCITIES),
+        # Scaled so that the accelerations agree, its forces would differ; but they are right, and the inertia is wrong.
+        ("atwoodI", "(m1 - m2 - I/R^2)*x'' = (m1 - m2)*g", IN_INERTIA),
+        # Two wrong signs on the one scale, and two others on the other.
+        ("double", "l2*b'' + l1*a''*cos(a-b) + l1*a'^2*sin(a-b) - g*sin(b) = 0", ""),
+        ("cart", "(M-m)*x'' - m*l*theta''*cos(theta) - m*l*theta'^2*sin(theta) = 0", ""),
+        # Wrong in two groups.
+        ("atwoodI", "(m1 + m2)*x'' = (m1 + m2)*g", ""),
+        ("damped", "2*m*x'' + c*x' + 3*k*x = F*cos(omega*t)", ""),
+        ("spring", "r*theta'' + r'*theta' - g*sin(theta) = 0", ""),
+        # No velocities occur, and two terms with velocities are missing.
+        ("drag", "m*x'' + k*x = 0", "; its terms are right, but terms with velocities are missing"),
+    ],
+)
+def test_a_group_is_named_only_if_the_others_are_right(key: str, equation: str, said: str) -> None:
+    [found] = check_equations([Fragment.of(equation)], system(key)).equations
+    assert found.diagnosis == f"it does not follow from the equations of motion{said}"
+
+
+def test_a_change_into_a_term_that_vanishes_explains_nothing() -> None:
+    """h'' = 0 follows, so that any term may be replaced by a multiple of it."""
+    [found] = check_equations([Fragment.of("M*X'' + m*X'' + m*h'' = F + M*X''*cos(X)")], system("lifted")).equations
+    assert found.diagnosis.endswith("the term M*X''*cos(X) does not belong there")
 
 
 def test_several_slips_are_not_explained_away() -> None:

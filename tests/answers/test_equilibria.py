@@ -14,7 +14,18 @@ from lagrange.explain.report import report
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from tests.support.shared import loaded
-from tests.support.statics_texts import ATWOOD, BEAD, CHAIN, LEVER, PENDULUM
+from tests.support.statics_texts import (
+    ATWOOD,
+    BEAD,
+    CHAIN,
+    INCLINES,
+    LEVER,
+    PENDULUM,
+    PULLED_SPRING,
+    SCALES,
+    WIND,
+    WINDING,
+)
 
 TOGGLE = """
 title: Two rods as a toggle against a spring
@@ -35,6 +46,14 @@ def verdict(problem: Problem, *equations: str) -> Judgement:
     return check_answer(problem, tuple(Fragment.of(e) for e in equations))
 
 
+TORSION = """
+title: A pendulum with a torsion spring
+parameters: [k, W, l]
+coordinates: [theta]
+forces: {spring: {potential: k*theta^2/2}, weight: {potential: W*l*cos(theta)}}
+"""
+
+
 EQUIVALENT, WRONG, INCOMPLETE, TRIVIAL = Verdict.EQUIVALENT, Verdict.WRONG, Verdict.INCOMPLETE, Verdict.TRIVIAL
 ANSWERS = [
     ("ex16-rod-on-two-planes", ["tan(theta) = (2*k - 1)/tan(alpha)"], EQUIVALENT),
@@ -47,7 +66,7 @@ ANSWERS = [
     ("ex16-rod-on-two-planes", ["theta = 0"], WRONG),
     ("ex16-rod-on-two-planes", ["sin(theta)*(tan(theta)*tan(alpha) - 2*k + 1) = 0"], WRONG),
     ("ex16-rod-on-two-planes", ["l*sin(theta) = (z_B - z_A)*sin(alpha)"], INCOMPLETE),
-    ("ex16-rod-on-two-planes", ["k = 1/2"], INCOMPLETE),
+    ("ex16-rod-on-two-planes", ["k = 1/2"], WRONG),  # there is equilibrium for other k, and not everywhere for this
     ("ex16-rod-on-two-planes", ["k = 1/2", "theta = 0"], INCOMPLETE),
     ("ex16-rod-on-two-planes", ["sin(theta)^2 + cos(theta)^2 = 1"], TRIVIAL),
     (BEAD, ["sin(theta)*(a*cos(theta) - b) = 0"], EQUIVALENT),
@@ -100,6 +119,33 @@ ANSWERS = [
     (ATWOOD, ["W = 2*M"], WRONG),
     (LEVER, ["b*P + c*R = a*W"], EQUIVALENT),
     (LEVER, ["P = a*W/b"], WRONG),
+    # an angle that also occurs outside sines: where it is 0 or π, or any multiple of π, the string hangs down or up
+    (WINDING, ["theta = 0 or theta = pi or theta = -l/R"], EQUIVALENT),
+    (WINDING, ["sin(theta) = 0 or theta = -l/R"], EQUIVALENT),
+    (WINDING, ["theta = 0 or theta = pi"], INCOMPLETE),
+    (WINDING, ["theta = 2*pi"], INCOMPLETE),
+    (WINDING, ["theta = 0 or theta = pi/2"], WRONG),
+    (WINDING, ["theta = 0 or theta = l/R"], WRONG),
+    (TORSION, ["theta = 0"], INCOMPLETE),
+    (TORSION, ["theta = 2*pi"], WRONG),  # the spring is wound up there
+    # which of the two is above and which below depends on the sign of m g − H
+    (WIND, ["theta = atan(F/(m*g - H)) or theta = atan(F/(m*g - H)) + pi"], EQUIVALENT),
+    (WIND, ["theta = atan(F/(m*g - H)) or theta = pi - atan(F/(m*g - H))"], WRONG),
+    (WIND, ["theta = -atan(F/(m*g - H)) or theta = pi - atan(F/(m*g - H))"], WRONG),
+    (INCLINES, ["P*sin(alpha) = Q*sin(beta)"], EQUIVALENT),
+    (INCLINES, ["P = Q*sin(beta)/sin(alpha)", "x + y = L"], EQUIVALENT),
+    (INCLINES, ["P*cos(alpha) = Q*cos(beta)"], WRONG),
+    (SCALES, ["theta = pi/2 or theta = -pi/2 or P*a = Q*b"], EQUIVALENT),
+    (SCALES, ["P*a = Q*b"], INCOMPLETE),
+    (SCALES, ["P = Q"], WRONG),
+    # equations between parameters: no condition of equilibrium, or the case that the others are about
+    (PULLED_SPRING, ["P = 7*k*l"], WRONG),
+    (PULLED_SPRING, ["W = 7*l"], WRONG),
+    (PULLED_SPRING, ["x = P/k", "W = 7*l"], WRONG),
+    (PULLED_SPRING, ["x = 7*l", "P = 7*k*l"], INCOMPLETE),
+    (PULLED_SPRING, ["x = 7*l", "W = 7*l"], WRONG),
+    (LEVER, ["a = 7*b"], WRONG),
+    (LEVER, ["theta = 0"], WRONG),  # P and R are asked for, at every position
 ]
 
 
@@ -160,6 +206,32 @@ def test_what_is_said_of_an_answer() -> None:
     assert any("not an equilibrium" in e.diagnosis for e in found.equations.equations)
     assert "positions of equilibrium" in verdict(read(BEAD), "sin(theta)*(a*cos(theta) - b) = 0").headline
     assert verdict(read(BEAD), "theta = 0").equations.missing == 2
+
+
+@pytest.mark.parametrize(
+    ("problem", "equations", "said"),
+    [
+        (WIND, ["theta = atan(F/(m*g - H)) or theta = 0"], ["", "it holds in no position of equilibrium"]),
+        (SCALES, ["theta = 0"], ["it holds in no position of equilibrium, unless a*P = b*Q"]),
+        (PULLED_SPRING, ["x = P/k", "W = 7*l"], ["", "the conditions of equilibrium do not require it"]),
+        (
+            PULLED_SPRING,
+            ["x = 7*l", "W = 7*l"],
+            ["it holds in no position of equilibrium", "the conditions of equilibrium do not require it"],
+        ),
+        (TORSION, ["theta = pi"], ["it also holds where theta = pi, which is not an equilibrium"]),
+        (ATWOOD, ["x = L", "W = 2*M"], ["", "the conditions of equilibrium do not require it"]),
+        (
+            BEAD,
+            ["theta = 0", "theta = pi"],
+            ["it cannot hold together with the other equations and the constraints"] * 2,
+        ),
+    ],
+)
+def test_each_equation_is_tested_by_itself(problem: str, equations: list[str], said: list[str]) -> None:
+    found = examiner(problem).check(tuple(Fragment.of(e) for e in equations))
+    assert [e.diagnosis for e in found.each] == said
+    assert all((e.verdict is WRONG) == bool(e.diagnosis) for e in found.each)
 
 
 def test_answers_of_the_file() -> None:

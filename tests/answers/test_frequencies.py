@@ -14,6 +14,27 @@ coordinates: [x, y]
 particles: {P: {mass: m, position: x*i + y*j}}
 forces: {saddle: {potential: c*x^2/2 - f*y^2/2}}
 """
+ACCELERATED = """
+parameters: [m, g, l, a]
+coordinates: [theta]
+particles: {P: {mass: m, position: (a*t^2/2 + l*sin(theta))*i - l*cos(theta)*j}}
+gravity: -g*j
+"""
+WINDING = """
+parameters: [m, g, l, R]
+coordinates: [theta]
+let: {out: cos(theta)*i + sin(theta)*j, along: sin(theta)*i - cos(theta)*j}
+particles: {P: {mass: m, position: R*out + (l + R*theta)*along}}
+gravity: -g*j
+"""
+TWO_SPRINGS = """
+parameters: [m, k, l]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+forces:
+  left: {spring: k, between: [P, -l*i], length: l}
+  right: {spring: k, between: [P, l*i], length: l}
+"""
 
 
 @pytest.mark.parametrize(
@@ -22,12 +43,11 @@ forces: {saddle: {potential: c*x^2/2 - f*y^2/2}}
         (PENDULUM, "[sqrt(g/l)]", "equivalent"),
         (PENDULUM, "[-sqrt(g/l)]", "equivalent"),
         (PENDULUM, "[sqrt(l/g)]", "wrong"),
-        (PENDULUM, "[g*i]", "unreadable"),
         (DOUBLE, "[sqrt(g/l1)]", "wrong"),
         (COUPLED, '[sqrt(g/l), "sqrt(g/l + 2*c/m)"]', "equivalent"),
         (COUPLED, '["sqrt(g/l + 2*c/m)"]', "incomplete"),
         (COUPLED, '["sqrt(g/l + 2*c/m)", "-sqrt(g/l + 2*c/m)"]', "incomplete"),
-        (COUPLED, '[sqrt(g/l), "sqrt(g/l + c/m)"]', "wrong"),
+        (COUPLED, '[sqrt(g/l), "sqrt(g/l + c/m)"]', "undecided"),  # there are equilibria without a closed form
         (MOLECULE, '[0, sqrt(c/m), "sqrt(c/m*(1 + 2*m/M))"]', "equivalent"),
         (MOLECULE, '[sqrt(c/m), "sqrt(c/m*(1 + 2*m/M))"]', "equivalent"),
         (HOOP, '[["sqrt(g/R - Omega^2)"], ["sqrt(Omega^2 - g^2/(Omega^2*R^2))"]]', "equivalent"),
@@ -35,6 +55,15 @@ forces: {saddle: {potential: c*x^2/2 - f*y^2/2}}
         (DAMPED, "[sqrt(c/m)]", "undecided"),
         (PASS, "[sqrt(c/m)]", "equivalent"),  # ω² = −f/m grows, and is no frequency
         (PASS, "[sqrt(f/m)]", "wrong"),
+        (ACCELERATED, '["(g^2 + a^2)^(1/4)/sqrt(l)"]', "equivalent"),
+        (ACCELERATED, '["sqrt(g/(l*cos(theta)))"]', "equivalent"),  # cos θ at the equilibrium
+        (ACCELERATED, '["sqrt(sqrt(g^2 + a^2)/(2*l))"]', "wrong"),
+        (ACCELERATED, '["sqrt(g/l)"]', "wrong"),
+        (WINDING, '["sqrt(g/l)"]', "equivalent"),
+        (WINDING, '["sqrt(g/(l + R*theta))"]', "equivalent"),
+        (WINDING, '["sqrt(g/(l + R))"]', "undecided"),  # at θ = −l/R there are no linear equations
+        (TWO_SPRINGS, '["2*sqrt(k/m)"]', "undecided"),
+        (TWO_SPRINGS, '["sqrt(2*k/m)"]', "equivalent"),
     ],
 )
 def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
@@ -42,6 +71,35 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
     [answer] = compared_answers(solution)
     assert answer.name == "frequencies"
     assert answer.verdict.value == verdict
+
+
+@pytest.mark.parametrize(
+    ("text", "stated", "said"),
+    [
+        (PENDULUM, "[sqrt(l/g)]", ""),
+        (PENDULUM, '[sqrt(g/l), "2*sqrt(g/l)"]', "not right: 2*sqrt(g/l)"),
+        (PASS, '[sqrt(c/m), "sqrt(f/m)"]', "not right: sqrt(f/m)"),
+        (
+            TWO_SPRINGS,
+            '["2*sqrt(k/m)"]',
+            "it belongs to no equilibrium that is known, but not all are known in closed form",
+        ),
+        (
+            DAMPED,
+            "[sqrt(c/m)]",
+            "no equilibrium with a characteristic equation for the frequencies is known in closed form",
+        ),
+    ],
+)
+def test_the_reason_is_given(text: str, stated: str, said: str) -> None:
+    [answer] = compared_answers(solved(text, f"find: linearization\nanswers: {{frequencies: {stated}}}"))
+    assert answer.diagnosis == said
+
+
+def test_what_cannot_be_read_is_named() -> None:
+    solution = solved(PENDULUM, "find: linearization\nanswers: {frequencies: [g*i]}")
+    with pytest.raises(ProblemError, match="a frequency is a number, not a vector"):
+        list(compared_answers(solution))
 
 
 def test_an_imaginary_frequency_cannot_be_stated() -> None:

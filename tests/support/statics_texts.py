@@ -55,3 +55,45 @@ coordinates: [y]
 particles: {P: {position: "[h, y]"}}
 forces: {s: {spring: c, between: [P, "[0, 0]"], length: b}}
 """
+INCLINES = """
+title: Two weights on two inclines, joined by a string
+parameters: [P, Q, alpha, beta, L]
+coordinates: [x, y]
+particles:
+  A: {position: -x*cos(alpha)*i - x*sin(alpha)*j}
+  B: {position: y*cos(beta)*i - y*sin(beta)*j}
+constraints: {string: x + y = L}
+forces: {p: {on: A, vector: -P*j}, q: {on: B, vector: -Q*j}}
+find: equilibrium
+"""
+WINDING = """
+title: A weight on a string that winds around a cylinder
+parameters: [W, l, R]
+coordinates: [theta]
+let: {out: cos(theta)*i + sin(theta)*j, along: sin(theta)*i - cos(theta)*j}
+particles: {P: {position: R*out + (l + R*theta)*along}}
+forces: {weight: {on: P, vector: -W*j}}
+"""
+WIND = """
+title: A pendulum in the wind, with a balloon
+parameters: {m: positive, g: positive, l: positive, F: real, H: real}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}
+gravity: -g*j
+forces: {wind: {on: P, vector: F*i}, lift: {on: P, vector: H*j}}
+find: equilibrium
+"""
+PULLED_SPRING = """
+title: A spring pulled by a force
+parameters: [P, k, l, W]
+coordinates: [x]
+particles: {A: {position: x*i}}
+forces: {spring: {potential: k*x^2/2}, pull: {on: A, vector: P*i}}
+"""
+SCALES = """
+title: A balanced lever, in equilibrium everywhere if P a = Q b
+parameters: [P, Q, a, b]
+coordinates: [theta]
+particles: {A: {position: -a*cos(theta)*i - a*sin(theta)*j}, B: {position: b*cos(theta)*i + b*sin(theta)*j}}
+forces: {p: {on: A, vector: -P*j}, q: {on: B, vector: -Q*j}}
+"""

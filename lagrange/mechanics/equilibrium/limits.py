@@ -36,5 +36,5 @@ MOST_EXPANDED_ROWS = 4
 # Random parameters at which each branch of equilibria is tried as it is stated, and draws until its conditions hold;
 # unsolved equations of a branch on whose surface points are sought, which takes seconds with more.
 STATED_SAMPLES = 2
-MOST_DRAWS = 200
+MOST_STATED_DRAWS = 200
 MOST_UNSOLVED = 2

@@ -26,7 +26,7 @@ from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, LetteredAngle, N
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero, rank
 from lagrange.core.symbols import Sign
 from lagrange.core.verdicts import all_hold
-from lagrange.mechanics.equilibrium.limits import MOST_DRAWS, MOST_UNSOLVED, STATED_SAMPLES
+from lagrange.mechanics.equilibrium.limits import MOST_STATED_DRAWS, MOST_UNSOLVED, STATED_SAMPLES
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -69,7 +69,7 @@ def _sample(e: Equilibrium, b: Branch, random: Random) -> Iterator[Values]:
     given = _determined(relations, letters)
     bare = chain(e.work.forces, e.configuration.finite_constraints, (a for r in e.binding for a in r.coefficients))
     used = [*(letters.read(x) for x in bare), *(x for x, _ in read), *(r.rhs for r in relations)]
-    for _ in range(MOST_DRAWS):
+    for _ in range(MOST_STATED_DRAWS):
         numbers = _numbers(used, given, letters, coordinates, random)
         if all(_is_met(_value(x, numbers, letters), relation) for x, relation in read):
             yield from _positions(relations, numbers, letters)
