@@ -176,9 +176,10 @@ def _without_root(e: sp.Expr, positive: tuple[sp.Expr, ...]) -> sp.Expr:
     a, b = e.xreplace({root: sp.S.Zero}), sp.expand(e).coeff(root)
     if sp.expand(e - a - b * root) != 0 or a.has(root) or b.has(root) or sign_of(root.base, positive) not in (0, 1):
         return e
-    opposite = -sign_of(b, positive) if sign_of(b, positive) in (-1, 1) else None
-    if opposite is None:
+    of_b = sign_of(b, positive)
+    if of_b not in (-1, 1):
         return e
+    opposite = -of_b
     a = opposite * a
     squares = _without_positive_factors(sp.expand(a**2 - b**2 * root.base), positive)
     shorter = squares.count_ops() < e.count_ops()
