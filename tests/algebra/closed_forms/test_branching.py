@@ -86,3 +86,21 @@ def test_work_is_bounded() -> None:
     ]
     found = solutions(equations, unknowns)
     assert not found.solved
+
+
+def test_a_divisor_that_vanishes_later() -> None:
+    """u sin θ = v cos θ gives u = v cot θ; the branch with sin θ = 0 that v = 0 opens must not keep u = 0/0."""
+    found = solutions([read("u*sin(theta) - v*cos(theta)"), read("u*cos(theta) - a"), read("v*sin(theta) - b*v - theta*0")],
+                      [ANGLES["theta"], PLAIN["u"], PLAIN["v"]])  # fmt: skip
+    for b in found.branches:
+        for point in b.points:
+            assert not any(value.has(sp.nan, sp.zoo) for value in point.values())
+
+
+def test_the_root_of_several_unknowns() -> None:
+    """√(x² + y²) = l is x² + y² = l²; √(x² + y²) = −l has no solution, and neither has √(x² + y²) = 0 with = l."""
+    x, y = PLAIN["x"], PLAIN["y"]
+    [branch] = solutions([read("sqrt(x^2 + y^2) - l")], [x, y]).branches
+    assert [sp.expand(e) for e in branch.left] == [x**2 + y**2 - POSITIVE["l"] ** 2]
+    assert solutions([read("sqrt(x^2 + y^2) + l")], [x, y]).branches == ()
+    assert solutions([read("sqrt(x^2 + y^2)"), read("sqrt(x^2 + y^2) - l")], [x, y]).branches == ()
