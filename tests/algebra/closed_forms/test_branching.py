@@ -89,12 +89,14 @@ def test_work_is_bounded() -> None:
 
 
 def test_a_divisor_that_vanishes_later() -> None:
-    """u sin θ = v cos θ gives u = v cot θ; the branch with sin θ = 0 that v = 0 opens must not keep u = 0/0."""
-    found = solutions([read("u*sin(theta) - v*cos(theta)"), read("u*cos(theta) - a"), read("v*sin(theta) - b*v - theta*0")],
-                      [ANGLES["theta"], PLAIN["u"], PLAIN["v"]])  # fmt: skip
-    for b in found.branches:
-        for point in b.points:
-            assert not any(value.has(sp.nan, sp.zoo) for value in point.values())
+    """The multipliers of a linkage: u = v cot φ in the branch sin φ = 0 would be 0/0, and was kept as a number."""
+    texts = [
+        "a*v*cos(theta) - a*u*sin(theta) - M", "v*cos(phi) - u*sin(phi)", "W + c*u*sin(psi) - c*v*cos(psi)",
+        "a*cos(theta) + b*cos(phi) - c*cos(psi) - d", "a*sin(theta) + b*sin(phi) - c*sin(psi)",
+    ]  # fmt: skip
+    multipliers = [PLAIN["u"], PLAIN["v"]]
+    found = solutions([read(e) for e in texts], [*ANGLES.values(), *multipliers], multipliers)
+    assert all(not v.has(sp.nan, sp.zoo) for b in found.branches for p in b.points for v in p.values())
 
 
 def test_the_root_of_several_unknowns() -> None:
