@@ -170,7 +170,7 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
     """The solutions, each in a box."""
     if not equilibrium.branches:
         yield from _none(equilibrium, radicands)
-        yield from _singular(equilibrium)
+        yield from singular_places(equilibrium)
         return
     if all(not b.relations and not b.left for b in equilibrium.branches):
         yield prose("Every position is an equilibrium.", detail=Detail.BRIEF)
@@ -191,7 +191,7 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
         ]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
     yield from _remarks(equilibrium)
-    yield from _singular(equilibrium)
+    yield from singular_places(equilibrium)
     yield from _poles(equilibrium)
 
 
@@ -234,7 +234,7 @@ def _remarks(equilibrium: Equilibrium) -> Iterator[Block]:
         yield prose(words, *names, plural(len(equilibrium.undetermined), " remains free.", " remain free."))
 
 
-def _singular(equilibrium: Equilibrium) -> Iterator[Block]:
+def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
     """The positions at which a force has no value, and why that is so."""
     for place in equilibrium.singular:
         equations = place.branch.equations

@@ -96,4 +96,58 @@ parameters: [P, Q, a, b]
 coordinates: [theta]
 particles: {A: {position: -a*cos(theta)*i - a*sin(theta)*j}, B: {position: b*cos(theta)*i + b*sin(theta)*j}}
 forces: {p: {on: A, vector: -P*j}, q: {on: B, vector: -Q*j}}
+SPRING_ON_CIRCLE = """
+title: A spring to the top of a circle
+coordinates: [theta]
+particles: {B: {mass: 1, position: "0.5*sin(theta)*i + 0.5*cos(theta)*j"}}
+forces:
+  tie: {spring: 400, between: [0.5*j, B], length: 0.2}
+  weight: {on: B, vector: -10*j}
+find: equilibrium
+"""
+STRAIGHT_SPRING = """
+title: A spring on a line
+parameters: [k, l, F]
+coordinates: [x]
+particles: {P: {mass: 1, position: x*i}}
+forces:
+  tie: {spring: k, between: [0*i, P], length: l}
+  push: {on: P, vector: F*i}
+find: equilibrium
+"""
+POLE = """
+title: A repelling end of a circle
+coordinates: [theta]
+particles: {P: {mass: 1, position: sin(theta)*i + cos(theta)*j}}
+forces:
+  field: {potential: 2/norm(r_P + j)}
+  weight: {on: P, vector: -10*j}
+find: equilibrium
+"""
+CROSS_WIND = """
+title: A spherical pendulum in a cross wind
+parameters: [W, l]
+coordinates: [theta, phi]
+particles: {P: {position: l*sin(theta)*cos(phi)*i + l*sin(theta)*sin(phi)*j - l*cos(theta)*k}}
+forces: {all: {on: P, vector: W*(i + j - k)}}
+find: equilibrium
+"""
+SKATE = """
+title: A skate on a spring
+parameters: [K]
+coordinates: [x, y, theta]
+particles: {P: {mass: 1, position: x*i + y*j}}
+constraints: {blade: "sin(theta)*x' - cos(theta)*y' = 0"}
+forces: {spring: {potential: K*(x^2 + y^2)/2}}
+find: equilibrium
+"""
+FOUR_BAR = """
+title: A four-bar linkage under two couples
+parameters: [a, b, c, d, M_1, M_2]
+coordinates: [alpha, beta, gamma]
+constraints:
+  along: a*cos(alpha) + b*cos(beta) = d + c*cos(gamma)
+  across: a*sin(alpha) + b*sin(beta) = c*sin(gamma)
+forces: {couples: {potential: M_1*alpha - M_2*gamma}}
+find: equilibrium
 """

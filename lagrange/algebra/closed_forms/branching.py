@@ -40,6 +40,7 @@ from lagrange.algebra.closed_forms.solution_sets import (
     separated,
     sides,
     verified,
+    with_divisors,
     without_repetitions,
 )
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError, TrigLetters
@@ -104,6 +105,7 @@ def solutions(
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
     regular, singular = separated(branches, divisors, letters)
     kept, verdict = verified(regular, readable, letters)
+    kept = [with_divisors(b, divisors, letters) for b in kept]
     return SolutionSet(
         tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))
     )
@@ -458,14 +460,23 @@ class _BranchSearch:
 
     def _finished(self, state: _State) -> Branch:
         """The branch, its relations still in letters and as they were found."""
-        values = dict(state.values)
+        values, common = dict(state.values), dict(state.common)
         for letter, radicand in self.letters.roots.items():
             if letter not in values:
-                values[letter] = square_root(resolved(radicand, values)) if not state.signs else sp.sqrt(radicand)
+                values[letter] = self._root_of(resolved(radicand, values)) if not state.signs else sp.sqrt(radicand)
+            if letter not in common and not self.letters.unknowns_in(square := resolved(radicand, common)):
+                common[letter] = self._root_of(square)
         points = []
         for chosen in islice(product(*state.signs), MOST_BRANCH_POINTS):
             for more in chosen:
                 values |= more
             points.append({u: resolved(v, values) for u, v in values.items()})
         left = tuple(self.letters.write(e) for e in state.stuck)
-        return Branch(state.relations, state.conditions, tuple(points), state.common, state.special, left)
+        relations = tuple(dict.fromkeys(state.relations))
+        return Branch(relations, state.conditions, tuple(points), common, state.special, left)
+
+    def _root_of(self, radicand: sp.Expr) -> sp.Expr:
+        """The root, which is not negative: √((a − b)²) is not a − b."""
+        root = square_root(radicand)
+        sign = None if self.letters.unknowns_in(root) else sign_of(root)
+        return sp.sqrt(radicand) if sign is None else sign * root

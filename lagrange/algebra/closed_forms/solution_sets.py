@@ -17,7 +17,8 @@ from itertools import combinations
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN, MOST_BRANCH_POINTS
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.polynomial_roots import factors
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero
 from lagrange.algebra.closed_forms.single_equation import Relation, Values, root_at
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
@@ -169,6 +170,18 @@ def separated(
     return kept, excluded
 
 
+def with_divisors(b: Branch, divisors: Sequence[sp.Expr], letters: TrigLetters) -> Branch:
+    """The branch with the conditions on parameters under which no divisor vanishes."""
+    conditions = list(b.conditions)
+    for d in divisors:
+        value = resolved(d, b.common)
+        if b.special or b.left or not letters.unknowns_in(d) or letters.unknowns_in(value):
+            continue
+        above, _ = sp.fraction(sp.together(value))
+        conditions += [c for p in factors(above) or () if p.is_Add for c in different_from_zero(p)]
+    return replace(b, conditions=tuple(dict.fromkeys(conditions)))
+
+
 def _vanishes(divisor: sp.Expr, point: Values, letters: TrigLetters) -> bool:
     try:
         return bool(is_zero(letters.write(resolved(divisor, point))))
@@ -311,8 +324,10 @@ def _with_angles(
 def _joined(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
     """Each condition once; a ≥ b and a ≠ b are a > b."""
     relations_between: dict[tuple[sp.Expr, sp.Expr], set[str]] = {}
-    for c in conditions:
-        relations_between.setdefault((c.lhs, c.rhs), set()).add(c.relation)
+    for c in sorted(conditions, key=lambda c: c.relation == "≠"):
+        turned = c.relation == "≠" and (c.rhs, c.lhs) in relations_between
+        pair = (c.rhs, c.lhs) if turned else (c.lhs, c.rhs)
+        relations_between.setdefault(pair, set()).add(c.relation)
     joined = []
     for (lhs, rhs), relations in relations_between.items():
         for weak, strict in (("≥", ">"), ("≤", "<")):

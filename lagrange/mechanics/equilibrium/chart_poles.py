@@ -1,9 +1,9 @@
 """Poles of a chart among the equilibria: positions at which a coordinate moves nothing.
 
 With r = l (sin θ cos φ, sin θ sin φ, −cos θ) the position θ = 0 is the same for every φ. There δφ moves nothing, and
-the displacements δθ at one φ are not all the displacements of the particle. So Q_θ = Q_φ = 0 is necessary for equilibrium,
-and sufficient only if it holds for every φ: a horizontal force is not balanced at θ = 0, although Q_θ = F l cos φ
-vanishes for φ = π/2.
+the displacements δθ at one φ are not all the displacements of the particle. So Q_θ = Q_φ = 0 is necessary for
+equilibrium, and sufficient only if it holds for every φ: a horizontal force is not balanced at θ = 0, although
+Q_θ = F l cos φ vanishes for φ = π/2.
 
 A crank at its dead centre is no pole. There ∂r/∂φ vanishes for one value of φ, not for all.
 """

@@ -17,6 +17,7 @@ name.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import combinations
 from typing import assert_never
 
@@ -161,6 +162,10 @@ def check_linearization(linear: Linearization) -> list[Check]:
     """The checks of one set of coordinates."""
     name = linear.configuration.name
     checks = []
+    stated = stated_equilibria_hold(replace(linear.equilibrium, branches=linear.branches))
+    if stated is not None:
+        how = "exact, at positions sampled from what is stated"
+        checks.append(Check("every position of rest satisfies the equations of motion", stated, how, name))
     if any(s is not None for s in linear.at):
         passed = all_hold(_same_equations(linear))
         how = "exact: differentiated at each equilibrium"

@@ -86,3 +86,23 @@ def test_work_is_bounded() -> None:
     ]
     found = solutions(equations, unknowns)
     assert not found.solved
+
+
+def test_a_divisor_that_vanishes_later() -> None:
+    """The multipliers of a linkage: u = v cot φ in the branch sin φ = 0 would be 0/0, and was kept as a number."""
+    texts = [
+        "a*v*cos(theta) - a*u*sin(theta) - M", "v*cos(phi) - u*sin(phi)", "W + c*u*sin(psi) - c*v*cos(psi)",
+        "a*cos(theta) + b*cos(phi) - c*cos(psi) - d", "a*sin(theta) + b*sin(phi) - c*sin(psi)",
+    ]  # fmt: skip
+    multipliers = [PLAIN["u"], PLAIN["v"]]
+    found = solutions([read(e) for e in texts], [*ANGLES.values(), *multipliers], multipliers)
+    assert all(not v.has(sp.nan, sp.zoo) for b in found.branches for p in b.points for v in p.values())
+
+
+def test_the_root_of_several_unknowns() -> None:
+    """√(x² + y²) = l is x² + y² = l²; √(x² + y²) = −l has no solution, and neither has √(x² + y²) = 0 with = l."""
+    x, y = PLAIN["x"], PLAIN["y"]
+    [branch] = solutions([read("sqrt(x^2 + y^2) - l")], [x, y]).branches
+    assert [sp.expand(e) for e in branch.left] == [x**2 + y**2 - POSITIVE["l"] ** 2]
+    assert solutions([read("sqrt(x^2 + y^2) + l")], [x, y]).branches == ()
+    assert solutions([read("sqrt(x^2 + y^2)"), read("sqrt(x^2 + y^2) - l")], [x, y]).branches == ()

@@ -10,6 +10,7 @@ from tests.support.found_solutions import ALPHA, POSITIVE
 
 ANGLES = {n: sp.Symbol(n, real=True) for n in ["theta", "phi", "psi"]}
 PLAIN = {n: sp.Symbol(n, real=True) for n in ["x", "y", "z", "u", "v", "P", "Q"]}
+PLAIN |= {"F": sp.Symbol("F", positive=True)}
 NAMES = {**POSITIVE, **ANGLES, **PLAIN, **ALPHA}
 
 
@@ -41,3 +42,65 @@ def test_what_is_not_solved_stays_an_equation(text: str) -> None:
     assert b.relations == ()
     [left] = b.left
     assert sp.simplify(left / e).is_number
+
+
+def stated(text: str, unknowns: str) -> list[dict[str, str]]:
+    found = solutions([read(e) for e in text.split(";")], [read(u) for u in unknowns.split()])
+    assert found.verified
+    return [{str(r.lhs): str(r.rhs) for r in b.relations} for b in found.branches]
+
+
+def test_signs_of_two_angles_that_belong_together() -> None:
+    """cos θ (cos φ + sin φ) = sin θ: of the four points with tan θ = √2 and tan φ = 1 two are solutions."""
+    branches = stated("cos(theta)*(cos(phi) + sin(phi)) - sin(theta); (cos(phi) - sin(phi))*sin(theta)", "theta phi")
+    assert {"tan(theta)": "sqrt(2)", "phi": "pi/4"} in branches
+    assert {"tan(theta)": "-sqrt(2)", "phi": "-3*pi/4"} in branches
+    assert {"theta": "0", "tan(phi)": "-1"} in branches  # both signs: nothing to distinguish
+
+
+def test_an_angle_given_by_sine_and_cosine() -> None:
+    """Forces a and b across: φ is neither of the two angles with tan φ = b/a, but one."""
+    branches = stated("W*sin(theta) - cos(theta)*(a*cos(phi) + b*sin(phi)); a*sin(phi) - b*cos(phi)", "theta phi")
+    assert [set(b) for b in branches] == [{"tan(theta)", "sin(phi)", "cos(phi)"}] * 2
+
+
+def test_signs_that_do_not_belong_together_stay_open() -> None:
+    assert stated("a*sin(theta) - b*cos(theta); c*sin(phi) - b*cos(phi)", "theta phi") == [
+        {"tan(theta)": "b/a", "tan(phi)": "b/c"}
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "origin", "pole"),
+    [
+        ("sin(theta)*(1 - 3*sqrt(1 - cos(theta)))", "sin(theta)*(1/sqrt(1 - cos(theta)) - 3)", {"theta": "0"}),
+        ("sin(theta)*(a - b*(1 + cos(theta))^2)", "sin(theta)*(a/(1 + cos(theta))^2 - b)", {"theta": "pi"}),
+        ("x*(a*x^2 - b)", "(a*x^2 - b)/x", {"x": "0"}),
+        ("k*x*sqrt(x^2) - l*x", "k*x - l*x/sqrt(x^2)", {"x": "0"}),
+    ],
+)
+def test_where_an_equation_has_no_value(text: str, origin: str, pole: dict[str, str]) -> None:
+    unknown = [NAMES["x" if "x" in pole else "theta"]]
+    found = solutions([read(text)], unknown, origin=[read(origin)])
+    [place] = found.excluded
+    assert {str(r.lhs): str(r.rhs) for r in place.relations} == pole
+    assert all({str(r.lhs): str(r.rhs) for r in b.relations} != pole for b in found.branches)
+
+
+def test_the_border_of_a_condition_may_be_a_pole() -> None:
+    """k (x − l sign x) = −F has the root x = l − F/k where k l > F; for k l = F it would be x = 0."""
+    found = solutions([read("k*x - k*l*x/sqrt(x^2) + F")], [NAMES["x"]])
+    conditions = [(c.lhs, c.relation, c.rhs) for b in found.branches for c in b.conditions]
+    assert conditions == [(NAMES["k"] * NAMES["l"], ">", NAMES["F"])]
+
+
+def test_branches_within_others_are_dropped_with_what_is_left() -> None:
+    """A circle contains its points with θ = 0; a condition is no part of a branch without it."""
+    found = solutions(
+        [read("(x^2 + y^2 - a^2)*sin(theta)"), read("(x^2 + y^2 - a^2)*(x - 5)")], symbols_of("x y theta")
+    )
+    assert sum(bool(b.left) for b in found.branches) == 1
+
+
+def symbols_of(names: str) -> list[sp.Symbol]:
+    return [NAMES[n] for n in names.split()]

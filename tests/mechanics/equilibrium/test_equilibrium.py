@@ -22,7 +22,19 @@ from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
 from tests.support.shared import solved
-from tests.support.statics_texts import ATWOOD, BEAD, CHAIN, LEVER, PENDULUM, SPRINGS
+from tests.support.statics_texts import (
+    ATWOOD,
+    BEAD,
+    CHAIN,
+    FOUR_BAR,
+    LEVER,
+    PENDULUM,
+    POLE,
+    SKATE,
+    SPRING_ON_CIRCLE,
+    SPRINGS,
+    STRAIGHT_SPRING,
+)
 
 Read = Callable[[str], Problem]
 
@@ -379,3 +391,60 @@ def test_half_angles_tell_a_position_from_the_same_a_turn_later() -> None:
     assert sp.expand(at[-sp.pi].minors[0] - (W + Q / 2) * l) == 0
     assert at[-sp.pi].verdict is Stable.STABLE
     assert report(read(HALF)).holds  # in answers angles count modulo 2π
+
+
+# Where a force has no value, and what is not lost
+
+
+def singular(text: str) -> list[tuple[list[str], tuple[str, ...]]]:
+    found = solve(read(text)).own.equilibrium
+    assert found is not None
+    return [([f"{r.lhs} = {r.rhs}" for r in place.branch.relations], place.springs) for place in found.singular]
+
+
+@pytest.mark.parametrize(
+    ("text", "places", "kept"),
+    [
+        (SPRING_ON_CIRCLE, [(["theta = 0"], ("tie",))], [{"theta": "pi"}, {"cos(theta)": "329/361"}]),
+        (STRAIGHT_SPRING, [(["x = 0"], ("tie",))], [{"x": "(F + k*l)/k"}, {"x": "-(-F + k*l)/k"}]),
+        (POLE, [(["theta = pi"], ())], [{"theta": "0"}, {}]),
+    ],
+)
+def test_a_position_without_force_is_named(text: str, places: list, kept: list[dict[str, str]]) -> None:
+    """A spring of length 0, on a circle and on a line, and a pole of a potential."""
+    assert singular(text) == places
+    assert relations(solve(read(text)).own.equilibrium) == kept
+    explained = report(read(text), None, complete=False)
+    words = " ".join(
+        str(p) for s in explained.derivation.steps for b in s.body if isinstance(b, Prose) for p in b.parts
+    )
+    assert "not an equilibrium in the ordinary sense" in words
+
+
+def test_with_symbols_as_with_numbers() -> None:
+    """The same spring with a symbol for its stiffness: θ = 0 is named there too."""
+    text = SPRING_ON_CIRCLE.replace("coordinates", "parameters: [k]\ncoordinates").replace("400", "k")
+    assert singular(text) == [(["theta = 0"], ("tie",))]
+
+
+def test_no_position_is_lost_by_dividing_by_a_sine() -> None:
+    """A skate on a spring: x cos θ + y sin θ = 0 holds for θ = 0 or π with x = 0, for any y."""
+    found = solve(read(SKATE)).own.equilibrium
+    assert relations(found) == [
+        {"y": "-x*cos(theta)/sin(theta)"},
+        {"x": "0", "theta": "0"},
+        {"x": "0", "theta": "pi"},
+    ]
+    assert found is not None
+    assert found.needs_multipliers  # the elimination divides by sin θ
+
+
+def test_an_unsolved_linkage_states_its_moments() -> None:
+    """β = 0 with the two constraints alone is no equilibrium: the moments have to balance as well; no name is internal."""
+    found = solve(read(FOUR_BAR)).own.equilibrium
+    assert found is not None
+    used = {s.name for b in found.branches for r in b.equations for s in r.residual.free_symbols}
+    assert not any("of_equilibrium" in name for name in used)
+    assert all(any({"M_1", "M_2"} <= {s.name for s in e.free_symbols} for e in b.left) for b in found.branches)
+    for b in found.solution.branches:
+        assert not any(v.has(sp.nan, sp.zoo) for p in b.points for v in p.values())

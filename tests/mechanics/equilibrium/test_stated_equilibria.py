@@ -1,0 +1,75 @@
+"""The second route of equilibria: what is stated, in numbers, in the forces as they were. It must catch false branches."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.single_equation import Relation
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.diagnostics import Source
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import read_problem
+from tests.support.statics_texts import BEAD, FOUR_BAR, POLE, SKATE, SPRING_ON_CIRCLE, STRAIGHT_SPRING, CROSS_WIND
+
+THETA, PHI, BETA, X, Y = (sp.Symbol(n, real=True) for n in ("theta", "phi", "beta", "x", "y"))
+
+
+@cache
+def found(text: str) -> Equilibrium:
+    e = solve(read_problem(Source("problem.yaml", text))).own.equilibrium
+    assert e is not None
+    return e
+
+
+def stating(e: Equilibrium, *relations: tuple[sp.Expr, object], left: tuple[sp.Expr, ...] = ()) -> Equilibrium:
+    """The equilibrium with one branch, stated so."""
+    return replace(e, branches=(Branch(tuple(Relation(a, sp.sympify(b)) for a, b in relations), left=left),))
+
+
+@pytest.mark.parametrize("text", [BEAD, SPRING_ON_CIRCLE, STRAIGHT_SPRING, POLE, CROSS_WIND, SKATE])
+def test_what_is_stated_holds(text: str) -> None:
+    assert stated_equilibria_hold(found(text)) is True
+
+
+def test_a_force_without_value() -> None:
+    """A spring of length 0, on a circle and on a line, and a pole of the potential."""
+    assert stated_equilibria_hold(stating(found(SPRING_ON_CIRCLE), (THETA, 0))) is False
+    assert stated_equilibria_hold(stating(found(STRAIGHT_SPRING), (X, 0))) is False
+    assert stated_equilibria_hold(stating(found(POLE), (THETA, sp.pi))) is False
+
+
+def test_signs_that_belong_together() -> None:
+    """tan θ = −√2 and tan φ = 1: only where cos φ < 0."""
+    e = found(CROSS_WIND)
+    assert stated_equilibria_hold(stating(e, (sp.tan(THETA), -sp.sqrt(2)), (sp.tan(PHI), 1))) is False
+    assert stated_equilibria_hold(stating(e, (sp.tan(THETA), -sp.sqrt(2)), (PHI, -3 * sp.pi / 4))) is True
+
+
+def test_an_unsolved_branch_that_lacks_a_condition() -> None:
+    """β = 0 and the two constraints: the moments need not balance there."""
+    e = found(FOUR_BAR)
+    closed = tuple(f.xreplace({BETA: sp.S.Zero}) for f in e.configuration.finite_constraints)
+    assert stated_equilibria_hold(stating(e, (BETA, 0), left=closed)) is False
+
+
+def test_a_wrong_value_and_a_wrong_condition() -> None:
+    """cos θ = b/a where b ≤ a; with a/b there is no equilibrium where a ≤ b."""
+    a, b = sp.symbols("a b", positive=True)
+    e = found(BEAD)
+    assert stated_equilibria_hold(stating(e, (sp.cos(THETA), a / b))) is False
+    right = Branch((Relation(sp.cos(THETA), b / a),), (SignCondition(a, "≥", b),))
+    assert stated_equilibria_hold(replace(e, branches=(right,))) is True
+
+
+def test_positions_left_open() -> None:
+    """A skate on a spring: y = −x cot θ with any x and θ; x = 0 alone is no equilibrium."""
+    e = found(SKATE)
+    assert stated_equilibria_hold(stating(e, (Y, -X / sp.tan(THETA)))) is True
+    assert stated_equilibria_hold(stating(e, (X, 0))) is False
