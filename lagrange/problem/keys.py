@@ -164,7 +164,7 @@ PARAMETER = Form(
         Key("assume", Words(tuple(a.value for a in Assumption)), "What is assumed of it; positive by default."),
         Key("unit", "text", "Its unit, such as kg*m^2."),
         Key("meaning", "text", "What it is, in words."),
-        Key("value", "expression", "Its value, a rational number: 9.81, 1e-3, 2/3."),
+        Key("value", "expression", "Its value, a rational number with its unit: 9.81 m/s^2, 30 cm, 30 deg, 2/3."),
     ),
 )
 

@@ -60,7 +60,7 @@ class LoadContext:
         self.scope = Scope()
         self.budget = WorkBudget()
         self.unknowns: tuple[sp.Symbol, ...] = ()
-        self.values: dict[sp.Symbol, sp.Rational] = {}
+        self.values: dict[sp.Symbol, sp.Expr] = {}
         self.points: dict[str, Vector | None] = {}
         self.bodies: list[str] = []
         self._tested = 0

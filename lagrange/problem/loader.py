@@ -100,7 +100,7 @@ def _problem(source: Source, diagnostics: Diagnostics) -> Problem:
         bodies=things.bodies,
         constraints=constraints,
         gravity=gravity,
-        gravity_span=node.span if (node := root.get("gravity")) else None,
+        gravity_span=field.span if (field := root.get("gravity")) else None,
         forces=forces,
         unknowns=context.unknowns,
         speeds=speeds,

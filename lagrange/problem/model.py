@@ -27,13 +27,13 @@ from lagrange.problem.keys import Find as Find
 
 @record
 class Parameter:
-    """A constant of the problem; `value` is its exact number where the file gives one."""
+    """A constant of the problem; where the file gives a value, `value` is its exact number in units of SI."""
 
     symbol: sp.Symbol
     assume: Assumption = Assumption.POSITIVE
     unit: str = ""
     meaning: str = ""
-    value: sp.Rational | None = None
+    value: sp.Expr | None = None
 
 
 @record

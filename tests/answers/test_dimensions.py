@@ -6,11 +6,12 @@ from functools import cache
 
 import pytest
 
-from lagrange.answers.dimensions import dimension_of_unit, written
+from lagrange.answers.dimensions import dimension_of_unit
 from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import reference
 from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment, Source
+from lagrange.core.units import written
 from lagrange.problem.loader import read_problem
 from tests.answers.test_diagnosis import SYSTEMS
 

@@ -5,6 +5,9 @@ from __future__ import annotations
 import pytest
 import sympy as sp
 
+from lagrange.answers.equations import Verdict
+from lagrange.answers.examiner import check_answer
+from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.symbols import Sign, Unspecified, t
 from lagrange.core.vectors import Vector
 from lagrange.problem.model import (
@@ -99,3 +102,62 @@ def test_abbreviations_whatever_their_order(section: str) -> None:
     problem = read(f"{HEAD}let:\n  {section}\n")
     assert problem.scope.scalars["b"] == l**2 * x**2
     assert problem.scope.vectors["w"] == vector(l * v, 0, 0)
+
+
+@pytest.mark.parametrize(
+    ("declared", "value", "unit"),
+    [
+        ("value: 30 cm", "3/10", "m"),
+        ("value: 30, unit: cm", "3/10", "m"),
+        ("value: 30 cm, unit: m", "3/10", "m"),
+        ("value: 9.81 m/s^2", "981/100", "m/s^2"),
+        ("value: 9.81, unit: m/s²", "981/100", "m/s²"),
+        ("value: 30 deg", "pi/6", "rad"),
+        ("value: 30 °, unit: rad", "pi/6", "rad"),
+        ("value: 1200 rpm", "40*pi", "rad/s"),
+        ("value: 1e-3 kN", "1", "N"),
+        ("value: 2/3 km", "2000/3", "m"),
+        ("value: 50 1/s", "50", "1/s"),
+        ("value: 1e3", "1000", ""),
+        ("value: 2*3", "6", ""),
+        ("unit: furlong", None, "furlong"),  # words for the reader, as long as there is no value
+    ],
+)
+def test_values_are_in_units_of_si(declared: str, value: str | None, unit: str) -> None:
+    [parameter] = read(f"title: T\ncoordinates: [x]\nparameters: {{l: {{{declared}}}}}\n").parameters
+    assert parameter.value == (None if value is None else sp.sympify(value))
+    assert parameter.unit == unit
+
+
+@pytest.mark.parametrize(
+    ("declared", "code", "column"),
+    [
+        ("value: 30 cm, unit: kg", "unit-mismatch", 25),
+        ("value: 30 deg, unit: m", "unit-mismatch", 25),
+        ("value: 3 furlong", "unknown-unit", 25),
+        ("value: 3, unit: furlong", "unknown-unit", 34),
+        ("value: 5 J/kg K", "unknown-unit", 25),
+        ("value: -3 m", "value-against-assumption", 25),
+        ("value: 3e400000000 m", "number-too-long", 25),
+        ("value: 3 m^99999", "unknown-unit", 25),
+    ],
+)
+def test_a_unit_that_does_not_fit_is_an_error_at_its_place(declared: str, code: str, column: int) -> None:
+    with pytest.raises(ProblemError) as caught:
+        read(f"title: T\nparameters: {{l: {{{declared}}}}}\ncoordinates: [x]\n")
+    [finding] = caught.value.diagnostics
+    assert finding.code == code
+    assert finding.span is not None
+    assert finding.span.source.position(finding.span.start) == (2, column)
+
+
+def test_a_length_in_centimetres_beside_metres_per_second_squared() -> None:
+    """θ'' = −(g/l) sin θ with g = 10 m/s² and l = 50 cm is −20 sin θ; it came out as −sin θ/5."""
+    text = "title: T\nparameters: {m: positive, g: {value: 10 m/s^2}, l: {value: 50, unit: cm}}\ncoordinates: [theta]\n"
+    text += "particles: {P: {mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}\ngravity: -g*j\n"
+    problem = read(text)
+    judged = {
+        answer: check_answer(problem, (Fragment.of(answer),)).equations.verdict
+        for answer in ("theta'' = -20*sin(theta)", "theta'' = -sin(theta)/5")
+    }
+    assert [*judged.values()] == [Verdict.EQUIVALENT, Verdict.WRONG]

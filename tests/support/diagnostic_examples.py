@@ -204,6 +204,10 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "forces: {s: {spring: m, between: [P, '[0, 0]'], length: l, sense: positive}}")),
     "unknown-sequence": ("One of the twelve sequences of rotations.", problem(
         "bodies: {B: {mass: m, inertia: [m, m, m], position: x*i, orientation: {axes: 311, angles: [x, y, x]}}}")),
+    "unit-mismatch": ("The unit of a value has another dimension than the parameter's `unit`.",
+        problem("", parameters="{l: {value: 30 cm, unit: kg}}")),
+    "unknown-unit": ("A value has a unit that is not known, or ambiguous as `J/kg K` is.",
+        problem("", parameters="{l: {value: 3 furlong}}")),
     "value-against-assumption": ("Change the value or the assumption.",
         problem("", parameters="{m: {assume: positive, value: -1}}")),
     "wrong-kind": ("A list, a mapping or a value is given where another of these is required.",

@@ -48,7 +48,7 @@ class SpotValue:
     accelerations: Mapping[sp.Symbol, sp.Expr]
 
 
-def spot_value(system: System, given: Mapping[sp.Symbol, sp.Rational]) -> SpotValue | None:
+def spot_value(system: System, given: Mapping[sp.Symbol, sp.Expr]) -> SpotValue | None:
     """A spot value of a system; `given` are the values of parameters in the file. None if none was found."""
     if any(e.has(Unspecified) for e in system.equations):
         return None
@@ -62,7 +62,7 @@ def spot_value(system: System, given: Mapping[sp.Symbol, sp.Rational]) -> SpotVa
     return None
 
 
-def _at(system: System, given: Mapping[sp.Symbol, sp.Rational], trial: int) -> SpotValue | None:
+def _at(system: System, given: Mapping[sp.Symbol, sp.Expr], trial: int) -> SpotValue | None:
     configuration = system.configuration
     slots = configuration.slots
     used = set().union(*(e.free_symbols for e in _all_expressions(system)))
