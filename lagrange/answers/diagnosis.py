@@ -238,6 +238,7 @@ class _Search:
         moving = {*self.slots.coordinates, *self.slots.prescribed, t}
         unknowns = {*system.multipliers}
         self.parameters = sorted((s for s in used if base(s) not in moving and s not in unknowns), key=str)
+        self._moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         waves = set().union(*(e.atoms(sp.sin, sp.cos, sp.tan) for e in (equation, *system.equations)))
         self.angles = sorted({_positive(w.args[0]) for w in waves}, key=lambda a: (a.count_ops(), str(a)))
         # On some branches the equation may be right. Changes are sought at the first state, where it is wrong.
@@ -255,11 +256,31 @@ class _Search:
         total = [reduce(sum(column)) for column in zip(*rows, strict=True)]
         if state.vanishes(total):
             return None
+        others = []
         for candidates in (self._by_number, self._by_another, self._by_missing):
             for _, diagnosis in sorted(candidates(rows, total), key=lambda pair: pair[0]):
-                if self._holds(diagnosis):
+                if self._direct and (diagnosis.term, diagnosis.right) not in self._direct:
+                    others.append(diagnosis)
+                elif self._holds(diagnosis):
                     return diagnosis
-        return None
+        return next((diagnosis for diagnosis in others if self._holds(diagnosis)), None)
+
+    @cached_property
+    def _direct(self) -> set[tuple[sp.Expr | None, sp.Expr | None]]:
+        """The changes, term and right, that make the equation a multiple of a derived one, term by term.
+
+        They explain more than those that make it a combination of several: 3 F for F, where m s'' = 2 F and m s'' is
+        missing.
+        """
+        own = {*self.terms}
+        changes: set[tuple[sp.Expr | None, sp.Expr | None]] = set()
+        for derived in self.system.equations:
+            for scale, _ in self._scales_to(derived):
+                other = {*(terms_of(sp.Add(*(scale * term for term in terms_of(derived) or ()))) or ())}
+                lost, gained = own - other, other - own
+                if max(len(lost), len(gained)) == 1:
+                    changes.add((next(iter(lost), None), next(iter(gained), None)))
+        return changes
 
     def group(self) -> Group | None:
         """The group of terms in which the equation differs from the multiple c E of a derived one that is nearest.
@@ -379,7 +400,8 @@ class _Search:
                 if ratio is None:
                     continue
                 for cost, factor in self._scales_of(reduce(-ratio), term, derived):
-                    yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
+                    if (None, factor * term) in self._direct or factor.free_symbols.isdisjoint(self._moving):
+                        yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
 
     def _holds(self, diagnosis: Diagnosis) -> bool:
         """Whether the change makes the equation right at all states, and leaves an equation of motion."""
@@ -422,10 +444,8 @@ class _Search:
             if state.point.arithmetic.vanishes(state.point.arithmetic.reduce(value - wanted)):
                 yield 0.0, factor
                 return
-        moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         for cost, factor in sorted(self._factors_of(wanted, term), key=lambda pair: pair[0])[:1]:
-            if not factor.free_symbols & moving:
-                yield 1.5 + cost, factor
+            yield 1.5 + cost, factor
 
     def _as_number(self, value: Any) -> sp.Rational | None:
         """A value as a fraction of small numbers; None if it is none."""
@@ -461,13 +481,12 @@ class _Search:
 
     def _ratios_to(self, derived: sp.Expr) -> list[tuple[sp.Expr, Any]]:
         state = self.states[0]
-        moving = {*self.slots.coordinates, *self.slots.velocities, *self.slots.accelerations}
         scales: dict[sp.Expr, Any] = {}
         for own in self.terms:
             for term in terms_of(derived) or ():
                 scale = own / term
                 # A ratio that moves is taken only from terms with accelerations, as a factor of the whole equation.
-                moves = bool(scale.free_symbols & moving) and not self._is_inertia(term)
+                moves = bool(scale.free_symbols & self._moving) and not self._is_inertia(term)
                 if (
                     scale in scales
                     or moves

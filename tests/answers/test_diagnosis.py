@@ -336,6 +336,15 @@ def test_a_change_into_a_term_that_vanishes_explains_nothing() -> None:
     assert found.diagnosis.endswith("the term M*X''*cos(X) does not belong there")
 
 
+def test_a_missing_term_is_preferred_to_an_odd_factor() -> None:
+    """F = m s''/2 holds as well, so that 3 F in place of F would also be right."""
+    equations = "[\"m*s'' = m*g*sin(alpha) - F\", \"m*s''/2 = F\"]"
+    text = f"title: T\nparameters: [m, g, alpha]\ncoordinates: [s]\nunknowns: [F]\nequations: {equations}\n"
+    rolling = reference(read_problem(Source("problem.yaml", text)))
+    [found] = check_equations([Fragment.of("F = m*g*sin(alpha)")], rolling).equations
+    assert found.diagnosis.endswith("m*s'' is missing on its left side")
+
+
 def test_several_slips_are_not_explained_away() -> None:
     found = check_equations([Fragment.of("3*theta'' + theta'^2 = m*g*cos(theta)^2")], system("pendulum"))
     assert "one change" not in found.equations[0].diagnosis
