@@ -28,7 +28,7 @@ PLAIN = {
 }
 OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul}
 COMPARED = re.compile(r"\s(=|≠|≥|≤|>|<|!=|>=|<=)\s")
-NAME = re.compile(r"[^\W\d]\w*'*")
+NAME = re.compile(r"(?<![\w.])[^\W\d]\w*'*")
 FUNCTIONS = {*PLAIN, "cot", "sec", "csc", "atan2", "dot", "cross", "norm", "min", "max"}
 
 

@@ -55,10 +55,11 @@ def findings(seed: int) -> list[Finding]:
     """One random motion, and the same written in another way."""
     rng = random.Random(seed)
     system = random_system(rng)
-    found, values = check_system(system, random.Random(seed))
+    states = random_states(system, random.Random(seed))
+    found, values = check_system(system, states, states[0] if states else None)
     if seed % 3 == 1 and (system.constraints or system.forms):
         other = rewritten(system, rng)
-        again, others = check_system(other, random.Random(seed))
+        again, others = check_system(other, random_states(other, random.Random(seed)), states[0] if states else None)
         found += [replace(f, kind=f"{f.kind} (rewritten)") for f in again]
         for name in {*values} & {*others}:
             a, b = values[name], others[name]
@@ -150,9 +151,13 @@ def _mass_and_force(system: System, names: dict[str, Any], moving: Array, parame
 # What is printed
 
 
-def check_system(system: System, rng: random.Random) -> tuple[list[Finding], dict[str, float]]:
-    """All that is not true of what is printed, and the values of the named reactions at the first state."""
-    states = [s for s in (state(system, rng) for _ in range(4)) if s is not None][:STATES]
+def random_states(system: System, rng: random.Random) -> list[State]:
+    """A few consistent states."""
+    return [s for s in (state(system, rng) for _ in range(4)) if s is not None][:STATES]
+
+
+def check_system(system: System, states: Sequence[State], reference: State | None) -> tuple[list[Finding], dict[str, float]]:
+    """All that is not true of what is printed, and the values of the named reactions at the state `reference`."""
     shown = printed(system.text)
     if isinstance(shown, Finding):
         return [shown], {}
@@ -163,7 +168,10 @@ def check_system(system: System, rng: random.Random) -> tuple[list[Finding], dic
             found += _at(system, shown, s)
         if states:
             found += list(_integrals_missing(system, shown))
-            values = _named(system, shown, states[0])
+        if reference is not None:
+            values = _named(system, shown, reference)
+        if states:
+            found += list(_sizes(system, _named(system, shown, states[0]), states[0]))
     except NotReadError as error:
         found.append(Finding("not read back", str(error), "what is printed can be read", ""))
     return list({f.kind: replace(f, text=system.text) for f in reversed(found)}.values()), values
@@ -290,11 +298,34 @@ def _words(text: str) -> list[str]:
 def _named(system: System, shown: Printed, s: State) -> dict[str, float]:
     """The named reactions as they are boxed, as far as JSON has them as forces."""
     values = {}
+    reactions = shown.json.get("reactions") or {}
     for constraint, name in system.named.items():
-        stated = (shown.json.get("reactions") or {}).get(constraint, {})
-        text = stated.get("force", stated.get("tension", stated.get("multiplier")))
+        stated = reactions.get(constraint, reactions.get(name, {}))
+        text = stated.get("force", stated.get("tension"))
         if isinstance(text, str):
             value = evaluate(text, s.scope)
             if math.isfinite(value):
                 values[name] = value
     return values
+
+
+def _sizes(system: System, values: dict[str, float], s: State) -> Iterator[Finding]:
+    """The size of a named reaction is that of the force on each particle that it acts on: |λ| |∂f/∂r|; a tension of a rod pulls."""
+    names = _series(system, s.q, s.time, s.parameters)
+    zero = names["t"] * 0
+    for constraint, name in system.named.items():
+        if name not in values:
+            continue
+        total = s.multipliers[constraint] * s.rows[constraint]
+        forces = []
+        for _, r in system.particles.values():
+            rows = np.array([(zero + evaluate(c, names)).gradient[: len(s.q)] for c in r])
+            if np.abs(rows @ total).max() > 1e-9:
+                forces.append(float(np.linalg.norm(np.linalg.lstsq(rows.T, rows.T @ np.linalg.pinv(rows.T) @ total, rcond=None)[0])))
+        if forces and min(abs(abs(values[name]) - f) for f in forces) > 1e-6 * (1 + max(forces)):
+            yield Finding("named reaction", f"{name} = {values[name]:.8g}", f"the force is {forces[0]:.8g}")
+        if constraint == "rod":
+            place = np.array([s.scope[x] for x in ("x", "y")])
+            pulls = -float(total @ place / np.linalg.norm(place))
+            if abs(values[name] - pulls) > 1e-6 * (1 + abs(pulls)):
+                yield Finding("named reaction", f"the tension of the rod is {values[name]:.8g}", f"{pulls:.8g}, positive where it pulls")

@@ -68,7 +68,8 @@ def _compared(
     system: System, shown: Printed, places: Sequence[Rest], draws: Sequence[dict[str, float]], rng: random.Random
 ) -> list[Finding]:
     branches = list(zip(shown.json.get("equilibrium", []), shown.json.get("equilibrium_conditions", []), strict=True))
-    found = [f for n in range(len(branches)) for f in _points(system, branches[n], draws, rng)]
+    named_singular = "coordinates are singular there" in shown.page()
+    found = [f for branch in branches for f in _points(system, branch, draws, rng, named_singular)]
     for r in places:
         if not any(satisfies(system, r, *b) for b in branches):
             said = "; ".join(" and ".join(b) for b, _ in branches) or "no equilibrium"
@@ -136,9 +137,10 @@ def sampled(
 
 
 def _points(
-    system: System, branch: tuple[list[str], list[str]], draws: Sequence[dict[str, float]], rng: random.Random
-) -> Iterator[Finding]:
-    """Points of a branch that are in no equilibrium; a branch without points."""
+    system: System, branch: tuple[list[str], list[str]], draws: Sequence[dict[str, float]], rng: random.Random,
+    named_singular: bool,
+) -> Iterator[Finding]:  # fmt: skip
+    """Points of a branch that are in no equilibrium; a branch without points. named_singular: poles are named as such."""
     relations, conditions = branch
     said = " and ".join(relations) + (f" where {', '.join(conditions)}" if conditions else "")
     any_point = outside = False
@@ -163,6 +165,8 @@ def _points(
             if force > 1e-5 * size:
                 yield Finding("false equilibrium", said, f"at {where} a force {force:.4g} remains")
                 return
+            if named_singular:
+                continue
             if is_pole(system, q, parameters) is not None and not rests_at_pole(system, q, parameters):
                 yield Finding("pole of a chart", said, f"at {where} the coordinates are singular, and there is no equilibrium")
                 return
@@ -175,6 +179,7 @@ def _points(
 
 # Stability
 
+SOLVED = re.compile(r"(\w+|\w+\(\w+\)) = ")
 STABLE_WHERE = re.compile(r"(?<!un)stable where (.*?)(?:, unstable where|; elsewhere|\.(?:\s|\"|$))")
 
 
@@ -206,7 +211,7 @@ def _judged_stability(
     system: System, places: Sequence[Rest], verdict: str, conditions: list[str] | None, said: str, kind: str
 ) -> list[Finding]:
     """One verdict against the numbers at each of its places. Undecided is no fault where equations are left unsolved."""
-    solved = not re.search(r" = 0(?: and|:)", re.sub(r"\b(\w+|(?:sin|cos|tan)\(\w+\)) = 0", r"\1 = zero", said))
+    solved = all(SOLVED.match(part) for part in said.removesuffix(f": {verdict}").split(" and "))
     truths = {r.stable for r in places}
     for r in places:
         if r.stable is None:
