@@ -313,7 +313,7 @@ def _length(row: Row, d: Vector, squared: sp.Expr, ratio: sp.Expr, slots: Slots)
     if ratio.free_symbols.isdisjoint(moving):
         square = sp.factor(textbook_form(squared - 2 * row.finite / ratio))
     if square is None or square.free_symbols & moving:
-        square = _by_elimination(row, squared, slots) or _of_root(row, squared, moving)
+        square = _by_elimination(row, squared, slots)
     if square is None or square.free_symbols & moving:
         return None
     return sp.sqrt(square)
@@ -326,13 +326,3 @@ def _by_elimination(row: Row, squared: sp.Expr, slots: Slots) -> sp.Expr | None:
     if not solution.expressed:
         return None
     return sp.factor(textbook_form(squared.xreplace(dict(solution.expressed))))
-
-
-def _of_root(row: Row, squared: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr | None:
-    """|d|² from a relation that is linear in |d| = sqrt(d·d)."""
-    length = sp.Dummy("length", positive=True)
-    f = sp.sympify(row.finite, strict=True).xreplace({squared: length**2})
-    slope = f.diff(length)
-    if f.free_symbols & moving or slope == 0 or length in slope.free_symbols:
-        return None
-    return (-f.xreplace({length: sp.S.Zero}) / slope) ** 2

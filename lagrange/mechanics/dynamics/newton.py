@@ -351,7 +351,7 @@ def _reaction(
     acts = None if placed is None else form_as_forces(shown, placed, configuration.states)
     rod = None
     if acts is not None and acts.forces and not others and not acts.moments:
-        rod = recognised_rod(row, configuration.points, dict(acts.forces), configuration.slots, configuration.states)
+        rod = recognised_rod(shown, configuration.points, dict(acts.forces), configuration.slots, configuration.states)
     if acts is not None and rod is not None:
         acts = Forces(_along(rod, acts.forces), acts.moments)
     by = constraint.by or (Keeper.SURFACE if is_surface else None)
