@@ -96,7 +96,7 @@ def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_At
     If it is right in none, then also with radii taken as positive.
     """
     tried = []
-    for candidate in reference.candidates:
+    for candidate in reference.candidates_for({s.name for r in readings for e in r.components for s in e.free_symbols}):
         attempt = _attempt(readings, candidate, reference)
         if attempt is not None:
             yield attempt

@@ -8,15 +8,15 @@ right if it holds at every equilibrium, exactly.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.answers.force_names import meanings, other_readings
 from lagrange.answers.readings import Reading
-from lagrange.answers.references import AS_MULTIPLIER, AS_THRUST, Reference, ReferenceCandidate
+from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import base
@@ -24,6 +24,7 @@ from lagrange.core.vectors import Vector
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import read_equation, read_value
 from lagrange.mechanics.dynamics.comparison import Standing, compare
+from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def _rank(verdict: Verdict, order: Sequence[Verdict]) -> int:
 def _judged(text: str, claim: Claim, reference: Reference) -> Iterator[EquationVerdict]:
     """The verdicts on a claim in all sets of coordinates that have what it uses."""
     zero, remarks = claim
-    for c in reference.candidates:
+    for c in reference.candidates_for({s.name for s in zero.free_symbols}):
         verdict = _verdict(zero, c, reference)
         if verdict is not None:
             right = verdict is Verdict.EQUIVALENT
@@ -99,19 +100,25 @@ def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> lis
 
 def _meanings(reaction: Reaction) -> Iterator[tuple[sp.Expr, str]]:
     """The forces that one number for a reaction may be, each with a remark."""
-    multiplier = reaction.multiplier
-    if reaction.rod is not None:
-        tension = reaction.rod.factor * multiplier
-        yield tension, ""
-        yield -tension, "it is taken as a force that pushes, the opposite of the tension"
-        yield multiplier, f"it is taken as the multiplier `{multiplier}`, not as the tension"
+    multiplier, single = reaction.multiplier, reaction.single
+    force = multiplier if single is None else single.factor * multiplier
+    if reaction.given is not None:
+        yield from ((meaning.ratio * force, meaning.remark) for meaning in meanings(reaction))
         return
-    yield multiplier, ""
-    if reaction.is_normal and reaction.directions:
-        [direction] = reaction.directions.values()
-        size = textbook_form(sp.sqrt(textbook_form(direction.dot(direction))))
-        yield size * multiplier, ""
-        yield -size * multiplier, "it is taken as the normal force against the gradient of the constraint"
+    is_tension = single is not None and single.kind is ForceKind.TENSION
+    if not is_tension:
+        yield multiplier, ""
+    if single is not None:
+        yield force, ""
+        yield -force, _OPPOSITE[single.kind]
+    if is_tension:
+        yield multiplier, f"it is taken as the multiplier `{multiplier}`, not as the tension"
+
+
+_OPPOSITE = {
+    ForceKind.TENSION: "it is taken as a force that pushes, the opposite of the tension",
+    ForceKind.ALONG: "it is taken as the force against the gradient of the constraint",
+}
 
 
 def _verdict(claim: sp.Expr, candidate: ReferenceCandidate, reference: Reference) -> Verdict | None:
@@ -142,7 +149,7 @@ class AtRest:
         self.newton = newton
         self.reactions = reactions
         self.reference = reference
-        self.names = {*newton.multipliers_by_name.values(), *newton.tensions}
+        self.names = {*newton.multipliers_by_name.values(), *newton.single_forces}
 
     def check_stated(self, fragment: Fragment, reaction: Reaction) -> EquationVerdict | None:
         """The verdict on the stated value of one reaction, as `check_reaction` gives it for a moving system."""
@@ -168,22 +175,21 @@ class AtRest:
     def _judged(self, text: str, claims: Sequence[sp.Expr], remarks: tuple[str, ...] = ()) -> Iterator[EquationVerdict]:
         """The verdicts on claims that are all meant, for each meaning of the names in each set of coordinates."""
         used = set().union(*(e.free_symbols for e in claims))
-        for meaning, remarks_on_names in self._meanings():
-            of_names = tuple(remark for s, remark in remarks_on_names.items() if s in used)
+        for meaning, remarks_on_names in self._meanings({s.name for s in used}):
+            of_names = tuple(remarks_on_names.values())
             for reactions in self.reactions:
                 verdict = self._holds(claims, meaning, reactions)
                 if verdict is not None:
                     right = verdict is Verdict.EQUIVALENT
                     yield EquationVerdict(text, verdict, remarks=(*remarks, *of_names) if right else ())
 
-    def _meanings(self) -> Iterator[tuple[Mapping[sp.Symbol, sp.Expr], Mapping[sp.Symbol, str]]]:
-        """The meanings of the names of forces, with remarks; that of a rod is its tension, thrust or multiplier."""
-        tensions = self.newton.tensions
-        yield tensions, {}
-        named = {r.tension: r.multiplier for r in self.newton.reactions if r.named and r.tension is not None}
-        if named:
-            yield {**tensions, **{s: -tensions[s] for s in named}}, {s: AS_THRUST.format(s) for s in named}
-            yield {**tensions, **named}, {s: AS_MULTIPLIER.format(s) for s in named}
+    def _meanings(self, used: Collection[str]) -> Iterator[tuple[Mapping[sp.Symbol, sp.Expr], Mapping[str, str]]]:
+        """The meanings of the names of forces in multipliers, with remarks on those that differ from the derivation."""
+        usual = self.newton.single_forces
+        yield usual, {}
+        for reading in other_readings(self.newton, used):
+            other = {s: ratio * usual.get(s, s) for s, ratio in reading.ratios.items()}
+            yield {**usual, **other}, reading.remarks
 
     def _holds(
         self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], reactions: StaticReactions

@@ -4,18 +4,19 @@ A solved problem gives one system for the file's own coordinates and one for eac
 constraints that remain there as unknowns. An answer in the coordinates of a choice may also use the multipliers of
 constraints that these coordinates satisfy identically (the tension of a pendulum's rod, with the angle): it is compared
 with the file's own equations, rewritten in the choice. Names of forces in an answer are replaced by their meanings,
-T = −2 l λ; if several meanings are usual, each is tried.
+T = −2 l λ; where an answer is not right with these, the other usual ones are tried (`force_names`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from functools import cached_property
 
 import sympy as sp
 
 from lagrange.answers.dimensions import Mismatch, mismatch
+from lagrange.answers.force_names import other_readings
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
@@ -26,6 +27,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import multiplier_system
 from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
+from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.solution import Solution, letters_of_oscillations, small_displacements
@@ -98,10 +100,6 @@ class ReferenceCandidate:
         return tuple(remark for name, remark in self.remarks.items() if name in used)
 
 
-AS_THRUST = "`{}` is taken as a force that pushes; in the derivation it is a tension, positive if it pulls"
-AS_MULTIPLIER = "`{}` is taken as the multiplier of the constraint; in the derivation it is the tension"
-
-
 @record
 class Reference:
     """The systems with which answers to a problem are compared.
@@ -111,6 +109,7 @@ class Reference:
     values      the numbers that the file gives to parameters
     unknowns    declared unknown forces
     units       units of parameters and coordinates, as far as the file gives them
+    newton      the reactions, whose names may have other meanings in an answer; None if there are none
     """
 
     scope: Scope
@@ -118,6 +117,15 @@ class Reference:
     values: Mapping[sp.Symbol, sp.Rational]
     unknowns: tuple[sp.Symbol, ...] = ()
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    newton: Newton | None = None
+
+    def candidates_for(self, used: Collection[str]) -> Iterator[ReferenceCandidate]:
+        """The candidates for an answer with these names: as in the derivation, then for other meanings of reactions."""
+        yield from self.candidates
+        for reading in other_readings(self.newton, used):
+            for c in self.candidates:
+                other = {s: ratio * c.meanings.get(s, s) for s, ratio in reading.ratios.items()}
+                yield replace(c, meanings={**c.meanings, **other}, remarks=reading.remarks)
 
     def mismatch(self, reading: Reading) -> Mismatch | None:
         """Terms of an equation whose dimensions differ; None if they agree, or if that is not known."""
@@ -169,26 +177,17 @@ def reference_of_solution(solution: Solution) -> Reference:
     certain = _settled(solution)
     plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
-    return Reference(wider, candidates, values, problem.unknowns, units_of(problem))
+    newton = solution.law.newton if solution.law else None
+    return Reference(wider, candidates, values, problem.unknowns, units_of(problem), newton)
 
 
 def _with_meanings(candidates: list[ReferenceCandidate], solution: Solution) -> Iterator[ReferenceCandidate]:
-    """The candidates, once for each usual meaning of the names of forces.
+    """The candidates with the meanings that the names of forces have in the derivation.
 
-    The name that a file gives to the reaction of a rod is its tension; but with R = λ ∂f/∂r in mind it may mean the
-    multiplier, and with a strut or a sphere in mind the thrust. These are right too, with a remark. If friction brings
-    in |λ|, which is not linear, λ is replaced by its derived value.
+    If friction brings in |λ|, which is not linear, λ is also replaced by its derived value.
     """
-    newton = solution.law.newton if solution.law else None
-    tensions = newton.tensions if newton else {}
-    yield from (replace(c, meanings=tensions) for c in candidates)
-    named = {r.tension: r for r in newton.reactions if r.named and r.tension is not None} if newton else {}
-    as_thrust: dict[sp.Symbol, sp.Expr] = {s: -tensions[s] for s in named}
-    as_multiplier: dict[sp.Symbol, sp.Expr] = {s: r.multiplier for s, r in named.items()}
-    for meaning, words in ((as_thrust, AS_THRUST), (as_multiplier, AS_MULTIPLIER)):
-        meanings, only = {**tensions, **meaning}, frozenset(s.name for s in named)
-        remarks = {s.name: words.format(s.name) for s in named}
-        yield from (replace(c, meanings=meanings, only_for=only, remarks=remarks) for c in candidates if only)
+    meant = solution.law.newton.single_forces if solution.law else {}
+    yield from (replace(c, meanings=meant) for c in candidates)
     yield from _with_values_of_reactions(candidates, solution)
 
 
@@ -201,9 +200,11 @@ def _with_values_of_reactions(candidates: list[ReferenceCandidate], solution: So
             continue
         values = motion.reactions.values
         known = {r.reaction.multiplier: values.get(r.reaction.multiplier) for r in motion.friction_forces}
-        meant = {s: v for s, v in known.items() if v is not None}
-        kept = tuple(m for m in c.multipliers if m not in meant)
-        only = frozenset(s.name for s in meant)
+        valued = {s: v for s, v in known.items() if v is not None}
+        forces = solution.law.newton.single_forces if solution.law else {}
+        meant = valued | {s: e.xreplace(valued) for s, e in forces.items()}
+        kept = tuple(m for m in c.multipliers if m not in valued)
+        only = frozenset(s.name for s in meant if s in valued or forces[s].free_symbols & {*valued})
         yield replace(c, meanings=meant, only_for=only, named=only, multipliers=kept)
 
 
@@ -217,7 +218,8 @@ def _settled(solution: Solution) -> dict[sp.Expr, sp.Expr]:
         for r in motion.friction_forces if motion is not None else ():
             if r.friction.contact is not None:
                 multiplier = r.reaction.multiplier
-                settled |= {sp.Abs(multiplier): r.contact * multiplier, sp.sign(multiplier): r.contact}
+                for unknown in (multiplier, r.reaction.force):
+                    settled |= {sp.Abs(unknown): r.contact * unknown, sp.sign(unknown): r.contact}
                 value = motion.reactions.values.get(multiplier) if motion and motion.reactions else None
                 inside = sp.Abs(value).atoms(sp.Abs) if value is not None else set()
                 settled |= {a: r.contact * value * a / sp.Abs(value) for a in inside if len(inside) == 1}
@@ -302,7 +304,7 @@ def _reactions(solution: Solution) -> dict[str, sp.Expr]:
         return {}
     newton = solution.law.newton
     signs = solution.own.dynamics.signs if solution.own.dynamics is not None else ()
-    named = (*newton.multipliers_by_name.values(), *newton.tensions, *signs)
+    named = (*newton.multipliers_by_name.values(), *newton.single_forces, *signs)
     return {s.name: s for s in named}
 
 
@@ -357,7 +359,7 @@ def _candidates(solution: Solution) -> Iterator[ReferenceCandidate]:
     unknowns = solution.problem.unknowns
     yield _candidate("", solution.own.motion, solution)
     reactions = tuple(c.reaction for c in solution.problem.constraints)
-    tensions = solution.law.newton.tensions if solution.law else {}
+    tensions = solution.law.newton.single_forces if solution.law else {}
     for c in solution.choices:
         if c.motion is None:
             continue

@@ -71,7 +71,8 @@ def _of_reactions(setup: LagrangeExposition) -> list[Prose]:
     ]  # fmt: skip
     for r in [] if setup.friction_forces else rows:
         reaction = setup.reaction(r)
-        if reaction.directions is not None and (reaction.rod is not None or reaction.is_normal):
+        is_explained = reaction.rod is not None or reaction.is_normal or reaction.given is not None
+        if reaction.directions is not None and is_explained:
             sentences += nature(reaction)
         if reaction.named:
             multiplier = math(reaction.multiplier, reaction.per_force * reaction.force)
@@ -274,8 +275,8 @@ def _eliminated(setup: LagrangeExposition) -> list[Block]:
         for r, value in zip(reactions, motion.forces, strict=True)
     ]
     long = any(line.sides[1].count_ops() > LONGEST for line in lines if isinstance(line.sides[1], sp.Expr))
-    names = {r.named for r in reactions}
-    what = "reaction" if len(names) > 1 else "tension" if True in names else "multiplier"
+    names = {r.called for r in reactions}
+    what = "reaction" if len(names) > 1 else names.pop()
     of = plural(len(motion.elimination.dependent), "The equation for ", "The equations for ")
     gives = plural(len(motion.elimination.dependent), " gives the ", " give the ")
     solved = (of, *dependent, *where, gives, plural(len(lines), what, f"{what}s"))

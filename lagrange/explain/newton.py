@@ -12,8 +12,11 @@ from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.words import capital, constraints_called, counted, joined, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.friction import FrictionForce
+from lagrange.mechanics.dynamics.named_forces import ForceKind, SingleForce
 from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction, WorkOfReaction
+from lagrange.problem.model import Keeper
 
 ZERO = sp.S.Zero
 LONGEST = 8
@@ -53,38 +56,90 @@ def _without_bodies(newton: Newton, rigid: bool) -> list[Block]:
     words = f"{'The' if one else 'Each'} constraint is maintained by a reaction, whose generalized forces are the "
     words += f"coefficients of its form times an unknown multiplier{' ' if one else ': '}"
     shared = f" How {'it is' if one else 'they are'} distributed among the particles, the coordinates do not determine."
-    return [prose(words, *multipliers, "." if rigid else f".{shared}")]
+    known = [s for r in newton.reactions if r.single is not None for s in nature(r)]
+    return [prose(words, *multipliers, "." if rigid else f".{shared}"), *known]
 
 
 def nature(reaction: Reaction) -> list[Prose]:
     """The kind of force that maintains a constraint."""
-    called = constraints_called([reaction.name])
-    multiplier = math(reaction.multiplier)
     if reaction.rod is not None:
-        rod = reaction.rod
-        first, second = rod.ends
-        other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
-        like = "as that of a rod" if second else "as that of a rod, or of a smooth circle or sphere"
-        beginning: list[Part] = [
-            f"{capital(called)} keeps {the(first)} at the distance ", math(rod.length), f" from {other}: its "
-            f"reaction acts along the line joining them, {like}.",
-        ]  # fmt: skip
-        if reaction.tension is None:
-            return [prose(*beginning)]
-        tension = (reaction.tension,) if reaction.named else (reaction.tension, rod.factor * reaction.multiplier)
-        return [prose(*beginning, " Its tension, positive where it pulls, is ", math(*tension), ".")]
+        return [_of_rod(reaction, reaction.rod)]
+    called, single = constraints_called([reaction.name]), reaction.single
+    if single is not None and single.kind is ForceKind.TENSION:
+        if reaction.symbol_of_force is None:
+            what: tuple[Part, ...] = ("a tension. It is ", math(single.factor * reaction.multiplier))
+        else:
+            what = ("the tension ", math(*_valued(reaction, reaction.symbol_of_force)))
+        return [
+            prose(f"{capital(called)} keeps a length constant: its reaction is ", *what, ", positive where it pulls.")
+        ]
+    if single is not None and reaction.given is not None:
+        return [_along(reaction, single, reaction.given)]
+    multiplier = math(reaction.multiplier)
     if reaction.is_normal and reaction.directions:
         [particle] = reaction.directions
         words = f"{capital(called)} keeps {the(particle)} on a surface or curve, and its reaction is normal to it: "
         return [prose(words, multiplier, " times the gradient.")]
     if not reaction.acts_on:
-        return [prose(f"{capital(called)} acts on no particle.")]
+        return [prose(f"{capital(called)} acts on no particle.", *_not_a_force(reaction))]
     form = "the coefficients of its form"
     if reaction.row.nonlinear is not None:
         form = "the derivatives of the constraint with respect to the velocities"
-    return [
-        prose(f"The reaction of {called} on {joined(map(the, reaction.acts_on))} is ", multiplier, f" times {form}.")
-    ]
+    words = f"The reaction of {called} on {joined(map(the, reaction.acts_on))} is "
+    return [prose(words, multiplier, f" times {form}.", *_not_a_force(reaction))]
+
+
+def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
+    """A distance between two points, and its tension."""
+    first, second = rod.ends
+    other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
+    like = "as that of a rod" if second else "as that of a rod, or of a smooth circle or sphere"
+    if reaction.constraint.by in (Keeper.ROD, Keeper.STRING):
+        like = f"as that of a {reaction.constraint.by}"
+    beginning: list[Part] = [
+        f"{capital(constraints_called([reaction.name]))} keeps {the(first)} at the distance ", math(rod.length),
+        f" from {other}: its reaction acts along the line joining them, {like}.",
+    ]  # fmt: skip
+    if reaction.tension is None:
+        return prose(*beginning)
+    tension = math(*_valued(reaction, reaction.tension))
+    return prose(*beginning, " Its tension, positive where it pulls, is ", tension, ".")
+
+
+def _valued(reaction: Reaction, symbol: sp.Symbol) -> tuple[sp.Expr, ...]:
+    """The force, and what it is in terms of the multiplier, unless the file names it."""
+    if reaction.given is not None or reaction.single is None:
+        return (symbol,)
+    return symbol, reaction.single.factor * reaction.multiplier
+
+
+def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
+    """A named force along a unit vector."""
+    called, body, direction = constraints_called([reaction.name]), the(single.on), single.direction
+    is_short = direction is not None and sum(c.count_ops() for c in direction.components) <= LONGEST
+    unit: tuple[Part, ...] = (" ", math(direction)) if is_short and direction is not None else ()
+    if reaction.is_normal:
+        words = f"{capital(called)} keeps {body} on a surface or curve, and its reaction is normal to it: a force "
+        along: tuple[Part, ...] = (math(name), " along the unit normal", *unit)
+    else:
+        words = f"The reaction of {called} on {body} is a force "
+        along = (math(name), " along the unit vector", *unit)
+    where = "" if unit else ", in the direction in which the left side less the right side increases"
+    end = f", and the opposite force acts on {the(single.opposite)}." if single.opposite else "."
+    return prose(words, *along, where, end)
+
+
+def _not_a_force(reaction: Reaction) -> list[Part]:
+    """Why the name that the file gives to a reaction is that of the multiplier."""
+    if reaction.given is None or reaction.single is not None:
+        return []
+    if reaction.others:
+        why = "acts on a coordinate that moves no particle"
+    elif reaction.directions is None or len(reaction.acts_on) > 2 or len(reaction.directions) > 1:
+        why = "acts on several bodies"
+    else:
+        why = "has a moment"
+    return [" It ", why, " and is no single force: ", math(reaction.given), " is the multiplier."]
 
 
 def field_called(configuration: Configuration) -> str:
@@ -124,7 +179,7 @@ def _free_body(body: FreeBody, of_field: str, rough: Collection[str]) -> list[Bl
 
 def _unknowns(reactions: Sequence[Reaction]) -> str:
     """The unknowns in terms of which the force is written."""
-    kinds = {"tension" if r.named else "multiplier" for r in reactions}
+    kinds = {r.called for r in reactions}
     words = plural(len(reactions), " and ", "s and ").join(sorted(kinds))
     return f"the {words}{'s' if len(reactions) > 1 else ''}"
 
@@ -146,7 +201,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
             blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
         if not isinstance(r.contact, Sign):
             relation = ">" if r.contact == 1 else "<"
-            blocks.append(prose("In contact ", math(r.reaction.multiplier, ZERO, relation=relation), "."))
+            blocks.append(prose("In contact ", math(r.reaction.force, ZERO, relation=relation), "."))
     return blocks
 
 

@@ -14,6 +14,7 @@ from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
+from lagrange.problem.model import Keeper
 
 LONGEST = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""
@@ -44,9 +45,10 @@ def explain_reactions(
     equations = "Lagrange's equations" if by_lagrange else "Newton's equations"
     if newton.equations is None and not by_lagrange:
         equations = "the equations with multipliers"
+    unknowns = "multipliers" if any(r.called == "multiplier" for r in newton.reactions) else "reactions"
     if lines and not long:
         words = (
-            f"{_differentiated(newton)}, and {equations} are linear in the accelerations and multipliers; solved for "
+            f"{_differentiated(newton)}, and {equations} are linear in the accelerations and {unknowns}; solved for "
         )
         words += "the latter, they give"
         body.append(prose(words if first else "In these coordinates the same equations give"))
@@ -82,8 +84,9 @@ def reaction_lines(reactions: Reactions, newton: Newton, suffix: str) -> list[Eq
             continue
         if not r.named:
             lines.append(Equation((r.multiplier, value), label=f"multiplier{suffix}-{r.name}"))
-        if r.tension is not None and r.name in reactions.tensions:
-            lines.append(Equation((r.tension, reactions.tensions[r.name]), label=f"tension{suffix}-{r.name}"))
+        if r.symbol is not None and r.name in reactions.sizes:
+            label = "tension" if r.tension is not None else "force"
+            lines.append(Equation((r.symbol, reactions.sizes[r.name]), label=f"{label}{suffix}-{r.name}"))
     return lines
 
 
@@ -116,10 +119,17 @@ def _signs(motion: Motion) -> list[Block]:
 def explain_bounds(newton: Newton) -> list[Block]:
     """The forces that rods, strings and surfaces can exert."""
     blocks: list[Block] = []
-    rods = [r for r in newton.reactions if r.rod is not None and r.tension is not None]
-    tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r in rods if r.tension is not None)
-    if len(rods) == 1 and rods[0].rod is not None and rods[0].rod.centre is not None and rods[0].tension is not None:
-        outside = math(rods[0].tension, sp.S.Zero, relation="≤")
+    pulling = [r for r in newton.reactions if r.tension is not None and r.constraint.by is not Keeper.ROD]
+    strings = [r for r in pulling if r.constraint.by is Keeper.STRING or r.rod is None]
+    rods = [(r, r.rod) for r in pulling if r.rod is not None and r not in strings]
+    taut = listed(math(r.tension, sp.S.Zero, relation="≥") for r in strings if r.tension is not None)
+    tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r, _ in rods if r.tension is not None)
+    if strings:
+        words = plural(len(strings), "A string can only pull, and stays taut as long as ",
+                       "Strings can only pull, and stay taut as long as ")  # fmt: skip
+        blocks.append(prose(words, *taut, "."))
+    if len(rods) == 1 and rods[0][1].centre is not None and rods[0][0].tension is not None:
+        outside = math(rods[0][0].tension, sp.S.Zero, relation="≤")
         blocks.append(
             prose("A rod can pull and push. A string in its place, or a surface that holds the particle inside it, "
                   "requires ", *tensions, "; a surface that supports it from outside requires ", outside, ".")
@@ -131,12 +141,12 @@ def explain_bounds(newton: Newton) -> list[Block]:
                   "Rods can pull and push. Strings in their place can only pull, and stay taut as long as ",
                   *tensions, ".")
         )  # fmt: skip
-    normal = [r for r in newton.reactions if r.is_normal]
+    normal = [r for r in newton.reactions if r.is_normal and r.constraint.by is not Keeper.WIRE]
     if normal:
-        multipliers = listed(math(r.multiplier) for r in normal)
+        forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign", " keep their signs")
         blocks.append(
-            prose("A surface that can only push stays in contact as long as ", *multipliers, keep,
+            prose("A surface that can only push stays in contact as long as ", *forces, keep,
                   ": the reaction must point to the side on which the particle is.")
         )  # fmt: skip
     return blocks

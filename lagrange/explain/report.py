@@ -305,4 +305,4 @@ def _names_of_reactions(solution: Solution) -> Iterator[sp.Symbol]:
     """The multipliers, and the tensions of rods."""
     yield from (c.reaction for c in solution.problem.constraints)
     if solution.law is not None:
-        yield from solution.law.newton.tensions
+        yield from solution.law.newton.single_forces

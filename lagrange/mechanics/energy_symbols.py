@@ -76,7 +76,7 @@ def energy_symbols(solution: Solution) -> EnergySymbols:
     chosen = [q.name for c in solution.choices for q in c.configuration.slots.coordinates]
     forces = {c.reaction.name for c in problem.constraints}
     if solution.law is not None:
-        forces |= {s.name for s in solution.law.newton.tensions}
+        forces |= {s.name for s in solution.law.newton.single_forces}
     taken = {*problem.scope.names(), *chosen, *forces}
     if states_potential(solution):
         taken.add("V")

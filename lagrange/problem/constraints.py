@@ -12,6 +12,7 @@ system is one of them.
 from __future__ import annotations
 
 from collections.abc import Set
+from dataclasses import replace
 from functools import partial
 
 import sympy as sp
@@ -19,13 +20,13 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.algebra.forms.nonlinear_constraints import Alternative, Alternatives, alternatives, is_affine
 from lagrange.algebra.fourier.vector_cleanup import tidied
-from lagrange.core.diagnostics import Diagnostic, ProblemError, Span
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, nearest
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.problem import keys
 from lagrange.problem.limits import MOST_ALTERNATIVES_SHOWN
 from lagrange.problem.load_context import LoadContext
-from lagrange.problem.model import Constraint, Given
+from lagrange.problem.model import Constraint, Given, Keeper
 from lagrange.problem.sections import CONSTRAINT, Section, entries_of, scalar_of
 from lagrange.problem.yaml_nodes import MappingNode, Node, Scalar
 
@@ -33,7 +34,7 @@ _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
 
 
 def read_constraints(node: Node | None, context: LoadContext) -> tuple[Constraint, ...]:
-    """name -> equation, or name -> {equation, note, reaction}; a vector equation gives one constraint a component."""
+    """name -> equation, or name -> {equation, note, reaction, by}; a vector equation gives one for each component."""
     if node is None:
         return ()
     constraints: list[Constraint] = []
@@ -55,7 +56,20 @@ def _constraint(name: str, key: Scalar, node: Node, context: LoadContext) -> tup
     called = context.names.symbol(named, "a reaction") if named else None
     equation = section.required("equation", key.span)
     place = key.span if reaction is None else reaction.span
-    return _equations(name, place, equation, section.text("note"), called, context)
+    keeper = section.get("by")
+    by = context.diagnostics.attempt(lambda: _keeper(scalar_of(keeper, "`by`"))) if keeper else None
+    constraints = _equations(name, place, equation, section.text("note"), called, context)
+    return tuple(replace(c, by=by) for c in constraints)
+
+
+def _keeper(scalar: Scalar) -> Keeper:
+    """What keeps a constraint. Raises ProblemError if it is none of the known words."""
+    if scalar.text in set(Keeper):
+        return Keeper(scalar.text)
+    near = nearest(scalar.text, [*Keeper])
+    help_ = f"did you mean `{near}`?" if near else f"write {', '.join(f'`{k}`' for k in Keeper)}, or leave it out"
+    message = f"`{scalar.text}` is nothing that keeps a constraint"
+    raise ProblemError(Diagnostic("unknown-keeper", message, scalar.span, help=help_))
 
 
 def _equations(

@@ -134,6 +134,18 @@ class FrameType(StrEnum):
     SPHERICAL = "spherical"
 
 
+class Keeper(StrEnum):
+    """What keeps a constraint, and so what its reaction can be."""
+
+    ROD = "rod"
+    STRING = "string"
+    SURFACE = "surface"
+    WIRE = "wire"
+    HINGE = "hinge"
+    ROLLING = "rolling"
+    GEAR = "gear"
+
+
 FRAME_COORDINATES = {
     FrameType.CARTESIAN: ("x", "y", "z"),
     FrameType.POLAR: ("r", "phi"),
@@ -245,6 +257,11 @@ CONSTRAINT = Form(
         ),
         Key("note", "text", "A remark, in words."),
         Key("reaction", "name", "What its force of constraint is called."),
+        Key(
+            "by",
+            Words(tuple(k.value for k in Keeper)),
+            "What keeps it, where the equation does not show it: a rod pulls and pushes, a string pulls.",
+        ),
     ),
 )
 

@@ -23,6 +23,7 @@ from lagrange.core.vectors import Triad, Vector
 from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.keys import Assumption as Assumption
 from lagrange.problem.keys import Find as Find
+from lagrange.problem.keys import Keeper as Keeper
 
 
 @record
@@ -101,8 +102,9 @@ class Given:
 class Constraint:
     """f(q, q', t) = 0, where f is the left side minus the right side.
 
-    `kinematic` is true where a velocity occurs. `reaction` is the name of its multiplier. `given` is the constraint of
-    the file, where that is not linear in the velocities and f = 0 is equivalent; it may reduce to several constraints.
+    `kinematic` is true where a velocity occurs. `reaction` is the name of its reaction, a force where it is a single
+    one, otherwise the multiplier. `given` is the constraint of the file, where that is not linear in the velocities and
+    f = 0 is equivalent; it may reduce to several constraints. `by` is what keeps it, where the file says so.
     """
 
     name: str
@@ -113,6 +115,7 @@ class Constraint:
     span: Span
     note: str = ""
     given: Given | None = None
+    by: Keeper | None = None
 
     @property
     def function(self) -> sp.Expr:

@@ -157,12 +157,10 @@ def _choice(c: InCoordinates, write: Write) -> dict[str, Any]:
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
     found |= _motion(c, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
-        values = c.dynamics.reactions.multipliers
-        tensions = c.dynamics.reactions.tensions
+        reactions = c.dynamics.reactions
         found["reactions"] = {
-            name: {"multiplier": None if value is None else write(value)}
-            | ({"tension": write(tensions[name])} if name in tensions else {})
-            for name, value in values.items()
+            name: {"multiplier": None if value is None else write(value)} | _single(name, reactions, write)
+            for name, value in reactions.multipliers.items()
         }
     if c.conserved is not None:
         found["conserved"] = integrals(c.conserved, write)
@@ -217,8 +215,7 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
     value = reactions.multipliers.get(name)
     if value is not None:
         found["multiplier"] = write(value)
-    if name in reactions.tensions:
-        found["tension"] = write(reactions.tensions[name])
+    found |= _single(name, reactions, write)
     if name in reactions.forces:
         found["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
     if name in reactions.moments:
@@ -227,6 +224,21 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
         found["choice"] = choice
     work_done = "0" if work.vanishes else None
     return found | {"virtual_work": work_done, "possible_work": write(work.possible)}
+
+
+def _single(name: str, reactions: Reactions, write: Write) -> dict[str, str]:
+    """A reaction that is a single force: `force`, with the unit vector along which it acts on the first body of `on`.
+
+    `tension` repeats the force where it is one.
+    """
+    if name not in reactions.sizes:
+        return {}
+    size = write(reactions.sizes[name])
+    result = {"tension": size} if name in reactions.pulling else {}
+    result["force"] = size
+    if name in reactions.units:
+        result["direction"] = write(_shown(reactions.units[name]))
+    return result
 
 
 def _reactions_at_rest(
@@ -265,8 +277,7 @@ def _at_rest(name: str, at_rest: ReactionsAtRest, write: Write) -> dict[str, Any
     reactions = at_rest.reactions
     value = reactions.multipliers.get(name)
     result: dict[str, Any] = {} if value is None else {"multiplier": write(value)}
-    if name in reactions.tensions:
-        result["tension"] = write(reactions.tensions[name])
+    result |= _single(name, reactions, write)
     if name in reactions.forces:
         result["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
     return result

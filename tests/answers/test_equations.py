@@ -371,7 +371,8 @@ NONHOLONOMIC = [
     ("theta'' = 0 ; x''*cos(theta) + y''*sin(theta) = g*sin(theta)", EQUIVALENT),
     ("theta'' = 0 ; x''*cos(theta) + y''*sin(theta) = g*sin(theta) ; x'*sin(theta) = y'*cos(theta)", EQUIVALENT),
     ("theta'' = 0 ; 2*m*x'' = N*sin(theta) ; 2*m*y'' = 2*m*g - N*cos(theta)", EQUIVALENT),
-    ("theta'' = 0 ; 2*m*x'' = -N*sin(theta) ; 2*m*y'' = 2*m*g + N*cos(theta)", WRONG),
+    ("theta'' = 0 ; 2*m*x'' = -N*sin(theta) ; 2*m*y'' = 2*m*g + N*cos(theta)", EQUIVALENT),  # the opposite force
+    ("theta'' = 0 ; 2*m*x'' = N*sin(theta) ; 2*m*y'' = 2*m*g + N*cos(theta)", WRONG),
     ("theta'' = 0 ; x'*sin(theta) = y'*cos(theta)", INCOMPLETE),
     ("x'*sin(theta) = y'*cos(theta)", INCOMPLETE),
     ("theta'' = 0 ; x'' = 0 ; y'' = g", WRONG),
@@ -399,7 +400,7 @@ gravity: g*j
 
 TENSIONS = [
     ("m1*g - {T} = m1*x1'' ; m2*g - {T} = m2*x2''", EQUIVALENT),
-    ("m1*g + {T} = m1*x1'' ; m2*g + {T} = m2*x2''", WRONG),
+    ("m1*g + {T} = m1*x1'' ; m2*g - {T} = m2*x2''", WRONG),
     ("m1*g - {T} = m1*x1'' ; {T} - m2*g = m2*x1''", EQUIVALENT),
     ("m1*g - {T} = m1*x1''", INCOMPLETE),
     ("{T}*(m1 + m2) = 2*m1*m2*g", INCOMPLETE),
@@ -412,6 +413,14 @@ TENSIONS = [
 @pytest.mark.parametrize("name", ["T", "lambda_string"])
 def test_tension_as_the_reaction(name: str, answer: str, expected: str) -> None:
     text = ATWOOD.format(reaction=", reaction: T" if name == "T" else "", unknowns="")
+    found = check_answer(read_problem(Source("atwood", text)), fragments(answer.format(T=name)))
+    assert found.verdict.value == expected
+
+
+@pytest.mark.parametrize(("name", "expected"), [("T", EQUIVALENT), ("lambda_string", WRONG)])
+def test_only_a_name_that_the_file_gives_may_stand_for_the_opposite_force(name: str, expected: str) -> None:
+    text = ATWOOD.format(reaction=", reaction: T" if name == "T" else "", unknowns="")
+    answer = "m1*g + {T} = m1*x1'' ; m2*g + {T} = m2*x2''"
     found = check_answer(read_problem(Source("atwood", text)), fragments(answer.format(T=name)))
     assert found.verdict.value == expected
 

@@ -145,3 +145,103 @@ def test_equations_say_what_a_tension_is_taken_for(problem: Read, equations: tup
 def test_equations_with_a_tension(problem: Read, equations: tuple[str, ...], verdict: Verdict) -> None:
     reference = reference_of_solution(solution(problem, PENDULUM))
     assert check_equations([Fragment.of(e) for e in equations], reference).verdict is verdict
+
+
+# -- names of other reactions ------------------------------------------------------------------------------------------
+
+INCLINE = """parameters: [m, g, alpha]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+gravity: -g*j
+"""
+WRITINGS = [
+    "y = -x*tan(alpha)",
+    "-x*tan(alpha) = y",
+    "x*sin(alpha) + y*cos(alpha) = 0",
+    "-3*x*sin(alpha) = 3*y*cos(alpha)",
+]
+
+
+@pytest.mark.parametrize("writing", WRITINGS)
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("m*g*cos(alpha)", Verdict.EQUIVALENT),
+        ("N = m*g*cos(alpha)", Verdict.EQUIVALENT),
+        ("N = -m*g*cos(alpha)", Verdict.EQUIVALENT),
+        ("N = 2*m*g*cos(alpha)", Verdict.WRONG),
+        ("N = m*g*sin(alpha)", Verdict.WRONG),
+    ],
+)
+def test_the_normal_force_does_not_depend_on_the_writing(
+    problem: Read, writing: str, stated: str, verdict: Verdict
+) -> None:
+    text = f"{INCLINE}constraints: {{plane: {{equation: '{writing}', reaction: N}}}}\n"
+    [answer] = compared_answers(solution(problem, f"{text}answers: {{reactions: {{plane: '{stated}'}}}}\n"))
+    assert answer.verdict is verdict
+
+
+def test_the_remark_says_in_which_direction_a_force_is_taken(problem: Read) -> None:
+    text = f"title: Example\n{INCLINE}constraints: {{plane: {{equation: 'y = -x*tan(alpha)', reaction: N}}}}\n"
+    answer = ("m*x'' = -N*sin(alpha)", "m*y'' = -N*cos(alpha) - m*g")
+    said = check_answer(problem(text), tuple(map(Fragment.of, answer))).equations
+    assert said.verdict is Verdict.EQUIVALENT
+    opposite = "`N` is taken along `-sin(alpha)*i - cos(alpha)*j` on `P`; in the derivation it acts along "
+    assert [e.remarks for e in said.equations] == [(f"{opposite}`sin(alpha)*i + cos(alpha)*j`",)] * 2
+    mixed = ("m*x'' = -N*sin(alpha)", "m*y'' = N*cos(alpha) - m*g")
+    assert check_answer(problem(text), tuple(map(Fragment.of, mixed))).verdict is Verdict.WRONG
+    multiplier = ("m*x'' = N*tan(alpha)", "m*y'' = N - m*g")
+    said = check_answer(problem(text), tuple(map(Fragment.of, multiplier))).equations
+    assert said.verdict is Verdict.EQUIVALENT
+    assert all(MULTIPLIER in r for e in said.equations for r in e.remarks)
+
+
+CHAIN = """title: Example
+parameters: [m, g, l]
+coordinates: [y1, y2]
+particles: {A: {mass: m, position: y1*j}, B: {mass: m, position: y2*j}}
+constraints: {upper: {equation: y1 = l, reaction: S}, lower: {equation: y2 - y1 = l, reaction: T}}
+gravity: g*j
+"""
+
+
+@pytest.mark.parametrize(
+    ("answer", "verdict", "remarks"),
+    [
+        (("m*y1'' = m*g - S + T", "m*y2'' = m*g - T"), Verdict.EQUIVALENT, 0),
+        (("m*y1'' = m*g + S - T", "m*y2'' = m*g + T"), Verdict.EQUIVALENT, 3),
+        (("m*y1'' = m*g + S + T", "m*y2'' = m*g - T"), Verdict.EQUIVALENT, 1),
+        (("m*y1'' = m*g - S - T", "m*y2'' = m*g + T"), Verdict.EQUIVALENT, 2),
+        (("m*y1'' = m*g - S + T", "m*y2'' = m*g + T"), Verdict.WRONG, 0),
+    ],
+)
+def test_each_name_has_one_meaning_in_the_whole_answer(
+    problem: Read, answer: tuple[str, ...], verdict: Verdict, remarks: int
+) -> None:
+    said = check_answer(problem(CHAIN), tuple(map(Fragment.of, answer))).equations
+    assert said.verdict is verdict
+    assert (
+        sum(len(e.remarks) for e in said.equations if e.verdict is Verdict.EQUIVALENT and verdict is not Verdict.WRONG)
+        == remarks
+    )
+
+
+@pytest.mark.parametrize("writing", WRITINGS)
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [("N = W*cos(alpha)", Verdict.EQUIVALENT), ("-W*cos(alpha)", Verdict.EQUIVALENT), ("N = W", Verdict.WRONG)],
+)
+def test_a_normal_force_at_rest(problem: Read, writing: str, stated: str, verdict: Verdict) -> None:
+    text = f"""parameters: [W, alpha]
+coordinates: [x, y]
+particles: {{P: {{position: x*i + y*j}}}}
+constraints: {{plane: {{equation: '{writing}', reaction: N}}}}
+forces:
+  weight: {{on: P, vector: -W*j}}
+  pull: {{on: P, vector: P*(-cos(alpha)*i + sin(alpha)*j)}}
+unknowns: [P]
+find: equilibrium
+answers: {{reactions: {{plane: '{stated}'}}}}
+"""
+    [answer] = compared_answers(solution(problem, text))
+    assert answer.verdict is verdict

@@ -198,6 +198,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unknown-name": ("The file has no particle, body or constraint of that name.", problem(
         PARTICLE + "forces: {push: {on: Q, vector: g*i}}")),
     "unknown-question": ("Ask for constraints, equilibrium, motion or linearization.", problem("find: movement")),
+    "unknown-keeper": ("What keeps a constraint: a rod, a string, a surface, a wire, a hinge, rolling or a gear.", problem(
+        PARTICLE + "constraints: {rod: {equation: x^2 + y^2 = l^2, by: rubber}}")),
     "unknown-sense": ("Write positive or negative.", problem(
         PARTICLE + ROD + "forces: {rub: {friction: g, constraint: rod, on: P, slip: up}}")),
     "sense-off-line": ("A spring has a sense only along a unit vector.", problem(

@@ -141,6 +141,26 @@ def form_as_forces(row: Row, placed: Placed, surface: Surface) -> Forces | None:
     return Forces(_tidied(total[False]), _tidied(total[True]))
 
 
+def without_root(row: Row, slots: Slots) -> Row:
+    """The row of k (S − l²)/(2l) = 0 for k (√S − l) = 0: the same gradient and multiplier where they hold."""
+    coordinates = {*slots.coordinates}
+    if row.finite is None:
+        return row
+    roots = [e for e in row.finite.atoms(sp.Pow) if e.exp == sp.Rational(1, 2) and e.free_symbols & coordinates]
+    if len(roots) != 1:
+        return row
+    length = sp.Dummy("length", positive=True)
+    linear = sp.expand(row.finite.xreplace({roots[0]: length}))
+    share, rest = linear.coeff(length), linear.coeff(length, 0)
+    value = tidy_quotient(-rest / share) if share != 0 else sp.S.Zero
+    is_linear = linear == sp.expand(share * length + rest) and value != 0
+    if not is_linear or (share.free_symbols | value.free_symbols) & coordinates:
+        return row
+    finite = share * (roots[0].base - value**2) / (2 * value)
+    coefficients = tuple(finite.diff(q) for q in slots.coordinates)
+    return replace(row, coefficients=coefficients, drift=slots.frozen_derivative(finite), finite=finite)
+
+
 def _root(square: sp.Expr) -> sp.Expr:
     """A square root of either sign, because the sense of a unit vector is free: R − r and a sin θ without their moduli,
     2a cos(φ/2) for the root of 2a² (1 + cos φ).
@@ -293,7 +313,7 @@ def _length(row: Row, d: Vector, squared: sp.Expr, ratio: sp.Expr, slots: Slots)
     if ratio.free_symbols.isdisjoint(moving):
         square = sp.factor(textbook_form(squared - 2 * row.finite / ratio))
     if square is None or square.free_symbols & moving:
-        square = _by_elimination(row, squared, slots) or _of_root(row, squared, moving)
+        square = _by_elimination(row, squared, slots)
     if square is None or square.free_symbols & moving:
         return None
     return sp.sqrt(square)
@@ -306,13 +326,3 @@ def _by_elimination(row: Row, squared: sp.Expr, slots: Slots) -> sp.Expr | None:
     if not solution.expressed:
         return None
     return sp.factor(textbook_form(squared.xreplace(dict(solution.expressed))))
-
-
-def _of_root(row: Row, squared: sp.Expr, moving: set[sp.Symbol]) -> sp.Expr | None:
-    """|d|² from a relation that is linear in |d| = sqrt(d·d)."""
-    length = sp.Dummy("length", positive=True)
-    f = sp.sympify(row.finite, strict=True).xreplace({squared: length**2})
-    slope = f.diff(length)
-    if f.free_symbols & moving or slope == 0 or length in slope.free_symbols:
-        return None
-    return (-f.xreplace({length: sp.S.Zero}) / slope) ** 2

@@ -23,6 +23,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
+from lagrange.mechanics.dynamics.named_forces import where_it_holds
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Friction
@@ -65,9 +66,9 @@ class FrictionForce:
 
     @property
     def magnitude(self) -> sp.Expr:
-        """|R| in terms of λ: |g| |λ|, or |g| ±λ if the sign of λ is known."""
-        multiplier = self.reaction.multiplier
-        return self.normal * (sp.Abs(multiplier) if isinstance(self.contact, Sign) else self.contact * multiplier)
+        """|R|: |N|, or |g| |λ| where the file has no name N for the force; ±N or |g| ±λ if the sign is known."""
+        unknown, normal = self.reaction.force, sp.S.One if self.reaction.named else self.normal
+        return normal * (sp.Abs(unknown) if isinstance(self.contact, Sign) else self.contact * unknown)
 
 
 def friction_forces(
@@ -181,20 +182,7 @@ def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -
         if size.free_symbols.isdisjoint(configuration.slots.coordinates):
             return size
     square = textbook_form(direction.dot(direction))
-    return textbook_form(sp.sqrt(_where_it_holds(square, reaction, configuration)))
-
-
-def _where_it_holds(square: sp.Expr, reaction: Reaction, configuration: Configuration) -> sp.Expr:
-    """|g|² on the constraint, if that contains no coordinates: 4R² for x² + y² = R² in space."""
-    coordinates = configuration.slots.coordinates
-    finite = (reaction.row.finite or sp.S.Zero).xreplace(configuration.substitution)
-    if not (finite.is_polynomial(*coordinates) and square.is_polynomial(*coordinates)):
-        return square
-    relation, squared = sp.Poly(finite, *coordinates), sp.Poly(square, *coordinates)
-    if relation.is_ground or squared.is_ground:
-        return square
-    remainder = squared - relation * (squared.coeff_monomial(relation.monoms()[0]) / relation.LC())
-    return sp.factor(remainder.as_expr()) if remainder.is_ground else square
+    return textbook_form(sp.sqrt(where_it_holds(square, reaction.row, configuration)))
 
 
 def _slip(friction: Friction, reaction: Reaction, direction: Vector, configuration: Configuration) -> Vector:

@@ -63,7 +63,7 @@ class Method(StrEnum):
 class NewtonLaw:
     """Newton's law in the file's coordinates, and its consequences for reactions.
 
-    problem        with λ for the multipliers of named rods, whose name is that of the tension
+    problem        with λ for the multipliers of reactions whose name is that of a force
     configuration  without friction
     newton         with friction, if there is any
     used           the reactions of independent constraints
@@ -98,7 +98,7 @@ class NewtonLaw:
         return equations_of_motion(dalembert(configuration), elimination)
 
     def _named(self, motion: LagrangeMotion) -> LagrangeMotion:
-        """Lagrange's equations with the tensions that the file names in place of their multipliers."""
+        """Lagrange's equations with the forces that the file names in place of their multipliers."""
         rows = [motion.configuration.rows[n] for n in motion.used]
         by_name = {r.name: r for r in self.newton.reactions}
         reactions = [by_name[row.name] for row in rows]
@@ -296,6 +296,6 @@ def _with_friction(
     return replace(
         solved,
         multipliers=merged(solved.multipliers, reactions.multipliers),
-        tensions={**solved.tensions, **{n: v for n, v in reactions.tensions.items() if n in needed}},
+        sizes={**solved.sizes, **{n: v for n, v in reactions.sizes.items() if n in needed}},
         values={**solved.values, **{s: reactions.values[s] for s in needed.values()}},
     )

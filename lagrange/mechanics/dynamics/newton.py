@@ -5,11 +5,11 @@ Sign convention, with a plus sign throughout:
     m r'' = F + R ,     R = Σ_j λ_j ∂f_j/∂r     (for a constraint on velocities λ_j ∂φ_j/∂r') ,
 
 and for a rigid body dH/dt = M + Γ as well, Γ being the moment of the reactions about the mass centre. λ_j is the
-multiplier of the constraint as it is written; the reaction of a rod is also given as its tension T, positive where the
-rod pulls (`free_bodies`). A coordinate that moves nothing has the generalized force λ_j a_k. Where coordinates by
-themselves keep a particle on a surface or curve, that reaction is perpendicular to the directions in which the particle
-can move, and Newton's law is written along these only. Where coordinates place one particle relative to another, there
-are no free bodies.
+multiplier of the constraint as it is written. A name that the file gives to a reaction is that of a force, where it is
+a single one: a tension, positive where it pulls, or the force along a unit vector (`named_forces`). A coordinate that
+moves nothing has the generalized force λ_j a_k. Where coordinates by themselves keep a particle on a surface or curve,
+that reaction is perpendicular to the directions in which the particle can move, and Newton's law is written along these
+only. Where coordinates place one particle relative to another, there are no free bodies.
 
 The work of a reaction R_P = Σ_j λ_j g_jP in a virtual displacement is
 
@@ -44,8 +44,16 @@ from lagrange.mechanics.dynamics.free_bodies import (
     left_out,
     placed_freely,
     recognised_rod,
+    without_root,
 )
-from lagrange.problem.model import Constraint
+from lagrange.mechanics.dynamics.named_forces import (
+    SURFACES,
+    ForceKind,
+    SingleForce,
+    single_force,
+    tension_of_rod,
+)
+from lagrange.problem.model import Constraint, Keeper
 
 
 @record
@@ -57,8 +65,9 @@ class Reaction:
     moments     likewise of its moment on each body, about the mass centre: Γ = λ · moment
     others      a_k of the coordinates that move no particle: the generalized force on them is λ a_k
     rod         the distance that is kept, if the constraint keeps one
-    rough       the same if something slides there with friction: then it is a surface, without tension
-    tension     the symbol for the tension of the rod; `named` if the file gives it
+    rough       the same if it is a surface, on which something slides with friction or as the file says: no tension
+    single      the single force that it is; None if it is none
+    symbol      of that force, if it is not λ; `named` if the file gives it
     """
 
     constraint: Constraint
@@ -67,10 +76,11 @@ class Reaction:
     directions: Mapping[str, Vector] | None
     others: Mapping[sp.Symbol, sp.Expr]
     rod: Rod | None = None
-    tension: sp.Symbol | None = None
+    symbol: sp.Symbol | None = None
     named: bool = False
     moments: Mapping[str, Vector] = field(default_factory=dict)
     rough: Rod | None = None
+    single: SingleForce | None = None
 
     @property
     def name(self) -> str:
@@ -79,16 +89,42 @@ class Reaction:
 
     @property
     def force(self) -> sp.Symbol:
-        """The unknown in which it is written: the tension of a rod if the file names it, otherwise λ."""
-        return self.tension if self.named and self.tension is not None else self.multiplier
+        """The unknown in which it is written: the force if the file names it, otherwise λ."""
+        return self.symbol if self.named and self.symbol is not None else self.multiplier
 
     @property
     def per_force(self) -> sp.Expr:
         """λ for `force` = 1."""
-        return 1 / self.rod.factor if self.named and self.rod is not None else sp.S.One
+        return 1 / self.single.factor if self.named and self.single is not None else sp.S.One
+
+    @property
+    def given(self) -> sp.Symbol | None:
+        """The name that the file gives to the reaction; None if it gives none."""
+        return self.force if self.named or self.force != self.row.multiplier else None
+
+    @property
+    def tension(self) -> sp.Symbol | None:
+        """The symbol of the tension; None if it is no tension or has no symbol."""
+        is_tension = self.single is not None and self.single.kind is ForceKind.TENSION
+        return self.symbol_of_force if is_tension else None
+
+    @property
+    def symbol_of_force(self) -> sp.Symbol | None:
+        """The symbol of the single force, which is λ if the factor is 1; None if it has none."""
+        is_multiplier = self.single is not None and self.single.factor == 1
+        return self.multiplier if is_multiplier else self.symbol
+
+    @property
+    def called(self) -> str:
+        """What the unknown in which it is written is: a tension, a force, or a multiplier."""
+        if self.given is None or self.single is None:
+            return "multiplier"
+        return "force" if self.tension is None else "tension"
 
     def per_unit(self, particle: str) -> Vector | None:
         """The force on a particle for `force` = 1; None if it does not act there."""
+        if self.named and self.single is not None and self.single.on == particle:
+            return self.single.direction
         return self._for_unit(self.on(particle))
 
     def moment_per_unit(self, body: str) -> Vector | None:
@@ -198,9 +234,9 @@ class Newton:
     after: Count | None = None
 
     @property
-    def tensions(self) -> dict[sp.Symbol, sp.Expr]:
-        """Each tension as a multiple of its multiplier."""
-        return {r.tension: r.rod.factor * r.multiplier for r in self.reactions if r.rod and r.tension is not None}
+    def single_forces(self) -> dict[sp.Symbol, sp.Expr]:
+        """Each force that has a symbol of its own, as a multiple of its multiplier."""
+        return {r.symbol: r.single.factor * r.multiplier for r in self.reactions if r.single and r.symbol is not None}
 
     @property
     def multipliers_by_name(self) -> dict[str, sp.Symbol]:
@@ -237,9 +273,8 @@ def newton_equations(
         moving = {p.name for p in configuration.points if any(not e.is_zero for e in p.partials)}
         placed = placed if moving <= {f.name for f in placed if not f.turning} else None
     reactions = tuple(
-        _without_tension(reaction) if reaction.name in rough else reaction
+        _reaction(row, c, placed, configuration, taken, c.name in rough or c.by in SURFACES)
         for row, c in zip(configuration.rows, constraints, strict=True)
-        for reaction in [_reaction(row, c, placed, configuration, taken)]
     )
     idle = {
         q: sp.Add(*(r.force * r.others[q] for r in reactions if q in r.others))
@@ -304,31 +339,51 @@ def _counts(
 
 
 def _reaction(
-    row: Row, constraint: Constraint, placed: Placed | None, configuration: Configuration, taken: frozenset[str]
+    row: Row,
+    constraint: Constraint,
+    placed: Placed | None,
+    configuration: Configuration,
+    taken: frozenset[str],
+    is_surface: bool,
 ) -> Reaction:
     others = left_out(row, configuration)
-    acts = None if placed is None else form_as_forces(row, placed, configuration.states)
-    given = constraint.reaction
-    if acts is None:
-        return Reaction(constraint, row, given, None, others)
-    directions, rod = acts.forces, None
-    if directions and not others and not acts.moments:
-        rod = recognised_rod(row, configuration.points, dict(directions), configuration.slots, configuration.states)
-    if rod is None:
-        return Reaction(constraint, row, given, directions, others, moments=acts.moments)
-    directions = _along(rod, directions)
-    own = row.multiplier
-    if given != own and own.name not in taken:
-        return Reaction(constraint, row, own, directions, others, rod, given, named=True)
-    tension = sp.Symbol(f"T_{row.name}", real=True)
-    free = tension.name not in taken
-    return Reaction(constraint, row, given, directions, others, rod, tension if free else None)
+    shown = without_root(row, configuration.slots)
+    acts = None if placed is None else form_as_forces(shown, placed, configuration.states)
+    rod = None
+    if acts is not None and acts.forces and not others and not acts.moments:
+        rod = recognised_rod(shown, configuration.points, dict(acts.forces), configuration.slots, configuration.states)
+    if acts is not None and rod is not None:
+        acts = Forces(_along(rod, acts.forces), acts.moments)
+    by = constraint.by or (Keeper.SURFACE if is_surface else None)
+    if rod is not None and not is_surface:
+        single: SingleForce | None = tension_of_rod(rod)
+    else:
+        single = None if others else single_force(shown, by, acts, placed, configuration)
+    unnamed = Reaction(
+        constraint=constraint,
+        row=row,
+        multiplier=constraint.reaction,
+        directions=None if acts is None else acts.forces,
+        others=others,
+        rod=None if is_surface else rod,
+        moments={} if acts is None else acts.moments,
+        rough=rod if is_surface else None,
+        single=single,
+    )
+    return _with_symbol(unnamed, taken)
 
 
-def _without_tension(reaction: Reaction) -> Reaction:
-    """The reaction of a surface, even if that keeps a distance: it is named after its multiplier."""
-    multiplier = reaction.constraint.reaction
-    return replace(reaction, multiplier=multiplier, rod=None, tension=None, named=False, rough=reaction.rod)
+def _with_symbol(reaction: Reaction, taken: frozenset[str]) -> Reaction:
+    """The reaction with a symbol for the force, if that is not λ: the name that the file gives, or T for a rod."""
+    given, own, single = reaction.constraint.reaction, reaction.row.multiplier, reaction.single
+    if single is None or single.factor == 1:
+        return reaction
+    if given != own:
+        while own.name in taken:
+            own = sp.Symbol(f"{own.name}_", real=True)
+        return replace(reaction, multiplier=own, symbol=given, named=True)
+    tension = sp.Symbol(f"T_{reaction.row.name}", real=True)
+    return reaction if reaction.rod is None or tension.name in taken else replace(reaction, symbol=tension)
 
 
 def _along(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:

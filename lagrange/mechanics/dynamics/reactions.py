@@ -36,6 +36,8 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.free_bodies import without_root
+from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.principle import Balance
 
@@ -47,7 +49,7 @@ Dragging = tuple[sp.Symbol, Sequence[sp.Expr]]
 class Determined:
     """A combination Σ c_j λ_j that is determined although its multipliers are not: `terms` are pairs (c_j, λ_j).
 
-    written  both sides with the tensions that the file names, the first force with the factor 1
+    written  both sides with the forces that the file names, the first of them with the factor 1
     """
 
     terms: tuple[tuple[sp.Expr, sp.Symbol], ...]
@@ -60,7 +62,9 @@ class Reactions:
     """The reactions in one set of coordinates. None means too large to be written down.
 
     multipliers    by name of the constraint; without those that are not determined
-    tensions       of the rods, positive where they pull, by name of the constraint
+    sizes          of the reactions that are single forces: tensions, forces along unit vectors, by name
+    pulling        names of those that are tensions
+    units          the unit vectors of the single forces, where they are known
     directions     of the reaction of each constraint on each particle, for a multiplier of 1
     couples        likewise of its moment on each body, about the mass centre
     accelerations  q'' of the file's coordinates
@@ -70,13 +74,20 @@ class Reactions:
 
     configuration: Configuration
     multipliers: Mapping[str, sp.Expr | None]
-    tensions: Mapping[str, sp.Expr] = field(default_factory=dict)
+    sizes: Mapping[str, sp.Expr] = field(default_factory=dict)
+    pulling: frozenset[str] = frozenset()
+    units: Mapping[str, Vector] = field(default_factory=dict)
     directions: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
     couples: Mapping[str, Mapping[str, Vector]] = field(default_factory=dict)
     accelerations: Mapping[sp.Symbol, sp.Expr | None] = field(default_factory=dict)
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     combinations: tuple[Determined, ...] = ()
     tidy: Tidy = tidy_quotient
+
+    @property
+    def tensions(self) -> Mapping[str, sp.Expr]:
+        """The tensions, positive where they pull, by name of the constraint."""
+        return {name: size for name, size in self.sizes.items() if name in self.pulling}
 
     @cached_property
     def forces(self) -> Mapping[str, Mapping[str, Vector]]:
@@ -146,9 +157,10 @@ def motion_system(principle: Balance, used: Sequence[Reaction]) -> ReactionSyste
     unknowns = (*slots.accelerations, *multipliers)
     rows, right = equations_with_multipliers(principle, used, unknowns)
     for r in used:
-        rate = slots.time_derivative(r.row.velocity_form(slots))
+        row = without_root(r.row, slots)
+        rate = slots.time_derivative(row.velocity_form(slots))
         no_acceleration = dict.fromkeys(slots.accelerations, sp.S.Zero)
-        rows.append((*r.row.coefficients, *(sp.S.Zero for _ in multipliers)))
+        rows.append((*row.coefficients, *(sp.S.Zero for _ in multipliers)))
         right.append(-rate.xreplace(no_acceleration))
     return ReactionSystem(tuple(rows), tuple(right), unknowns)
 
@@ -171,11 +183,13 @@ def equations_with_multipliers(
 ) -> tuple[list[tuple[sp.Expr, ...]], list[sp.Expr]]:
     """D_k − Σ λ_j a_jk = 0 for each coordinate, as rows and right sides."""
     rows, right = [], []
+    slots = principle.configuration.slots
+    forms = {r.multiplier: without_root(r.row, slots).coefficients for r in used}
     for k, element in enumerate(principle.coefficients):
         coefficients, rest = principle.ring.linear(element, unknowns)
         row = [principle.textbook.form(c) for c in coefficients]
-        for r in used:
-            row[unknowns.index(r.multiplier)] -= r.row.coefficients[k]
+        for multiplier, form in forms.items():
+            row[unknowns.index(multiplier)] -= form[k]
         rows.append(tuple(row))
         right.append(principle.textbook.form(-rest))
     return rows, right
@@ -240,10 +254,16 @@ def reactions_at(
     return Reactions(
         configuration=configuration,
         multipliers=multipliers,
-        tensions={
-            r.name: place.show(textbook_form(place.write(r.rod.factor) * v))
+        sizes={
+            r.name: place.show(textbook_form(place.write(r.single.factor) * v))
             for r in determined
-            if r.rod is not None and (v := values[r.multiplier]) is not None
+            if r.single is not None and (v := values[r.multiplier]) is not None
+        },
+        pulling=frozenset(r.name for r in determined if r.single and r.single.kind is ForceKind.TENSION),
+        units={
+            r.name: r.single.direction.map(lambda c: textbook_form(place.write(c)))
+            for r in determined
+            if r.single is not None and r.single.direction is not None
         },
         directions={
             r.name: {p: g.rewritten(place.write) for p, g in r.directions.items()} for r in determined if r.directions
@@ -349,7 +369,7 @@ def _with_tensions(
     reactions: Mapping[sp.Symbol, Reaction],
     place: SolutionPlace,
 ) -> tuple[sp.Expr, sp.Expr]:
-    """Σ c_j λ_j = value with T/factor for the λ of rods named in the file, times the factor of the first."""
+    """Σ c_j λ_j = value with the forces that the file names in place of their λ, times the factor of the first."""
     scale = 1 / place.write(reactions[terms[0][1]].per_force)
     left = (textbook_form(scale * c * place.write(reactions[s].per_force)) * reactions[s].force for c, s in terms)
     return sp.Add(*left), place.show(textbook_form(scale * value))
