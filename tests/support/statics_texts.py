@@ -96,6 +96,7 @@ parameters: [P, Q, a, b]
 coordinates: [theta]
 particles: {A: {position: -a*cos(theta)*i - a*sin(theta)*j}, B: {position: b*cos(theta)*i + b*sin(theta)*j}}
 forces: {p: {on: A, vector: -P*j}, q: {on: B, vector: -Q*j}}
+"""
 SPRING_ON_CIRCLE = """
 title: A spring to the top of a circle
 coordinates: [theta]

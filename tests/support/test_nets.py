@@ -28,7 +28,9 @@ def test_derivatives_are_those_of_differences() -> None:
     x, y, h = 0.3, 0.7, 1e-4
     names = dict(zip("xy", variables([x, y], 2), strict=True))
     series = evaluate(TEXT, names)
-    expected = x**2 * math.sin(y) / (1 + math.sqrt(x)) + math.tan(x * y) - math.exp(-x) * math.log(y) + 1 / x + abs(x - y)
+    expected = (
+        x**2 * math.sin(y) / (1 + math.sqrt(x)) + math.tan(x * y) - math.exp(-x) * math.log(y) + 1 / x + abs(x - y)
+    )
     assert series.value == pytest.approx(expected)
     slope = (plain(x + h, y) - plain(x - h, y)) / (2 * h)
     mixed = (plain(x + h, y + h) - plain(x + h, y - h) - plain(x - h, y + h) + plain(x - h, y - h)) / (4 * h * h)
@@ -88,10 +90,18 @@ def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     [both] = shown.json["equilibrium"] if len(shown.json["equilibrium"]) == 1 else [["tan(theta) = -3/4"]]
     one = {"stability": ["undecided"], "equilibrium_conditions": [[]]}
     assert kinds(shown, monkeypatch, equilibrium=[both], **one) == set()
-    assert kinds(shown, monkeypatch, equilibrium=[["tan(theta) = 3/4"]], **one) == {"false equilibrium", "missing equilibrium"}
-    assert kinds(shown, monkeypatch, equilibrium=[["sin(theta) = -3/5"]], **one) == {"false equilibrium", "missing equilibrium"}
+    assert kinds(shown, monkeypatch, equilibrium=[["tan(theta) = 3/4"]], **one) == {
+        "false equilibrium",
+        "missing equilibrium",
+    }
+    assert kinds(shown, monkeypatch, equilibrium=[["sin(theta) = -3/5"]], **one) == {
+        "false equilibrium",
+        "missing equilibrium",
+    }
     assert "missing equilibrium" in kinds(shown, monkeypatch, equilibrium=[], equilibrium_conditions=[], stability=[])
-    assert kinds(shown, monkeypatch, equilibrium=[both], equilibrium_conditions=[[]], stability=["stable"]) == {"stability"}
+    assert kinds(shown, monkeypatch, equilibrium=[both], equilibrium_conditions=[[]], stability=["stable"]) == {
+        "stability"
+    }
     assert "strange symbol" in kinds(shown, monkeypatch, equilibrium=[both], generalized_forces={"theta": "u*v"}, **one)
     assert "not for print" in kinds(shown, monkeypatch, equilibrium=[both], note="nan", **one)
 
@@ -104,7 +114,9 @@ def test_conditions_are_read_from_the_page() -> None:
 
 
 def test_names_of_the_program_are_found() -> None:
-    shown = Printed("", None, {"steps": [], "constraints": [], "checks": [], "equilibrium": [["x = lambda_of_equilibrium_0*q"]]})  # type: ignore[arg-type]
+    shown = Printed(
+        "", None, {"steps": [], "constraints": [], "checks": [], "equilibrium": [["x = lambda_of_equilibrium_0*q"]]}
+    )  # type: ignore[arg-type]
     assert {f.kind for f in wrong_names(shown, {"x"})} == {"strange symbol", "not for print"}
 
 
@@ -137,7 +149,10 @@ def test_a_state_is_consistent() -> None:
     assert x * b - y * a == pytest.approx(-10 * x)
 
 
-@pytest.mark.parametrize(("net", "seed"), [(statics, 2), (statics, 6), (motions, 2), (motions, 4), (constraint_systems, 1), (constraint_systems, 4)])
+@pytest.mark.parametrize(
+    ("net", "seed"),
+    [(statics, 2), (statics, 6), (motions, 2), (motions, 4), (constraint_systems, 1), (constraint_systems, 4)],
+)
 def test_a_few_cases(net: Any, seed: int) -> None:
     """Six cases that always run; several hundred are in truth/test_nets.py."""
     assert [str(f) for f in net.findings(seed)] == []

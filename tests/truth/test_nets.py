@@ -20,7 +20,9 @@ NETS = {"statics": (statics, 160), "motions": (motions, 100), "constraint_system
 
 def _cases() -> list[object]:
     return [
-        pytest.param(name, seed, marks=[pytest.mark.xfail(reason=OPEN[name, seed], strict=True)] if (name, seed) in OPEN else [])
+        pytest.param(
+            name, seed, marks=[pytest.mark.xfail(reason=OPEN[name, seed], strict=True)] if (name, seed) in OPEN else []
+        )
         for name, (_, number) in NETS.items()
         for seed in range(1000, 1000 + number)
     ]

@@ -16,7 +16,7 @@ from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
-from tests.support.statics_texts import BEAD, FOUR_BAR, POLE, SKATE, SPRING_ON_CIRCLE, STRAIGHT_SPRING, CROSS_WIND
+from tests.support.statics_texts import BEAD, CROSS_WIND, FOUR_BAR, POLE, SKATE, SPRING_ON_CIRCLE, STRAIGHT_SPRING
 
 THETA, PHI, BETA, X, Y = (sp.Symbol(n, real=True) for n in ("theta", "phi", "beta", "x", "y"))
 

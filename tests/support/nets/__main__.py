@@ -1,6 +1,6 @@
 """Runs any number of random cases of one net, or of all, and writes each finding with its problem file.
 
-    python -m tests.support.nets --kind statics --number 500 --seed 1 --processes 1 [--folder FOLDER]
+python -m tests.support.nets --kind statics --number 500 --seed 1 --processes 1 [--folder FOLDER]
 """
 
 from __future__ import annotations
@@ -62,7 +62,9 @@ def main() -> int:
                 options.folder.mkdir(parents=True, exist_ok=True)
                 head = "".join(f"# {line}\n" for line in f"{f.kind}\nsaid: {f.said}\ntrue: {f.true}".splitlines())
                 (options.folder / f"{kind}-{seed}-{n}.yaml").write_text(head + f.text, encoding="utf-8")
-    print(f"{len(seconds)} cases, {wrong} with findings; median {statistics.median(seconds):.2f} s, longest {max(seconds):.1f} s")
+    print(
+        f"{len(seconds)} cases, {wrong} with findings; median {statistics.median(seconds):.2f} s, longest {max(seconds):.1f} s"
+    )
     for name, number in counts.most_common():
         print(f"{number:6d}  {name}")
     return bool(wrong)

@@ -32,7 +32,9 @@ def findings(seed: int) -> list[Finding]:
     system = random_system(rng)
     found = check_system(system, random.Random(seed))
     if seed % 2:
-        found += [replace(f, kind=f"{f.kind} (rewritten)") for f in check_system(rewritten(system, rng), random.Random(seed))]
+        found += [
+            replace(f, kind=f"{f.kind} (rewritten)") for f in check_system(rewritten(system, rng), random.Random(seed))
+        ]
     return found
 
 
@@ -80,7 +82,10 @@ def _form(s: System, rng: random.Random) -> dict[str, str]:
         form = {a: f"sin({c})", b: f"-cos({c})"}
     else:
         chosen = rng.sample(s.coordinates, rng.randint(2, 3))
-        form = {a: rng.choice(["1", rng.choice(s.coordinates), str(rng.randint(2, 3)), f"{rng.choice(s.coordinates)}^2"]) for a in chosen}
+        form = {
+            a: rng.choice(["1", rng.choice(s.coordinates), str(rng.randint(2, 3)), f"{rng.choice(s.coordinates)}^2"])
+            for a in chosen
+        }
     return form
 
 
@@ -197,7 +202,9 @@ def check_system(system: System, rng: random.Random) -> list[Finding]:
     if shown.json["degrees_of_freedom"] != n - rank:
         found.append(Finding("degrees of freedom", str(shown.json["degrees_of_freedom"]), str(n - rank)))
     if shown.json["configuration_dimension"] not in (n - integrable, None):
-        found.append(Finding("configuration dimension", str(shown.json["configuration_dimension"]), str(n - integrable)))
+        found.append(
+            Finding("configuration dimension", str(shown.json["configuration_dimension"]), str(n - integrable))
+        )
     for c in shown.json["constraints"]:
         name = c["name"]
         forms = {name: system.forms[name]} if name in system.forms else {}
@@ -233,7 +240,11 @@ def _strays(text: str, system: System, rng: random.Random, chosen: str | None = 
 def _integral(system: System, c: dict[str, Any], rng: random.Random) -> list[Finding]:
     """The differential of what is said to be constant must be a multiple of the form, where the geometric constraints hold."""
     if _strays(c["integral"], system, rng, c["name"]):
-        return [Finding("integral", f"{c['name']}: {c['integral']} is constant", "its differential is no multiple of the form")]
+        return [
+            Finding(
+                "integral", f"{c['name']}: {c['integral']} is constant", "its differential is no multiple of the form"
+            )
+        ]
     return []
 
 
@@ -241,5 +252,7 @@ def _hidden(system: System, hidden: list[str], integrable: int, rng: random.Rand
     """A relation that is said to be hidden must be constant along every admissible motion."""
     for text in hidden:
         if _strays(text, system, rng):
-            return [Finding("hidden relation", f"{text} is constant", "its gradient is no combination of the constraints")]
+            return [
+                Finding("hidden relation", f"{text} is constant", "its gradient is no combination of the constraints")
+            ]
     return [] if len(hidden) <= integrable else [Finding("hidden relation", str(hidden), f"at most {integrable}")]

@@ -22,7 +22,10 @@ VECTORS = {"i": np.array([1.0, 0, 0]), "j": np.array([0, 1.0, 0]), "k": np.array
 VECTORS |= {"e_x": VECTORS["i"], "e_y": VECTORS["j"], "e_z": VECTORS["k"]}
 
 PLAIN = {
-    **{name: getattr(math, name) for name in "sin cos tan asin acos atan sinh cosh tanh exp log sqrt".split()},
+    **{
+        name: getattr(math, name)
+        for name in ["sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log", "sqrt"]
+    },
     "abs": abs,
     "sign": lambda x: math.copysign(1, x) if x else 0.0,
 }

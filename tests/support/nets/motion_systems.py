@@ -25,7 +25,9 @@ def pendulum_cartesian(rng: Rng) -> System:
     s = System("pendulum, Cartesian", ["x", "y"])
     p = letters(s, rng, 0.6, m=whole(rng), l=whole(rng, 1, 2), g=whole(rng, 1, 10))
     s.particle("P", p["m"], "x", "y")
-    s.constraints["rod"] = rng.choice([f"x^2 + y^2 = {p['l']}^2", f"{p['l']} = sqrt(x^2 + y^2)", f"{p['l']}^2 - y^2 - x^2 = 0"])
+    s.constraints["rod"] = rng.choice(
+        [f"x^2 + y^2 = {p['l']}^2", f"{p['l']} = sqrt(x^2 + y^2)", f"{p['l']}^2 - y^2 - x^2 = 0"]
+    )
     s.named["rod"] = "S"
     s.weigh(p["g"])
     if rng.random() < 0.4:
@@ -39,7 +41,9 @@ def wire(rng: Rng) -> System:
     s = System("bead on a wire", ["x", "y"])
     p = letters(s, rng, 0.6, m=whole(rng), a=whole(rng), g=whole(rng))
     s.particle("P", p["m"], "x", "y")
-    curve = rng.choice([f"{p['a']}*x^2", f"-x*{p['a']}/2", f"sin({p['a']}*x)", "x^2 + sin(t)", f"{p['a']}*x*t", "exp(x)"])
+    curve = rng.choice(
+        [f"{p['a']}*x^2", f"-x*{p['a']}/2", f"sin({p['a']}*x)", "x^2 + sin(t)", f"{p['a']}*x*t", "exp(x)"]
+    )
     s.constraints["wire"] = rng.choice([f"y = {curve}", f"{curve} = y", f"2*y - 2*({curve}) = 0"])
     s.named["wire"] = "N"
     s.weigh(p["g"])
@@ -59,7 +63,9 @@ def sphere(rng: Rng) -> System:
     s = System("particle on a surface", ["x", "y", "z"])
     p = letters(s, rng, 0.5, m=whole(rng), R=whole(rng, 1, 3), g=whole(rng))
     s.particle("P", p["m"], "x", "y", "z")
-    s.constraints["surface"] = rng.choice([f"x^2 + y^2 + z^2 = {p['R']}^2", f"z = {p['R']}*(x^2 + y^2)", f"x^2 + y^2 = {p['R']}^2*z^2"])
+    s.constraints["surface"] = rng.choice(
+        [f"x^2 + y^2 + z^2 = {p['R']}^2", f"z = {p['R']}*(x^2 + y^2)", f"x^2 + y^2 = {p['R']}^2*z^2"]
+    )
     s.named["surface"] = "N"
     s.weigh(p["g"], 2)
     return s
@@ -96,7 +102,9 @@ def sleigh(rng: Rng) -> System:
     aside = rng.random() < 0.5
     r = (f"x + {p['c']}*cos(theta)", f"y + {p['c']}*sin(theta)") if aside else ("x", "y")
     s.bodies["B"] = (p["m"], p["J"], r, "theta")
-    s.forms["blade"] = rng.choice([{"x": "sin(theta)", "y": "-cos(theta)"}, {"x": "2*sin(theta)", "y": "-2*cos(theta)"}])
+    s.forms["blade"] = rng.choice(
+        [{"x": "sin(theta)", "y": "-cos(theta)"}, {"x": "2*sin(theta)", "y": "-2*cos(theta)"}]
+    )
     if rng.random() < 0.5:
         s.weigh(whole(rng))
     if rng.random() < 0.4:
@@ -165,7 +173,13 @@ def knife(rng: Rng) -> System:
 def rotating(rng: Rng) -> System:
     s = System("bead on a turning curve", ["theta"], {"theta"})
     p = letters(s, rng, 0.6, m=whole(rng), R=whole(rng), g=whole(rng), w=whole(rng))
-    s.particle("P", p["m"], f"{p['R']}*sin(theta)*cos({p['w']}*t)", f"{p['R']}*sin(theta)*sin({p['w']}*t)", f"-{p['R']}*cos(theta)")
+    s.particle(
+        "P",
+        p["m"],
+        f"{p['R']}*sin(theta)*cos({p['w']}*t)",
+        f"{p['R']}*sin(theta)*sin({p['w']}*t)",
+        f"-{p['R']}*cos(theta)",
+    )
     s.weigh(p["g"], rng.choice([2, 2, 0]))
     return s
 
@@ -183,7 +197,12 @@ def disc_and_cord(rng: Rng) -> System:
     p = letters(s, rng, 0.6, J=whole(rng), m=whole(rng), F=whole(rng))
     s.bodies["B"] = (p["m"], p["J"], ("x", "y"), "phi")
     a, b = whole(rng), signed(rng)
-    s.push_at("B", (f"x + {a}*cos(phi) - ({b})*sin(phi)", f"y + {a}*sin(phi) + ({b})*cos(phi)"), p["F"], rng.choice(["0", signed(rng)]))
+    s.push_at(
+        "B",
+        (f"x + {a}*cos(phi) - ({b})*sin(phi)", f"y + {a}*sin(phi) + ({b})*cos(phi)"),
+        p["F"],
+        rng.choice(["0", signed(rng)]),
+    )
     return s
 
 

@@ -64,7 +64,10 @@ def findings(seed: int) -> list[Finding]:
         for name in {*values} & {*others}:
             a, b = values[name], others[name]
             if name in SIDED:
-                a, b = abs(a), abs(b)  # n is along the gradient of left minus right, which exchanging the sides turns over
+                a, b = (
+                    abs(a),
+                    abs(b),
+                )  # n is along the gradient of left minus right, which exchanging the sides turns over
             if abs(a - b) > 1e-6 * (1 + abs(a)):
                 said = f"{name} = {values[name]:.6g}, and {others[name]:.6g} as {other.constraints or other.forms}"
                 found.append(Finding("named reaction", said, "one force", system.text))
@@ -100,7 +103,10 @@ def state(system: System, rng: random.Random) -> State | None:
     zero = names["t"] * 0
     fs = [zero + difference(c, names) for c in system.constraints.values()]
     rows = {name: f.gradient for name, f in zip(system.constraints, fs, strict=True)}
-    forms = {name: [zero + evaluate(form.get(x, "0"), names) for x in [*system.coordinates, "t"]] for name, form in system.forms.items()}
+    forms = {
+        name: [zero + evaluate(form.get(x, "0"), names) for x in [*system.coordinates, "t"]]
+        for name, form in system.forms.items()
+    }
     rows |= {name: np.array([a.value for a in form]) for name, form in forms.items()}
     a = np.array([*rows.values()]).reshape(len(rows), n + 1)
     if len(rows) and np.linalg.svd(a[:, :n])[1][-1] < 1e-3:
@@ -124,7 +130,9 @@ def state(system: System, rng: random.Random) -> State | None:
     return State(q, v, solution[:n], {c: r[:n] for c, r in rows.items()}, multipliers, parameters, time, scope)
 
 
-def _mass_and_force(system: System, names: dict[str, Any], moving: Array, parameters: dict[str, float]) -> tuple[Array, Array]:
+def _mass_and_force(
+    system: System, names: dict[str, Any], moving: Array, parameters: dict[str, float]
+) -> tuple[Array, Array]:
     """M, and the generalized forces with the terms in velocities on their side."""
     n = len(system.coordinates)
     zero = names["t"] * 0
@@ -156,12 +164,16 @@ def random_states(system: System, rng: random.Random) -> list[State]:
     return [s for s in (state(system, rng) for _ in range(4)) if s is not None][:STATES]
 
 
-def check_system(system: System, states: Sequence[State], reference: State | None) -> tuple[list[Finding], dict[str, float]]:
+def check_system(
+    system: System, states: Sequence[State], reference: State | None
+) -> tuple[list[Finding], dict[str, float]]:
     """All that is not true of what is printed, and the values of the named reactions at the state `reference`."""
     shown = printed(system.text)
     if isinstance(shown, Finding):
         return [shown], {}
-    found = wrong_names(shown, {*system.coordinates, *system.parameters, *system.particles, *system.bodies, *system.named.values()})
+    found = wrong_names(
+        shown, {*system.coordinates, *system.parameters, *system.particles, *system.bodies, *system.named.values()}
+    )
     values: dict[str, float] = {}
     try:
         for s in states:
@@ -232,10 +244,14 @@ def _matrices(found: dict[str, Any], s: State, scope: dict[str, float]) -> Itera
     if rows := found.get("constraint_matrix"):
         a, b = np.array(_numbers(rows, scope)), np.array(_numbers(found["constraint_vector"], scope))
         if np.abs(a @ s.accelerations - b).max() > 1e-6 * (1 + np.abs(b).max()):
-            yield Finding("constraint matrix", f"A = {rows}, b = {found['constraint_vector']}", "A q″ = b does not hold")
+            yield Finding(
+                "constraint matrix", f"A = {rows}, b = {found['constraint_vector']}", "A q″ = b does not hold"
+            )
         left = left - a.T @ np.linalg.lstsq(a.T, left, rcond=None)[0]
     if np.abs(left).max() > 1e-6 * (1 + np.abs(force).max()):
-        yield Finding("mass matrix", f"M = {found['mass_matrix']}, f = {found['force_vector']}", f"M q″ − f − Aᵀλ = {left}")
+        yield Finding(
+            "mass matrix", f"M = {found['mass_matrix']}, f = {found['force_vector']}", f"M q″ − f − Aᵀλ = {left}"
+        )
 
 
 def _numbers(value: Any, scope: dict[str, float]) -> Any:
@@ -266,7 +282,9 @@ def _reactions(system: System, found: dict[str, Any], s: State, scope: dict[str,
             total += moment[2] * (zero + evaluate(system.bodies[on][3], names)).gradient[:n]
         true = s.multipliers[name] * s.rows[name]
         if np.abs(total - true).max() > 1e-6 * (1 + np.abs(true).max()):
-            yield Finding("reaction", f"{name}: {stated['on']} {stated.get('moment_on', '')} works as {total}", f"{true}")
+            yield Finding(
+                "reaction", f"{name}: {stated['on']} {stated.get('moment_on', '')} works as {total}", f"{true}"
+            )
 
 
 def _rate(system: System, expression: str, s: State) -> tuple[float, float]:
@@ -321,11 +339,19 @@ def _sizes(system: System, values: dict[str, float], s: State) -> Iterator[Findi
         for _, r in system.particles.values():
             rows = np.array([(zero + evaluate(c, names)).gradient[: len(s.q)] for c in r])
             if np.abs(rows @ total).max() > 1e-9:
-                forces.append(float(np.linalg.norm(np.linalg.lstsq(rows.T, rows.T @ np.linalg.pinv(rows.T) @ total, rcond=None)[0])))
+                forces.append(
+                    float(
+                        np.linalg.norm(np.linalg.lstsq(rows.T, rows.T @ np.linalg.pinv(rows.T) @ total, rcond=None)[0])
+                    )
+                )
         if forces and min(abs(abs(values[name]) - f) for f in forces) > 1e-6 * (1 + max(forces)):
             yield Finding("named reaction", f"{name} = {values[name]:.8g}", f"the force is {forces[0]:.8g}")
         if constraint == "rod":
             place = np.array([s.scope[x] for x in ("x", "y")])
             pulls = -float(total @ place / np.linalg.norm(place))
             if abs(values[name] - pulls) > 1e-6 * (1 + abs(pulls)):
-                yield Finding("named reaction", f"the tension of the rod is {values[name]:.8g}", f"{pulls:.8g}, positive where it pulls")
+                yield Finding(
+                    "named reaction",
+                    f"the tension of the rod is {values[name]:.8g}",
+                    f"{pulls:.8g}, positive where it pulls",
+                )

@@ -1,6 +1,6 @@
 """All equilibria of a system in a box, in numbers: Newton's method from many places on the virtual work with multipliers.
 
-    ∇V = Aᵀ λ ,   f = 0 ;      stable where  ∇²(V − λ·f)  is positive on the displacements with A δq = 0
+∇V = Aᵀ λ ,   f = 0 ;      stable where  ∇²(V − λ·f)  is positive on the displacements with A δq = 0
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def newton(
             step = np.linalg.lstsq(jacobian, -value, rcond=1e-10)[0]
             size = np.abs(step).max(initial=0)
             off = np.abs(value).max(initial=0)
-            if size < CLOSE and off < STILL or size < 1e-6 and off < 1e-12:  # the second at a multiple root
+            if (size < CLOSE and off < STILL) or (size < 1e-6 and off < 1e-12):  # the second at a multiple root
                 return z, jacobian
             z = z + step * min(1, longest / size if size else 1)
     return None
@@ -168,7 +168,9 @@ def described(system: System, q: Array, multipliers: Array, parameters: dict[str
     return Rest(q, multipliers, parameters, lowest, squares, degenerate)
 
 
-def rests(system: System, parameters: dict[str, float], rng: random.Random, starts: int = 30, most: int = 16) -> list[Rest]:
+def rests(
+    system: System, parameters: dict[str, float], rng: random.Random, starts: int = 30, most: int = 16
+) -> list[Rest]:
     """The places of rest that Newton's method finds from random places, each once; angles in (−π, π]."""
     n = len(system.coordinates)
     balance = _balance(system, parameters)

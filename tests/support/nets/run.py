@@ -22,7 +22,9 @@ SECONDS = 30.0
 """Of processor time, for one case: another process that keeps the machine busy is no finding."""
 
 PREDEFINED = {"i", "j", "k", "e_x", "e_y", "e_z", "t", "pi", "delta", "d", "omega", "lambda", "xi", "V", "diff"}
-NOT_IN_PRINT = re.compile(r"\bnan\b|\bzoo\b|\boo\b|DiracDelta|_of_equilibrium|Subs\(|Derivative\(|Piecewise|RootOf|_?Dummy")
+NOT_IN_PRINT = re.compile(
+    r"\bnan\b|\bzoo\b|\boo\b|DiracDelta|_of_equilibrium|Subs\(|Derivative\(|Piecewise|RootOf|_?Dummy"
+)
 
 
 @dataclass(frozen=True)
@@ -38,7 +40,9 @@ class Finding:
     text: str = ""
 
     def __str__(self) -> str:
-        return f"{self.kind}\n  said: {self.said}\n  true: {self.true}\n" + "\n".join(f"    {x}" for x in self.text.splitlines())
+        return f"{self.kind}\n  said: {self.said}\n  true: {self.true}\n" + "\n".join(
+            f"    {x}" for x in self.text.splitlines()
+        )
 
 
 class TooLongError(BaseException):
@@ -116,7 +120,11 @@ def wrong_names(shown: Printed, names: set[str]) -> list[Finding]:
         for text in _expressions(shown.json.get(key)):
             strange = {n for n in names_in(text) - known if not re.fullmatch(r"(xi|omega|lambda)_\w+", n)}
             if strange:
-                found.append(Finding("strange symbol", f"{key}: {text}", f"no {', '.join(sorted(strange))} in the file", shown.text))
+                found.append(
+                    Finding(
+                        "strange symbol", f"{key}: {text}", f"no {', '.join(sorted(strange))} in the file", shown.text
+                    )
+                )
     for text in strings(shown.json):
         if NOT_IN_PRINT.search(text):
             found.append(Finding("not for print", text[:200], "no such thing in print", shown.text))

@@ -36,7 +36,9 @@ def findings(seed: int) -> list[Finding]:
     found = check_system(system, random.Random(seed), checking=seed % 3 == 0)
     if seed % 4 == 1:
         other = rewritten(system, rng)
-        found += [replace(f, kind=f"{f.kind} (rewritten)") for f in check_system(other, random.Random(seed), checking=False)]
+        found += [
+            replace(f, kind=f"{f.kind} (rewritten)") for f in check_system(other, random.Random(seed), checking=False)
+        ]
     return found
 
 
@@ -168,7 +170,9 @@ def _points(
             if named_singular:
                 continue
             if is_pole(system, q, parameters) is not None and not rests_at_pole(system, q, parameters):
-                yield Finding("pole of a chart", said, f"at {where} the coordinates are singular, and there is no equilibrium")
+                yield Finding(
+                    "pole of a chart", said, f"at {where} the coordinates are singular, and there is no equilibrium"
+                )
                 return
     solvable = any(n in system.coordinates for t in relations for n in names_in(t))
     if not solvable or any_point or outside or any(c.split()[-2] != "≠" for c in conditions):
@@ -224,7 +228,11 @@ def _judged_stability(
             if None not in each and all(each) != r.stable:
                 return [Finding(f"condition of {kind}", f"{said}, stable where {' and '.join(conditions)}", true)]
     if verdict == "undecided" and solved and len(truths) == 1 and None not in truths:
-        return [Finding(f"undecided {kind}", said, f"{'stable' if True in truths else 'unstable'} at all {len(places)} places")]
+        return [
+            Finding(
+                f"undecided {kind}", said, f"{'stable' if True in truths else 'unstable'} at all {len(places)} places"
+            )
+        ]
     return []
 
 
@@ -236,7 +244,9 @@ def _oscillations(system: System, shown: Printed, places: Sequence[Rest]) -> lis
         verdict = entry.get("stability")
         said = " and ".join(entry["equilibrium"])
         if verdict:
-            found += _judged_stability(system, at, verdict, entry.get("stable_where"), f"{said}: {verdict}", "linear stability")
+            found += _judged_stability(
+                system, at, verdict, entry.get("stable_where"), f"{said}: {verdict}", "linear stability"
+            )
         frequencies = entry.get("frequencies") or []
         if verdict is None or any(f["squared"] is None for f in frequencies):
             continue
@@ -245,7 +255,9 @@ def _oscillations(system: System, shown: Printed, places: Sequence[Rest]) -> lis
             stated = sorted(evaluate(f["squared"], scope) for f in frequencies for _ in range(f["multiplicity"]))
             true = r.squares or []
             if not r.degenerate and not _agree(stated, true):
-                found.append(Finding("frequencies", f"{said}: ω² = {_listed(stated)}", f"{_listed(true)} at {_where(system, r)}"))
+                found.append(
+                    Finding("frequencies", f"{said}: ω² = {_listed(stated)}", f"{_listed(true)} at {_where(system, r)}")
+                )
                 break
     return found
 
@@ -277,11 +289,20 @@ def _reactions(
                 for particle, text in at_rest.get("on", {}).items():
                     axes = dict(zip("ijk", np.eye(3), strict=True))
                     force = evaluate(text, axes | system.scope(r.q, r.parameters)) + np.zeros(3)
-                    own = [system.coordinates.index(x) if x in system.coordinates else None for x in system.particles[particle][1]]
+                    own = [
+                        system.coordinates.index(x) if x in system.coordinates else None
+                        for x in system.particles[particle][1]
+                    ]
                     true = [float(r.multipliers[c] * gradient[k]) if k is not None else math.nan for k in own]
                     errors = [abs(a - b) / (1 + abs(b)) for a, b in zip(force, true, strict=False) if not math.isnan(b)]
                     if not all(e < 1e-4 for e in errors):
-                        found.append(Finding("reaction", f"{name} on {particle}: {text} = {force.round(5).tolist()} at {_where(system, r)}", f"{true}"))
+                        found.append(
+                            Finding(
+                                "reaction",
+                                f"{name} on {particle}: {text} = {force.round(5).tolist()} at {_where(system, r)}",
+                                f"{true}",
+                            )
+                        )
                         return found
     return found
 
@@ -310,7 +331,9 @@ def _judged(system: System, shown: Printed, draws: Sequence[dict[str, float]], r
         if not any(_balanced(system, q, p) for p in draws for q in sampled(system, moved, p, rng, 4)):
             judged = _safely(lambda: shown.verdict([*rest, moved]))
             if judged == "equivalent":
-                yield Finding("moved branch", f"`check` calls {[*rest, moved]} equivalent", f"{moved} is no equilibrium")
+                yield Finding(
+                    "moved branch", f"`check` calls {[*rest, moved]} equivalent", f"{moved} is no equilibrium"
+                )
 
 
 def _safely(verdict: Callable[[], str]) -> str:
@@ -352,7 +375,9 @@ def rewritten(system: System, rng: random.Random) -> System:
     constraints = {}
     for name, equation in system.constraints.items():
         left, _, right = sides(equation)
-        constraints[name] = rng.choice([f"{right} = {left}", f"-2*({left}) + 2*({right}) = 0", f"({left} - ({right}))/3 = 0"])
+        constraints[name] = rng.choice(
+            [f"{right} = {left}", f"-2*({left}) + 2*({right}) = 0", f"({left} - ({right}))/3 = 0"]
+        )
     items = [*constraints.items()]
     rng.shuffle(items)
     forms = {name: {q: f"-3*({a})" for q, a in reversed(form.items())} for name, form in system.forms.items()}

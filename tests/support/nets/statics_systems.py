@@ -41,7 +41,9 @@ def circle_cartesian(rng: Rng) -> System:
     s = System("bead on a circle, Cartesian", ["x", "y"])
     p = letters(s, rng, 0.4, R=whole(rng), m=whole(rng), g=whole(rng), F=whole(rng))
     s.particle("P", p["m"], "x", "y")
-    s.constraints["c"] = rng.choice([f"x^2 + y^2 = {p['R']}^2", f"{p['R']}^2 = x^2 + y^2", f"-3*x^2 - 3*y^2 + 3*{p['R']}^2 = 0"])
+    s.constraints["c"] = rng.choice(
+        [f"x^2 + y^2 = {p['R']}^2", f"{p['R']}^2 = x^2 + y^2", f"-3*x^2 - 3*y^2 + 3*{p['R']}^2 = 0"]
+    )
     s.weigh(p["g"])
     if rng.random() < 0.6:
         s.push("P", rng.choice([p["F"], f"-{p['F']}"]), "0")
@@ -143,7 +145,9 @@ def double_pendulum_cartesian(rng: Rng) -> System:
 
 def double_pendulum(rng: Rng) -> System:
     s = System("double pendulum, angles", ["theta", "phi"], {"theta", "phi"})
-    p = letters(s, rng, 0.4, a=whole(rng, 1, 3), b=whole(rng, 1, 3), m=whole(rng), M=whole(rng), g=whole(rng), F=whole(rng))
+    p = letters(
+        s, rng, 0.4, a=whole(rng, 1, 3), b=whole(rng, 1, 3), m=whole(rng), M=whole(rng), g=whole(rng), F=whole(rng)
+    )
     s.particle("A", p["m"], f"{p['a']}*sin(theta)", f"-{p['a']}*cos(theta)")
     x, y = s.particles["A"][1]
     s.particle("B", p["M"], f"{x} + {p['b']}*sin(phi)", f"{y} - {p['b']}*cos(phi)")
@@ -159,7 +163,9 @@ def torsion(rng: Rng) -> System:
     p = letters(s, rng, 0.6, k=whole(rng), a=whole(rng), F=whole(rng))
     s.angles = set()  # a torsion spring counts the turns of one rod against the other
     s.field(f"{p['k']}*(phi - psi)^2/2")
-    s.field(rng.choice([f"{p['a']}*{p['F']}*sin(phi)", f"{p['F']}*cos(psi) + {p['a']}*cos(phi)", f"-{p['F']}*cos(phi)"]))
+    s.field(
+        rng.choice([f"{p['a']}*{p['F']}*sin(phi)", f"{p['F']}*cos(psi) + {p['a']}*cos(phi)", f"-{p['F']}*cos(phi)"])
+    )
     s.turns_as_a_whole = rng.random() < 0.7
     if not s.turns_as_a_whole:
         s.field(f"{whole(rng)}*phi^2/2")
@@ -243,7 +249,9 @@ def skate(rng: Rng) -> System:
     """A blade in a plane, held by a spring or pulled; its angle may have a spring as well."""
     s = System("skate", ["x", "y", "theta"], {"theta"})
     s.particle("P", "0", "x", "y")
-    s.forms["blade"] = rng.choice([{"x": "sin(theta)", "y": "-cos(theta)"}, {"y": "2*cos(theta)", "x": "-2*sin(theta)"}])
+    s.forms["blade"] = rng.choice(
+        [{"x": "sin(theta)", "y": "-cos(theta)"}, {"y": "2*cos(theta)", "x": "-2*sin(theta)"}]
+    )
     p = letters(s, rng, 0.4, k=whole(rng), F=whole(rng))
     kind = rng.randrange(4)
     if kind == 0:

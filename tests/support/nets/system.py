@@ -115,12 +115,16 @@ class System:
             lines.append("bodies:")
             for name, (mass, inertia, r, angle) in self.bodies.items():
                 position = " + ".join(f"({c})*{AXES[n]}" for n, c in enumerate(r) if c != "0") or "0*i"
-                lines.append(f"  {name}: {{mass: {mass}, inertia: {inertia}, position: '{position}', angle: '{angle}'}}")
+                lines.append(
+                    f"  {name}: {{mass: {mass}, inertia: {inertia}, position: '{position}', angle: '{angle}'}}"
+                )
         if self.constraints or self.forms:
             lines.append("constraints:")
             for name, equation in self.constraints.items():
                 reaction = f", reaction: {self.named[name]}" if name in self.named else ""
-                lines.append(f"  {name}: {{equation: '{equation}'{reaction}}}" if reaction else f"  {name}: '{equation}'")
+                lines.append(
+                    f"  {name}: {{equation: '{equation}'{reaction}}}" if reaction else f"  {name}: '{equation}'"
+                )
             for name, form in self.forms.items():
                 lines.append(f"  {name}: '{' + '.join(f'({a})*{q}{chr(39) * 2}' for q, a in form.items())} = 0'")
         if self.gravity:
@@ -150,7 +154,9 @@ class System:
         """The coefficients of the kinematic constraints, as series."""
         xs = variables(q, 2)
         names = self.names(xs, parameters)
-        return [[xs[0] * 0 + evaluate(form.get(x, "0"), names) for x in self.coordinates] for form in self.forms.values()]
+        return [
+            [xs[0] * 0 + evaluate(form.get(x, "0"), names) for x in self.coordinates] for form in self.forms.values()
+        ]
 
     def positions(self, q: Sequence[float], parameters: Mapping[str, float]) -> list[tuple[float, list[Taylor]]]:
         """(mass, position) of every particle."""

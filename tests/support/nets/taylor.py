@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from functools import lru_cache
+from functools import cache, lru_cache
 from itertools import product
 from typing import Any
 
@@ -44,7 +44,7 @@ def unit(k: int, size: int) -> Exponents:
     return tuple(int(j == k) for j in range(size))
 
 
-@lru_cache(maxsize=None)
+@cache
 def space(size: int, order: int) -> Space:
     """The one space of this size and order."""
     return Space(size, order)
@@ -160,7 +160,7 @@ class Taylor:
 
 def _power(a: float, exponent: float) -> float:
     """aⁿ; nan for a fractional power of a negative number, and for a pole."""
-    if a == 0 and exponent < 0 or a < 0 and exponent != int(exponent):
+    if (a == 0 and exponent < 0) or (a < 0 and exponent != int(exponent)):
         return math.nan
     return float(a**exponent)
 
