@@ -189,10 +189,9 @@ def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stabil
         if value is None or sign is None:
             return undecided
         if sign != 0:
-            stable = order % 2 == 0 and sign == 1
-            return Stability(
-                StabilityVerdict.STABLE if stable else StabilityVerdict.UNSTABLE, (shortest_form(value),), order=order
-            )
+            verdict = StabilityVerdict.STABLE if order % 2 == 0 and sign == 1 else StabilityVerdict.UNSTABLE
+            presupposed = not_vanishing([value], b, e)
+            return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=order)
     return undecided
 
 
