@@ -108,7 +108,7 @@ def test_stability_where_other_displacements_are_free() -> None:
 
 def test_a_higher_derivative_that_is_a_square_must_not_vanish() -> None:
     a, b = symbols("a b", positive=True)
-    [s] = stability_of("(a - b)^2*x^4", "x")
+    s, *_ = stability_of("(a - b)^2*x^4", "x")
     assert (s.verdict, s.order, s.presupposed) == (Stable.STABLE, 4, (SignCondition(a, "≠", b),))
 
 
