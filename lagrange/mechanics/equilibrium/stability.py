@@ -261,8 +261,8 @@ def _minor(matrix: Sequence[Sequence[sp.Expr]], rows: Sequence[int], b: Branch, 
 
 
 def _not_leading(size: int) -> Iterator[tuple[int, ...]]:
-    """The rows of each principal minor that is not a leading one, the smaller ones first."""
-    for n in range(1, size):
+    """The rows of each principal minor that is not a leading one, the smaller ones first; only those if there are many."""
+    for n in range(1, size if size <= MOST_MINORS else 3):
         yield from (rows for rows in combinations(range(size), n) if rows != tuple(range(n)))
 
 
