@@ -261,7 +261,7 @@ def _minor(matrix: Sequence[Sequence[sp.Expr]], rows: Sequence[int], b: Branch, 
 
 
 def _not_leading(size: int) -> Iterator[tuple[int, ...]]:
-    """The rows of each principal minor that is not a leading one, the smaller ones first; only those if there are many."""
+    """The rows of each principal minor that is not a leading one, smaller ones first; of large matrices only those."""
     for n in range(1, size if size <= MOST_MINORS else 3):
         yield from (rows for rows in combinations(range(size), n) if rows != tuple(range(n)))
 
