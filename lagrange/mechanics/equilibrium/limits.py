@@ -4,7 +4,8 @@ Sizes are operations (`count_ops`). A number in brackets is the largest value me
 when the limits were gathered; "beyond" is how often a limit was exceeded there.
 """
 
-# Free coordinates whose leading minors are worked out [3].
+# Free coordinates whose leading minors are worked out [3]; of larger matrices of stiffness the other principal minors
+# are worked out up to two rows.
 MOST_MINORS = 4
 # Order of the derivatives of V, where V'' vanishes in one coordinate: x⁶ is the highest that is recognised as stable.
 HIGHEST_ORDER = 6

@@ -189,10 +189,9 @@ def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stabil
         if value is None or sign is None:
             return undecided
         if sign != 0:
-            stable = order % 2 == 0 and sign == 1
-            return Stability(
-                StabilityVerdict.STABLE if stable else StabilityVerdict.UNSTABLE, (shortest_form(value),), order=order
-            )
+            verdict = StabilityVerdict.STABLE if order % 2 == 0 and sign == 1 else StabilityVerdict.UNSTABLE
+            presupposed = not_vanishing([value], b, e)
+            return Stability(verdict, (shortest_form(value),), presupposed=presupposed, order=order)
     return undecided
 
 
@@ -262,8 +261,8 @@ def _minor(matrix: Sequence[Sequence[sp.Expr]], rows: Sequence[int], b: Branch, 
 
 
 def _not_leading(size: int) -> Iterator[tuple[int, ...]]:
-    """The rows of each principal minor that is not a leading one, the smaller ones first."""
-    for n in range(1, size):
+    """The rows of each principal minor that is not a leading one, smaller ones first; of large matrices only those."""
+    for n in range(1, size if size <= MOST_MINORS else 3):
         yield from (rows for rows in combinations(range(size), n) if rows != tuple(range(n)))
 
 

@@ -106,6 +106,12 @@ def test_stability_where_other_displacements_are_free() -> None:
         assert sp.cancel(s.minors[0] - (1 if below else -1) * m * g * b / a**2) == 0
 
 
+def test_a_higher_derivative_that_is_a_square_must_not_vanish() -> None:
+    a, b = symbols("a b", positive=True)
+    s, *_ = stability_of("(a - b)^2*x^4", "x")
+    assert (s.verdict, s.order, s.presupposed) == (Stable.STABLE, 4, (SignCondition(a, "≠", b),))
+
+
 def stability_of(potential: str, coordinates: str = "x, y", constraint: str = "") -> tuple[Stability, ...]:
     text = f"title: v\nparameters: [k, a, b, F]\ncoordinates: [{coordinates}]\nfind: equilibrium\n"
     text += f"forces: {{v: {{potential: '{potential}'}}}}\n" + (
