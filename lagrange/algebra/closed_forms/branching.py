@@ -473,7 +473,24 @@ class _BranchSearch:
             points.append({u: resolved(v, values) for u, v in values.items()})
         left = tuple(self.letters.write(e) for e in state.stuck)
         relations = tuple(dict.fromkeys(state.relations))
-        return Branch(relations, state.conditions, tuple(points), common, state.special, left)
+        conditions = (*state.conditions, *self._divided(state)) if left else state.conditions
+        return Branch(relations, conditions, tuple(points), common, state.special, left)
+
+    def _divided(self, state: _State) -> Iterator[SignCondition]:
+        """That divisors do not vanish, where equations in numbers are left.
+
+        At an isolated root of these a divisor may vanish, and what was divided need not hold there. With parameters
+        that happens for particular values of them only, and a curve of roots is stated with all its points.
+        """
+        symbols = {s for e in state.stuck for s in self.letters.write(e).free_symbols}
+        if not symbols <= {*self.letters.unknowns} or len(state.stuck) < len(symbols - {*self.first}):
+            return
+        for a in state.nonzero:
+            parts = numerator(resolved(a, state.values))
+            for p in factors(self.letters.shortest(parts[0])) or () if parts else ():
+                unknowns = self.letters.unknowns_in(p)
+                if unknowns and unknowns.isdisjoint(self.first):
+                    yield from different_from_zero(p)
 
     def _root_of(self, radicand: sp.Expr) -> sp.Expr:
         """The root, which is not negative: √((a − b)²) is not a − b."""
