@@ -64,10 +64,11 @@ def nature(reaction: Reaction) -> list[Prose]:
         rod = reaction.rod
         first, second = rod.ends
         other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
-        like = "as that of a rod" if second else "as that of a rod, or of a smooth circle or sphere"
+        like = ", as that of a rod" if second else ", as that of a rod, or of a smooth circle or sphere"
+        like = "" if reaction.on_body else like
         beginning: list[Part] = [
             f"{capital(called)} keeps {the(first)} at the distance ", math(rod.length), f" from {other}: its "
-            f"reaction acts along the line joining them, {like}.",
+            f"reaction acts along the line joining them{like}.",
         ]  # fmt: skip
         if reaction.tension is None:
             return [prose(*beginning)]

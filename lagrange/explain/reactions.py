@@ -8,7 +8,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
-from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
+from lagrange.explain.words import are, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton
@@ -116,7 +116,8 @@ def _signs(motion: Motion) -> list[Block]:
 def explain_bounds(newton: Newton) -> list[Block]:
     """The forces that rods, strings and surfaces can exert."""
     blocks: list[Block] = []
-    rods = [r for r in newton.reactions if r.rod is not None and r.tension is not None]
+    kept = [r for r in newton.reactions if r.rod is not None and r.tension is not None]
+    rods = [r for r in kept if not r.on_body]
     tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r in rods if r.tension is not None)
     if len(rods) == 1 and rods[0].rod is not None and rods[0].rod.centre is not None and rods[0].tension is not None:
         outside = math(rods[0].tension, sp.S.Zero, relation="≤")
@@ -131,13 +132,24 @@ def explain_bounds(newton: Newton) -> list[Block]:
                   "Rods can pull and push. Strings in their place can only pull, and stay taut as long as ",
                   *tensions, ".")
         )  # fmt: skip
+    for r in kept:
+        if r.on_body and r.rod is not None and r.tension is not None:
+            first, second = r.rod.ends
+            outside, inside = (math(r.tension, sp.S.Zero, relation=sign) for sign in "≤≥")
+            bodies = joined(map(the, (first, second))) if second else f"{the(first)} and the surface"
+            blocks.append(
+                prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
+                      ", contact from inside ", inside, ".")
+            )  # fmt: skip
     normal = [r for r in newton.reactions if r.is_normal]
     if normal:
         multipliers = listed(math(r.multiplier) for r in normal)
         keep = plural(len(normal), " keeps its sign", " keep their signs")
+        held = {the(name) if r.on_body else "the particle" for r in normal for name in r.acts_on}
+        where = f"on which {held.pop()} is" if len(held) == 1 else "on which the body is"
         blocks.append(
             prose("A surface that can only push stays in contact as long as ", *multipliers, keep,
-                  ": the reaction must point to the side on which the particle is.")
+                  f": the reaction must point to the side {where}.")
         )  # fmt: skip
     return blocks
 

@@ -57,6 +57,7 @@ class Reaction:
     moments     likewise of its moment on each body, about the mass centre: Γ = λ · moment
     others      a_k of the coordinates that move no particle: the generalized force on them is λ a_k
     rod         the distance that is kept, if the constraint keeps one
+    on_body     whether it acts on mass centres of rigid bodies only: then a contact keeps a distance, and no rod
     rough       the same if something slides there with friction: then it is a surface, without tension
     tension     the symbol for the tension of the rod; `named` if the file gives it
     """
@@ -70,6 +71,7 @@ class Reaction:
     tension: sp.Symbol | None = None
     named: bool = False
     moments: Mapping[str, Vector] = field(default_factory=dict)
+    on_body: bool = False
     rough: Rod | None = None
 
     @property
@@ -312,17 +314,18 @@ def _reaction(
     if acts is None:
         return Reaction(constraint, row, given, None, others)
     directions, rod = acts.forces, None
+    on_body = set(directions) <= {r.name for r in configuration.rotations}
     if directions and not others and not acts.moments:
         rod = recognised_rod(row, configuration.points, dict(directions), configuration.slots, configuration.states)
     if rod is None:
-        return Reaction(constraint, row, given, directions, others, moments=acts.moments)
+        return Reaction(constraint, row, given, directions, others, moments=acts.moments, on_body=on_body)
     directions = _along(rod, directions)
     own = row.multiplier
     if given != own and own.name not in taken:
-        return Reaction(constraint, row, own, directions, others, rod, given, named=True)
+        return Reaction(constraint, row, own, directions, others, rod, given, named=True, on_body=on_body)
     tension = sp.Symbol(f"T_{row.name}", real=True)
     free = tension.name not in taken
-    return Reaction(constraint, row, given, directions, others, rod, tension if free else None)
+    return Reaction(constraint, row, given, directions, others, rod, tension if free else None, on_body=on_body)
 
 
 def _without_tension(reaction: Reaction) -> Reaction:
