@@ -102,3 +102,16 @@ def test_stability_where_other_displacements_are_free() -> None:
         assert s.verdict is (Stable.STABLE if below else Stable.UNSTABLE)
         assert [str(q) for q in s.free] == ["x"]
         assert sp.cancel(s.minors[0] - (1 if below else -1) * m * g * b / a**2) == 0
+
+
+def test_the_second_derivative_of_a_modulus_is_shown_without_its_jump() -> None:
+    """V = k |x − a| + c x²: V'' = 2 c where x ≠ a; a Dirac delta stood on the page."""
+    text = (
+        "title: Modulus\nparameters: [k, a, c]\ncoordinates: [x]\n"
+        "forces: {f: {potential: k*abs(x - a) + c*x^2}}\nfind: equilibrium\n"
+    )
+    found = solve(read(text))
+    second = found.own.stability
+    assert second is not None
+    assert not any(v.has(sp.DiracDelta) for row in second.matrix for v in row)
+    assert len(second.jumps) == 1
