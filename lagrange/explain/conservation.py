@@ -83,6 +83,10 @@ def _reason(conserved: Conserved, integrals: Sequence[Integral], small: sp.Symbo
                     "of position and time",)  # fmt: skip
         case Because.DEPENDENT:
             return ("The prescribed motions turn out to supply no net power",)
+        case Because.SCREW:
+            moved = [(" ", *_displaced(i, small)) for i in integrals]
+            screws = plural(len(integrals), "The screw displacement", "The screw displacements")
+            return (screws, *_joined(moved), _NOTHING_MORE if len(integrals) > 1 else _NOTHING)
         case Because.ROTATION if len(integrals) > 1:
             planes = [(" in ", *listed(math(q) for q in i.displacement or ())) for i in integrals]
             return ("The rotations", *_joined(planes), _NOTHING_MORE)
@@ -139,10 +143,13 @@ _CALLED = {
 }
 
 
+_COMBINED = ("the combined momentum along and about the axis", "the combined momenta along and about the axes")
+
+
 def _conclusion(conserved: Conserved, integrals: Sequence[Integral]) -> tuple[Part, ...]:
     """`Therefore (11) and (13) times C are the rates of change of the momenta, which are constant`."""
     several, first = len(integrals) > 1, integrals[0]
-    one, more = _CALLED[first.quantity]
+    one, more = _COMBINED if first.because is Because.SCREW else _CALLED[first.quantity]
     proofs = [_proof(conserved, i) for i in integrals]
     if not all(proofs):
         return (f"Along the motion {more if several else one} {'are' if several else 'is'} constant",)

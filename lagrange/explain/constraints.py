@@ -124,11 +124,13 @@ def explain_quasi(c: ConstraintAnalysis, letter: str, *, likewise: bool) -> list
     return [prose(*words, angles, math(form), ", has ", *end)]
 
 
-def explain_constraints(classification: Classification) -> Step:
+def explain_constraints(classification: Classification, built_in: bool = False) -> Step:
     """Each constraint; which are geometric and which kinematic, and whether time appears."""
     constraints = classification.constraints
     if not constraints:
-        return Step(Rule.CONSTRAINT, "Constraints", (prose("No constraints relate the coordinates."),))
+        words = "No constraints relate the coordinates"
+        words += ": the positions, written in them, satisfy the constraints already." if built_in else "."
+        return Step(Rule.CONSTRAINT, "Constraints", (prose(words),))
     body: list[Block] = []
     for given, group in groupby(constraints, key=lambda c: c.constraint.given):
         members = list(group)

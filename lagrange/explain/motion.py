@@ -50,12 +50,22 @@ def _multiplied(configuration: Configuration) -> Block:
         terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
         one = " and summed, reads" if terms > 1 or not configuration.rotations else ", reads"
         ending = ", summed, read" if " and " in laws else one
-        return prose(f"No reaction enters, since the coordinates are free. {capital(laws)}{ending}")
+        return prose(f"{_no_reactions(configuration)} {capital(laws)}{ending}")
     force = "mass times acceleration equal to applied force plus reaction"
     moment = "the rate of change equal to the moment of applied forces and reactions"
     laws = law_times_displacement(configuration, f", {force if any_moving(configuration) else moment},")
     words = f"Multiply {laws}, and add: the reactions drop out by "
     return prose(words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
+
+
+def _no_reactions(configuration: Configuration) -> str:
+    """Why no reaction appears where no constraint is left."""
+    if not configuration.satisfies_constraints_itself:
+        return "Nothing constrains the motion, so there are no reactions."
+    return (
+        "The coordinates satisfy the constraints by themselves: the reactions that maintain these do no virtual work, "
+        "and drop out."
+    )
 
 
 def _principle(configuration: Configuration) -> sp.Expr:

@@ -93,12 +93,14 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
     """A distance between two points, and its tension."""
     first, second = rod.ends
     other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
-    like = "as that of a rod" if second else "as that of a rod, or of a smooth circle or sphere"
+    like = ", as that of a rod" if second else ", as that of a rod, or of a smooth circle or sphere"
     if reaction.constraint.by in (Keeper.ROD, Keeper.STRING):
-        like = f"as that of a {reaction.constraint.by}"
+        like = f", as that of a {reaction.constraint.by}"
+    elif reaction.on_body:
+        like = ""
     beginning: list[Part] = [
         f"{capital(constraints_called([reaction.name]))} keeps {the(first)} at the distance ", math(rod.length),
-        f" from {other}: its reaction acts along the line joining them, {like}.",
+        f" from {other}: its reaction acts along the line joining them{like}.",
     ]  # fmt: skip
     if reaction.tension is None:
         return prose(*beginning)

@@ -8,7 +8,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
-from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
+from lagrange.explain.words import are, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton
@@ -121,7 +121,7 @@ def explain_bounds(newton: Newton) -> list[Block]:
     blocks: list[Block] = []
     pulling = [r for r in newton.reactions if r.tension is not None and r.constraint.by is not Keeper.ROD]
     strings = [r for r in pulling if r.constraint.by is Keeper.STRING or r.rod is None]
-    rods = [(r, r.rod) for r in pulling if r.rod is not None and r not in strings]
+    rods = [(r, r.rod) for r in pulling if r.rod is not None and r not in strings and not r.on_body]
     taut = listed(math(r.tension, sp.S.Zero, relation="≥") for r in strings if r.tension is not None)
     tensions = listed(math(r.tension, sp.S.Zero, relation="≥") for r, _ in rods if r.tension is not None)
     if strings:
@@ -141,13 +141,24 @@ def explain_bounds(newton: Newton) -> list[Block]:
                   "Rods can pull and push. Strings in their place can only pull, and stay taut as long as ",
                   *tensions, ".")
         )  # fmt: skip
+    for r in pulling:
+        if r.on_body and r not in strings and r.rod is not None and r.tension is not None:
+            first, second = r.rod.ends
+            outside, inside = (math(r.tension, sp.S.Zero, relation=sign) for sign in "≤≥")
+            bodies = joined(map(the, (first, second))) if second else f"{the(first)} and the surface"
+            blocks.append(
+                prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
+                      ", contact from inside ", inside, ".")
+            )  # fmt: skip
     normal = [r for r in newton.reactions if r.is_normal and r.constraint.by is not Keeper.WIRE]
     if normal:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign", " keep their signs")
+        held = {the(name) if r.on_body else "the particle" for r in normal for name in r.acts_on}
+        where = f"on which {held.pop()} is" if len(held) == 1 else "on which the body is"
         blocks.append(
             prose("A surface that can only push stays in contact as long as ", *forces, keep,
-                  ": the reaction must point to the side on which the particle is.")
+                  f": the reaction must point to the side {where}.")
         )  # fmt: skip
     return blocks
 

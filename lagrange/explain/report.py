@@ -114,7 +114,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     """The steps in the order of the chapter; None for one that has nothing to show."""
     problem, classification = solution.problem, solution.classification
     yield explain_statement(problem, solution.own.configuration, not _states_energies(solution))
-    yield explain_constraints(classification)
+    yield explain_constraints(classification, solution.own.configuration.satisfies_constraints_itself)
     if classification.constraints:
         yield explain_forms(classification, problem.slots)
         yield explain_integrability(classification, problem.slots, names_of(problem))

@@ -283,7 +283,10 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
         yield prose(start.removesuffix(" "))
     elif one:
         [q] = second.coordinates
-        yield prose(start, "Its second derivative with respect to ", math(q), " is ", math(second.matrix[0][0]), ".")
+        away = listed(math(jump, sp.S.Zero, relation="≠") for jump in second.jumps)
+        where: tuple[Part, ...] = (", where ", *away) if second.jumps else ()
+        value = math(second.matrix[0][0])
+        yield prose(start, "Its second derivative with respect to ", math(q), " is ", value, *where, ".")
     else:
         yield prose(
             start, "This is so if the leading minors of the matrix of its second derivatives are positive; the "

@@ -22,7 +22,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, prime
+from lagrange.core.symbols import Slots, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.rigid_bodies import Rotation, rotation_in, rotation_of
@@ -128,6 +128,23 @@ class Configuration:
     def accelerated_constraints(self) -> tuple[sp.Expr, ...]:
         """d/dt of the velocity form of each row."""
         return self.constrained.accelerated_constraints
+
+    @property
+    def satisfies_constraints_itself(self) -> bool:
+        """Whether fewer coordinates place the points and bodies than would place them freely: a pivot, a rod or a
+        surface is built into the positions.
+
+        Points move freely along the directions i, j, k that occur in any position; a body also turns, about k or in
+        space, and its mass centre is free in the plane at least.
+        """
+        slots = self.slots
+        moving = {*slots.coordinates, *slots.prescribed, t}
+        fixed = [p.position.fixed().components for p in self.points]
+        used = sum(any(not c[n].free_symbols.isdisjoint(moving) for c in fixed) for n in range(3))
+        turned = [sum(c != 0 for c in r.angular_velocity.fixed().components) for r in self.rotations]
+        directions = max(used, 2 if turned else 0, 3 if any(n > 1 for n in turned) else 0)
+        free = directions * len(self.points) + sum(3 if n > 1 else 1 for n in turned)
+        return len(slots.coordinates) - len(self.rows) < free
 
     @property
     def links(self) -> tuple[StretchedSpring | DamperForce, ...]:

@@ -44,6 +44,7 @@ from lagrange.mechanics.dynamics.noether import (
     gauged,
     symmetries,
 )
+from lagrange.mechanics.dynamics.principle import dot
 
 
 def admitted_displacements(elimination: Elimination, configuration: Configuration) -> list[tuple[sp.Expr, ...]]:
@@ -94,6 +95,7 @@ class Because(StrEnum):
     CYCLIC = "cyclic"  # the coordinate occurs nowhere, and no reaction does work in its displacement
     TRANSLATION = "translation"  # a displacement of several coordinates changes nothing
     ROTATION = "rotation"  # a rotation of Cartesian coordinates changes nothing
+    SCREW = "screw"  # a rotation with a translation along its axis changes nothing
     ADMITTED = "admitted"  # a virtual displacement, in which no reaction does work
     GAUGE = "gauge"  # the force along the coordinate is a total time derivative
     RATE = "rate"  # a displacement changes L, with the work of the forces, by a total time derivative
@@ -289,20 +291,37 @@ class _Search:
         if symmetry.kind is SymmetryKind.GAUGE and (len(moved) > 1 or not self._is_cyclic(next(iter(moved)))):
             quantity = ConservedQuantity.ANGULAR_MOMENTUM if turned else ConservedQuantity.MOMENTUM
             return self._proved(Integral(quantity, Because.RATE, expression, None, moved, multipliers))
-        quantity = (
-            ConservedQuantity.ANGULAR_MOMENTUM if symmetry.kind is SymmetryKind.ROTATION else ConservedQuantity.MOMENTUM
-        )
+        rotation = symmetry.kind is SymmetryKind.ROTATION
+        screw = rotation and self._is_screw(moved)
+        quantity = ConservedQuantity.ANGULAR_MOMENTUM if rotation and not screw else ConservedQuantity.MOMENTUM
         if symmetry.kind in (SymmetryKind.TRANSLATION, SymmetryKind.GAUGE) and len(moved) == 1:
             because = Because.GAUGE if symmetry.kind is SymmetryKind.GAUGE else Because.CYCLIC
             return self._proved(Integral(quantity, because, expression, next(iter(moved)), moved, multipliers))
-        because = {SymmetryKind.ROTATION: Because.ROTATION, SymmetryKind.ADMITTED: Because.ADMITTED}.get(
-            symmetry.kind, Because.TRANSLATION
-        )
+        because = {
+            SymmetryKind.ROTATION: Because.SCREW if screw else Because.ROTATION,
+            SymmetryKind.ADMITTED: Because.ADMITTED,
+        }.get(symmetry.kind, Because.TRANSLATION)
         if normalised(expression) != expression:
             expression = normalised(expression)
             moved = {q: -x for q, x in moved.items()}
             multipliers = tuple(-m for m in multipliers)
         return self._proved(Integral(quantity, because, expression, None, moved, multipliers))
+
+    def _is_screw(self, moved: Mapping[sp.Symbol, sp.Expr]) -> bool:
+        """Whether a rotation of Cartesian coordinates goes with a translation across their planes: along its axis."""
+        places = {q: k for k, q in enumerate(self.slots.coordinates)}
+        turned = {s for x in moved.values() for s in x.free_symbols & places.keys()}
+        across = [places[q] for q in moved if q not in turned]
+        plane = [places[q] for q in turned]
+
+        def translates(k: int) -> bool:
+            """Whether the coordinate moves some point at right angles to every plane."""
+            along = [p.partials[k].fixed() for p in self.configuration.points if not p.partials[k].is_zero]
+            inside = [p.partials[n].fixed() for p in self.configuration.points for n in plane]
+            ring = self.energies.ring
+            return bool(along) and all(ring.is_zero(dot(a, b, ring)) for a in along for b in inside)
+
+        return any(map(translates, across))
 
     def _is_cyclic(self, coordinate: sp.Symbol) -> bool:
         """Whether a coordinate does not occur in the energies."""

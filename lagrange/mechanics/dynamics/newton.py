@@ -65,6 +65,7 @@ class Reaction:
     moments     likewise of its moment on each body, about the mass centre: Γ = λ · moment
     others      a_k of the coordinates that move no particle: the generalized force on them is λ a_k
     rod         the distance that is kept, if the constraint keeps one
+    on_body     whether it acts on mass centres of rigid bodies only: then a contact keeps a distance, and no rod
     rough       the same if it is a surface, on which something slides with friction or as the file says: no tension
     single      the single force that it is; None if it is none
     symbol      of that force, if it is not λ; `named` if the file gives it
@@ -79,6 +80,7 @@ class Reaction:
     symbol: sp.Symbol | None = None
     named: bool = False
     moments: Mapping[str, Vector] = field(default_factory=dict)
+    on_body: bool = False
     rough: Rod | None = None
     single: SingleForce | None = None
 
@@ -369,6 +371,7 @@ def _reaction(
         moments={} if acts is None else acts.moments,
         rough=rod if is_surface else None,
         single=single,
+        on_body=acts is not None and by is None and set(acts.forces) <= {r.name for r in configuration.rotations},
     )
     return _with_symbol(unnamed, taken)
 

@@ -29,7 +29,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
-from lagrange.core.symbols import base, t
+from lagrange.core.symbols import base, partial, t
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check, certainty
@@ -192,7 +192,7 @@ def _same_equations(linear: Linearization) -> Iterator[bool | None]:
     ]
     at_rest = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
     tables = [
-        sp.Matrix([[e.diff(s).xreplace(at_rest) for s in symbols] for e in left])
+        sp.Matrix([[partial(e, s).xreplace(at_rest) for s in symbols] for e in left])
         for symbols in (slots.accelerations, slots.velocities, slots.coordinates)
     ]
     for b, s in zip(linear.branches, linear.at, strict=True):

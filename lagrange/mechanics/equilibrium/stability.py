@@ -77,11 +77,15 @@ class Stability:
 
 @record
 class SecondVariation:
-    """V_kj, shape (f, f), in the coordinates with free displacements, and the verdict on each branch."""
+    """V_kj, shape (f, f), in the coordinates with free displacements, and the verdict on each branch.
+
+    jumps  arguments of signs and moduli in the forces: the V_kj hold where none of them is zero
+    """
 
     coordinates: tuple[sp.Symbol, ...]
     matrix: tuple[tuple[sp.Expr, ...], ...]
     verdicts: tuple[Stability, ...]
+    jumps: tuple[sp.Expr, ...] = ()
 
 
 def second_variation(e: Equilibrium) -> SecondVariation | None:
@@ -101,7 +105,12 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
         matrix.append(tuple(row))
     if not _is_symmetric(matrix, e):
         return None
-    return SecondVariation(tuple(q[k] for k in free), tuple(matrix), tuple(_verdict(b, matrix, e) for b in e.branches))
+    verdicts = tuple(_verdict(b, matrix, e) for b in e.branches)
+    jumps = {jump for row in matrix for v in row for jump in v.atoms(sp.DiracDelta)}
+    smooth = dict.fromkeys(jumps, sp.S.Zero)
+    table = tuple(tuple(e.work.textbook.form(v.xreplace(smooth)) if jumps else v for v in row) for row in matrix)
+    arguments = tuple(sorted({jump.args[0] for jump in jumps}, key=str))
+    return SecondVariation(tuple(q[k] for k in free), table, verdicts, arguments)
 
 
 def _along(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:

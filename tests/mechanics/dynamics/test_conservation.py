@@ -316,3 +316,23 @@ def test_virtual_displacements_of_two_blades_together_give_a_momentum() -> None:
     assert momentum.constant
     assert momentum.multipliers
     assert {str(q) for q in momentum.displacement or ()} == {"x", "y", "X", "Y"}
+
+
+def test_a_screw_is_no_rotation() -> None:
+    """A field that winds about the k axis: δz = p ε goes with the rotation, and no angular momentum is conserved."""
+    text = (
+        "title: Helical field\nparameters: [m, c, p]\ncoordinates: [x, y, z]\n"
+        "particles: {P: {mass: m, position: x*i + y*j + z*k}}\n"
+        "forces: {f: {potential: c*(x*cos(z/p) + y*sin(z/p))}}\n"
+    )
+    found = report(read_problem(Source("p.yaml", text)))
+    conserved = found.solution.own.conserved
+    assert conserved is not None
+    assert [(i.quantity.value, i.because) for i in conserved.integrals] == [
+        ("momentum", Because.SCREW),
+        ("energy", Because.CONSERVATIVE),
+    ]
+    [step] = [s for s in found.derivation.steps if s.rule is Rule.CONSERVED]
+    words = " ".join(str(p) for b in step.body if isinstance(b, Prose) for p in b.parts)
+    assert "The screw displacement" in words
+    assert "angular momentum" not in words

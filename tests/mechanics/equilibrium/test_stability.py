@@ -206,3 +206,16 @@ def test_no_condition_says_what_another_one_implies() -> None:
     first = found.stability.verdicts[0]
     assert first.verdict is Stable.CONDITIONAL
     assert first.conditions == (SignCondition(sp.cos(theta), ">", sp.S.Zero),)
+
+
+def test_the_second_derivative_of_a_modulus_is_shown_without_its_jump() -> None:
+    """V = k |x − a| + c x²: V'' = 2 c where x ≠ a; a Dirac delta stood on the page."""
+    text = (
+        "title: Modulus\nparameters: [k, a, c]\ncoordinates: [x]\n"
+        "forces: {f: {potential: k*abs(x - a) + c*x^2}}\nfind: equilibrium\n"
+    )
+    found = solve(read(text))
+    second = found.own.stability
+    assert second is not None
+    assert not any(v.has(sp.DiracDelta) for row in second.matrix for v in row)
+    assert len(second.jumps) == 1

@@ -56,7 +56,7 @@ def _function(s: System, rng: random.Random) -> str:
     return rng.choice([f"{a}*{b} + {c}", f"{a}^2 + {b}^2", f"{a} + 2*{b} - sin({c})", f"{a}*exp({b})", f"{a}*{b}*{c}"])
 
 
-def _derivative(f: str, q: str, s: System) -> str:
+def _derivative(f: str, q: str) -> str:
     """∂f/∂q for the functions above, by their form."""
     terms: list[str] = []
     for term in f.replace(" - ", " + -1*").split(" + "):
@@ -73,7 +73,7 @@ def _form(s: System, rng: random.Random) -> dict[str, str]:
     if kind == 0:  # the differential of a function, perhaps with a factor
         f = _function(s, rng)
         factor = rng.choice(["1", "1", "(1 + x^2)", "exp(z)", "(2 + sin(y))"])
-        form = {q: f"{factor}*({d})" for q in s.coordinates if (d := _derivative(f, q, s)) != "0"}
+        form = {q: f"{factor}*({d})" for q in s.coordinates if (d := _derivative(f, q)) != "0"}
     elif kind == 1:  # contact form
         a, b, c = rng.sample(s.coordinates, 3)
         form = {a: "1", b: f"-{c}"}
