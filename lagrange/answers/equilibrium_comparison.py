@@ -273,7 +273,7 @@ class EquilibriumComparison:
         """The verdict on an identity, or a constraint restated; None for other equations."""
         if not equations or not all(self.surface.is_zero(e) for e in equations):
             return None
-        if all(is_zero(e) for e in equations):
+        if all(is_zero(e.xreplace(self.values)) for e in reading.components):
             return EquationVerdict(reading.text, Verdict.TRIVIAL, "it is an identity, true for every position")
         return EquationVerdict(reading.text, Verdict.EQUIVALENT, remarks=(RESTATED,))
 
