@@ -15,6 +15,7 @@ from itertools import product
 
 import sympy as sp
 
+from lagrange.answers.displacement_statements import displaced_coordinates, without_displacements
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS
 from lagrange.answers.readings import Reading, read_answer
@@ -108,12 +109,19 @@ def _tried(
 ) -> AnswerVerdict | None:
     """The verdict in one set of coordinates; None if the answer uses others."""
     configuration = equilibrium.configuration
-    used = {s.name for a in readings for r in a for e in r.components for s in e.free_symbols}
+    components = [e for a in readings for r in a for e in r.components]
+    moved = displaced_coordinates(components, reference.scope.slots.coordinates)
+    used = {s.name for s in moved.union(*(e.free_symbols for e in components))}
     known = {s.name for s in (*configuration.slots.coordinates, *configuration.expressed)}
     if not used & {q.name for q in reference.scope.slots.coordinates} <= known:
         return None
     values = dict(reference.values)
-    systems = [[tuple(configuration.rewritten(e).xreplace(values) for e in r.components) for r in a] for a in readings]
+
+    def rewritten(e: sp.Expr) -> list[sp.Expr]:
+        stated = without_displacements(configuration.rewritten(e), configuration)
+        return [part.xreplace(values) for part in stated]
+
+    systems = [[tuple(part for e in r.components for part in rewritten(e)) for r in a] for a in readings]
     literal = EquilibriumComparison(equilibrium, values, systems).verdict(readings, systems)
     wider = [[tuple(_widened(e) for e in es) for es in a] for a in systems]
     if literal.verdict is Verdict.EQUIVALENT or wider == systems:

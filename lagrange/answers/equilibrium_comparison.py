@@ -273,7 +273,7 @@ class EquilibriumComparison:
         """The verdict on an identity, or a constraint restated; None for other equations."""
         if not equations or not all(self.surface.is_zero(e) for e in equations):
             return None
-        if all(is_zero(e) for e in equations):
+        if all(is_zero(e.xreplace(self.values)) for e in reading.components):
             return EquationVerdict(reading.text, Verdict.TRIVIAL, "it is an identity, true for every position")
         return EquationVerdict(reading.text, Verdict.EQUIVALENT, remarks=(RESTATED,))
 
@@ -356,14 +356,14 @@ class EquilibriumComparison:
         undecided = False
         for point, equations, angles in cases:
             residuals = self._residuals(point, equations, angles)
-            verdicts = [None] if residuals is None else [self._vanishes(e) for e in residuals]
+            verdicts = [None] if residuals is None else [self._vanishes_if_defined(e) for e in residuals]
             if all(verdicts):
                 return True
             undecided = undecided or (None in verdicts and False not in verdicts)
             sums += [sp.Add(*(e**2 for e in residuals))] if residuals else []
         if len(sums) < 2:
             return None if undecided else False
-        together = self._vanishes(sp.Mul(*sums))
+        together = self._vanishes_if_defined(sp.Mul(*sums))
         return together if together or not undecided else None
 
     def _at_one(self, cases: Sequence[_Case]) -> bool | None:
@@ -404,6 +404,13 @@ class EquilibriumComparison:
     def _vanishes(self, e: sp.Expr) -> bool | None:
         """Whether an expression is zero; if the position is given, at all positions that the constraints admit."""
         return self.surface.is_zero(e) if self.equilibrium.given else is_zero(e)
+
+    def _vanishes_if_defined(self, e: sp.Expr) -> bool | None:
+        """Whether an expression is zero; None: undecided, or it divides by zero."""
+        try:
+            return self._vanishes(e)
+        except DivisionByZeroError:
+            return None
 
     def _right(
         self, equations: Sequence[sp.Expr], angles: Mapping[sp.Symbol, sp.Expr]

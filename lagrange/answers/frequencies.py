@@ -30,7 +30,7 @@ from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOsc
 
 _BEST = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
 _NONE_KNOWN = "no equilibrium with a characteristic equation for the frequencies is known in closed form"
-_NOT_ALL_KNOWN = "it belongs to no equilibrium that is known, but not all are known in closed form"
+_NOT_ALL_KNOWN = "not right at any equilibrium with known linear equations, but not all equilibria have these"
 _SEVERAL = "no equilibrium has all of them"
 
 

@@ -82,7 +82,7 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
         (
             TWO_SPRINGS,
             '["2*sqrt(k/m)"]',
-            "it belongs to no equilibrium that is known, but not all are known in closed form",
+            "not right at any equilibrium with known linear equations, but not all equilibria have these",
         ),
         (
             DAMPED,
