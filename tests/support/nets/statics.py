@@ -1,0 +1,391 @@
+"""Statics: what is printed of equilibria, their stability, reactions and small oscillations, against places of rest in numbers.
+
+Each statement is tested as it is written: relations and conditions are evaluated with numbers for the parameters. Points of each branch
+are sampled from its relations alone, and must be in equilibrium; each place of rest must satisfy a branch.
+"""
+
+from __future__ import annotations
+
+import math
+import random
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tests.support.nets.evaluate import NotReadError, evaluate, holds, names_in, sides
+from tests.support.nets.rest import Rest, imbalance, is_pole, is_singular, newton, rests, rests_at_pole, start_in
+from tests.support.nets.run import Finding, Printed, printed, wrong_names
+from tests.support.nets.statics_systems import random_system
+from tests.support.nets.system import System, turned
+from tests.support.nets.taylor import Taylor, variables
+
+Array = Any
+DRAWS = 2
+"""Values of the parameters that are tried."""
+SAMPLES = 10
+"""Places from which points of a branch are sought."""
+
+
+def findings(seed: int) -> list[Finding]:
+    """One random system, and the same written in another way."""
+    rng = random.Random(seed)
+    system = random_system(rng)
+    found = check_system(system, random.Random(seed), checking=seed % 3 == 0)
+    if seed % 4 == 1:
+        other = rewritten(system, rng)
+        found += [
+            replace(f, kind=f"{f.kind} (rewritten)") for f in check_system(other, random.Random(seed), checking=False)
+        ]
+    return found
+
+
+def check_system(system: System, rng: random.Random, checking: bool = True) -> list[Finding]:
+    """All that is not true of what is printed for a system. checking: whether `check` is asked of the list as well."""
+    shown = printed(system.text)
+    if isinstance(shown, Finding):
+        return [shown]
+    names = {*system.coordinates, *system.parameters, *system.particles}
+    names |= {q for chart, _ in system.choices.values() for q in chart.coordinates}
+    found = wrong_names(shown, names)
+    draws = [{p: rng.uniform(0.4, 3) * (rng.choice([-1, 1]) if p in system.real else 1) for p in system.parameters}
+             for _ in range(DRAWS if system.parameters else 1)]  # fmt: skip
+    places = [r for parameters in draws for r in rests(system, parameters, rng)]
+    places = [r for r in places if not is_singular(system, r.q, r.parameters) and not _is_of_chart(system, r)]
+    try:
+        found += _compared(system, shown, places, draws, rng)
+        for name, (chart, _) in system.choices.items():
+            in_chart = [r for parameters in draws for r in rests(chart, parameters, rng)]
+            found += _compared(
+                chart, shown.in_choice(name), [r for r in in_chart if not _is_of_chart(chart, r)], draws, rng
+            )
+        if checking:
+            found += list(_judged(system, shown, draws, rng))
+    except NotReadError as error:
+        found.append(Finding("not read back", str(error), "what is printed can be read", shown.text))
+    return list({f.kind: replace(f, text=system.text) for f in reversed(found)}.values())
+
+
+def _is_of_chart(system: System, r: Rest) -> bool:
+    return is_pole(system, r.q, r.parameters) is not None and not rests_at_pole(system, r.q, r.parameters)
+
+
+def _compared(
+    system: System, shown: Printed, places: Sequence[Rest], draws: Sequence[dict[str, float]], rng: random.Random
+) -> list[Finding]:
+    branches = list(zip(shown.json.get("equilibrium", []), shown.json.get("equilibrium_conditions", []), strict=True))
+    named_singular = "coordinates are singular there" in shown.page()
+    found = [f for branch in branches for f in _points(system, branch, draws, rng, named_singular)]
+    for r in places:
+        if not any(satisfies(system, r, *b) for b in branches):
+            said = "; ".join(" and ".join(b) for b, _ in branches) or "no equilibrium"
+            found.append(Finding("missing equilibrium", said, f"also {_where(system, r)}", ""))
+            break
+    if not system.forms:
+        found += _stability(system, shown, branches, places)
+        found += _oscillations(system, shown, places)
+    return found + _reactions(system, shown, branches, places)
+
+
+# Places
+
+
+def _where(system: System, r: Rest) -> str:
+    values = dict(zip(system.coordinates, (float(x) for x in r.q), strict=True)) | r.parameters
+    return ", ".join(f"{n} = {v:.6g}" for n, v in values.items())
+
+
+def _residual(system: System, text: str, names: dict[str, Any]) -> Any:
+    """Left minus right side; of an angle, modulo 2π."""
+    left, _, right = sides(text)
+    value = evaluate(left, names) - evaluate(right, names)
+    if left in system.angles:
+        plain = value.value if isinstance(value, Taylor) else value
+        if math.isfinite(plain):
+            value = value - (plain - turned(plain))
+    return value
+
+
+def satisfies(system: System, r: Rest, relations: Sequence[str], conditions: Sequence[str]) -> bool:
+    """Whether a place of rest is one of a branch; where all coordinates may be turned together, in any of its turns."""
+    turns = (0, -1, 1) if system.turns_as_a_whole else (0,)
+    return any(_satisfies(system, r, r.q + 2 * math.pi * n, relations, conditions) for n in turns)
+
+
+def _satisfies(system: System, r: Rest, q: Array, relations: Sequence[str], conditions: Sequence[str]) -> bool:
+    names = system.scope(q, r.parameters)
+    tolerance = 3e-3 if r.degenerate else 1e-5
+    for text in relations:
+        left = sides(text)[0]
+        size = 1.0 if left in system.angles else 1 + abs(evaluate(left, names))
+        value = _residual(system, text, names)
+        if not abs(value) <= tolerance * size:
+            return False
+    return all(holds(c, names, 1e-5) is not False for c in conditions)
+
+
+def sampled(
+    system: System, relations: Sequence[str], parameters: dict[str, float], rng: random.Random, samples: int = SAMPLES
+) -> Iterator[Array]:
+    """Points that satisfy the relations of a branch, and nothing else of the system."""
+
+    def at(q: Array) -> tuple[Array, Array]:
+        names = system.names(variables(q, 1), parameters)
+        zero = names[system.coordinates[0]] * 0
+        values = [zero + _residual(system, t, names) for t in relations]
+        return np.array([v.value for v in values]), np.array([v.gradient for v in values]).reshape(len(values), len(q))
+
+    for _ in range(samples):
+        start = start_in(system, rng)
+        result = newton(at, start, steps=40) if relations else (start, None)
+        if result is not None:
+            yield result[0]
+
+
+def _points(
+    system: System, branch: tuple[list[str], list[str]], draws: Sequence[dict[str, float]], rng: random.Random,
+    named_singular: bool,
+) -> Iterator[Finding]:  # fmt: skip
+    """Points of a branch that are in no equilibrium; a branch without points. named_singular: poles are named as such."""
+    relations, conditions = branch
+    said = " and ".join(relations) + (f" where {', '.join(conditions)}" if conditions else "")
+    any_point = outside = False
+    for parameters in draws:
+        for q in sampled(system, relations, parameters, rng):
+            scope = system.scope(q, parameters)
+            if any(holds(c, scope) in (False, None) for c in conditions):
+                outside = True
+                continue
+            any_point = True
+            force, broken = imbalance(system, q, parameters)
+            where = ", ".join(f"{n} = {float(v):.6g}" for n, v in scope.items())
+            if broken > 1e-5:
+                yield Finding("breaks a constraint", said, f"at {where} a constraint is off by {broken:.3g}")
+                return
+            if not force < 1e7:
+                if all(abs(x) < 50 for x in q):
+                    yield Finding("no force there", said, f"at {where} a force has no value or direction")
+                    return
+                continue
+            size = 1 + float(np.abs(system.energy(q, parameters).gradient).max())
+            if force > 1e-5 * size:
+                yield Finding("false equilibrium", said, f"at {where} a force {force:.4g} remains")
+                return
+            if named_singular:
+                continue
+            if is_pole(system, q, parameters) is not None and not rests_at_pole(system, q, parameters):
+                yield Finding(
+                    "pole of a chart", said, f"at {where} the coordinates are singular, and there is no equilibrium"
+                )
+                return
+    solvable = any(n in system.coordinates for t in relations for n in names_in(t))
+    if not solvable or any_point or outside or any(c.split()[-2] != "≠" for c in conditions):
+        return
+    if not any(True for parameters in draws for _ in sampled(system, relations, parameters, rng, 40)):
+        yield Finding("no point", said, "no real point found that satisfies it")
+
+
+# Stability
+
+SOLVED = re.compile(r"(\w+|\w+\(\w+\)) = ")
+STABLE_WHERE = re.compile(r"(?<!un)stable where (.*?)(?:, unstable where|; elsewhere|\.(?:\s|\"|$))")
+
+
+def conditions_of_stability(shown: Printed, n: int) -> list[str] | None:
+    """The conditions on the page under which the n-th equilibrium is stable; None if they are not found there."""
+    label = f"At [equilibrium{shown.choice and '-' + shown.choice}-{n}]"
+    for step in shown.json["steps"]:
+        if step["rule"] != "equilibrium":
+            continue
+        for block in step["body"]:
+            for sentence in re.split(r"(?=At \[equilibrium-)", str(block.get("prose", ""))):
+                if sentence.startswith(label) and (match := STABLE_WHERE.search(sentence + " ")):
+                    return [c for c in re.split(r", (?![^(]*\))| and ", match[1]) if c]
+    return None
+
+
+def _stability(
+    system: System, shown: Printed, branches: Sequence[tuple[list[str], list[str]]], places: Sequence[Rest]
+) -> list[Finding]:
+    found = []
+    for n, verdict in enumerate(shown.json.get("stability", [])):
+        at = [r for r in places if satisfies(system, r, *branches[n])]
+        said = f"{' and '.join(branches[n][0])}: {verdict}"
+        conditions = conditions_of_stability(shown, n + 1) if verdict == "conditional" else None
+        found += _judged_stability(system, at, verdict, conditions, said, "stability")
+    return found
+
+
+def _judged_stability(
+    system: System, places: Sequence[Rest], verdict: str, conditions: list[str] | None, said: str, kind: str
+) -> list[Finding]:
+    """One verdict against the numbers at each of its places. Undecided is no fault where equations are left unsolved."""
+    solved = all(SOLVED.match(part) for part in said.removesuffix(f": {verdict}").split(" and "))
+    truths = {r.stable for r in places}
+    for r in places:
+        if r.stable is None:
+            continue
+        true = f"{'stable' if r.stable else 'unstable'} at {_where(system, r)} (lowest eigenvalue {r.lowest:.3g} of the largest)"
+        if verdict in ("stable", "unstable") and (verdict == "stable") != r.stable:
+            return [Finding(kind, said, true)]
+        if verdict == "conditional" and conditions is not None:
+            each = [holds(c, system.scope(r.q, r.parameters)) for c in conditions]
+            if None not in each and all(each) != r.stable:
+                return [Finding(f"condition of {kind}", f"{said}, stable where {' and '.join(conditions)}", true)]
+    if verdict == "undecided" and solved and len(truths) == 1 and None not in truths:
+        return [
+            Finding(
+                f"undecided {kind}", said, f"{'stable' if True in truths else 'unstable'} at all {len(places)} places"
+            )
+        ]
+    return []
+
+
+def _oscillations(system: System, shown: Printed, places: Sequence[Rest]) -> list[Finding]:
+    found = []
+    for entry in shown.json.get("linearization", []):
+        at = [r for r in places if satisfies(system, r, entry["equilibrium"], entry.get("conditions", []))]
+        at = [r for r in at if r.squares is not None and is_pole(system, r.q, r.parameters) is None]
+        verdict = entry.get("stability")
+        said = " and ".join(entry["equilibrium"])
+        if verdict:
+            found += _judged_stability(
+                system, at, verdict, entry.get("stable_where"), f"{said}: {verdict}", "linear stability"
+            )
+        frequencies = entry.get("frequencies") or []
+        if verdict is None or any(f["squared"] is None for f in frequencies):
+            continue
+        for r in at:
+            scope = system.scope(r.q, r.parameters)
+            stated = sorted(evaluate(f["squared"], scope) for f in frequencies for _ in range(f["multiplicity"]))
+            true = r.squares or []
+            if not r.degenerate and not _agree(stated, true):
+                found.append(
+                    Finding("frequencies", f"{said}: ω² = {_listed(stated)}", f"{_listed(true)} at {_where(system, r)}")
+                )
+                break
+    return found
+
+
+def _listed(values: Sequence[float]) -> str:
+    return ", ".join(f"{v:.6g}" for v in values)
+
+
+def _agree(a: Sequence[float], b: Sequence[float]) -> bool:
+    size = max((abs(x) for x in b), default=1.0) + 1e-9
+    return len(a) == len(b) and all(abs(x - y) < 1e-4 * size for x, y in zip(a, b, strict=True))
+
+
+# Reactions
+
+
+def _reactions(
+    system: System, shown: Printed, branches: Sequence[tuple[list[str], list[str]]], places: Sequence[Rest]
+) -> list[Finding]:
+    """The forces of each finite constraint on each particle: λ ∂f/∂r, where the positions are the coordinates themselves."""
+    found: list[Finding] = []
+    stated = shown.json.get("reactions", {})
+    for c, name in enumerate(system.constraints):
+        for n, at_rest in enumerate(stated.get(name, {}).get("at_equilibrium", [])):
+            for r in places if at_rest else ():
+                if r.degenerate or not satisfies(system, r, *branches[n]):
+                    continue
+                gradient = system.finite(r.q, r.parameters)[c].gradient
+                for particle, text in at_rest.get("on", {}).items():
+                    axes = dict(zip("ijk", np.eye(3), strict=True))
+                    force = evaluate(text, axes | system.scope(r.q, r.parameters)) + np.zeros(3)
+                    own = [
+                        system.coordinates.index(x) if x in system.coordinates else None
+                        for x in system.particles[particle][1]
+                    ]
+                    true = [float(r.multipliers[c] * gradient[k]) if k is not None else math.nan for k in own]
+                    errors = [abs(a - b) / (1 + abs(b)) for a, b in zip(force, true, strict=False) if not math.isnan(b)]
+                    if not all(e < 1e-4 for e in errors):
+                        found.append(
+                            Finding(
+                                "reaction",
+                                f"{name} on {particle}: {text} = {force.round(5).tolist()} at {_where(system, r)}",
+                                f"{true}",
+                            )
+                        )
+                        return found
+    return found
+
+
+# What `check` says of the list
+
+
+def _judged(system: System, shown: Printed, draws: Sequence[dict[str, float]], rng: random.Random) -> Iterator[Finding]:
+    """The program's own list is equivalent, and with a branch dropped or moved it is not."""
+    branches = shown.json.get("equilibrium", [])
+    if not branches or not all(branches) or shown.json.get("equilibrium_exists") is not True:
+        return
+    conditions = shown.json["equilibrium_conditions"]
+    verdict = _safely(lambda: shown.verdict(branches))
+    if verdict not in ("equivalent", "undecided"):
+        yield Finding("own list", f"`check` calls {branches} {verdict}", "equivalent: it is what the program prints")
+    n = rng.randrange(len(branches))
+    rest = [b for k, b in enumerate(branches) if k != n]
+    if rest and verdict == "equivalent" and _is_needed(system, branches, conditions, n, draws, rng):
+        dropped = _safely(lambda: shown.verdict(rest))
+        if dropped == "equivalent":
+            yield Finding("dropped branch", f"`check` calls {rest} equivalent", f"{branches[n]} is missing")
+    left, _, right = sides(branches[n][0])
+    if left in system.coordinates and verdict == "equivalent":
+        moved = [f"{left} = {right} + 1/7", *branches[n][1:]]
+        if not any(_balanced(system, q, p) for p in draws for q in sampled(system, moved, p, rng, 4)):
+            judged = _safely(lambda: shown.verdict([*rest, moved]))
+            if judged == "equivalent":
+                yield Finding(
+                    "moved branch", f"`check` calls {[*rest, moved]} equivalent", f"{moved} is no equilibrium"
+                )
+
+
+def _safely(verdict: Callable[[], str]) -> str:
+    try:
+        return verdict()
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"[:200]
+
+
+def _balanced(system: System, q: Array, parameters: dict[str, float]) -> bool:
+    force, broken = imbalance(system, q, parameters)
+    return not (force > 1e-5 or broken > 1e-5)
+
+
+def _is_needed(
+    system: System, branches: Sequence[list[str]], conditions: Sequence[list[str]], n: int, draws: Sequence[dict[str, float]],
+    rng: random.Random,
+) -> bool:  # fmt: skip
+    """Whether a branch has a point of equilibrium that no other has."""
+    for parameters in draws:
+        for q in sampled(system, branches[n], parameters, rng, 4):
+            r = Rest(q, np.zeros(0), parameters, None, None, False)
+            if (
+                _balanced(system, q, parameters)
+                and all(holds(c, system.scope(q, parameters)) for c in conditions[n])
+                and not any(satisfies(system, r, b, []) for k, b in enumerate(branches) if k != n)
+            ):
+                return True
+    return False
+
+
+# The same written in another way
+
+
+def rewritten(system: System, rng: random.Random) -> System:
+    """Other order of coordinates; constraints with other signs, factors and sides; kinematic ones with a factor."""
+    order = system.coordinates[:]
+    rng.shuffle(order)
+    constraints = {}
+    for name, equation in system.constraints.items():
+        left, _, right = sides(equation)
+        constraints[name] = rng.choice(
+            [f"{right} = {left}", f"-2*({left}) + 2*({right}) = 0", f"({left} - ({right}))/3 = 0"]
+        )
+    items = [*constraints.items()]
+    rng.shuffle(items)
+    forms = {name: {q: f"-3*({a})" for q, a in reversed(form.items())} for name, form in system.forms.items()}
+    return replace(system, coordinates=order, constraints=dict(items), forms=forms)
