@@ -1,0 +1,157 @@
+"""The nets themselves: their arithmetic, that they find what is wrong, and a few cases of each kind that always run."""
+
+from __future__ import annotations
+
+import math
+import random
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.support.nets import constraint_systems, motions, statics
+from tests.support.nets.evaluate import NotReadError, evaluate, holds, names_in
+from tests.support.nets.rest import rests
+from tests.support.nets.run import Printed, TooLongError, limited, wrong_names
+from tests.support.nets.statics import check_system, conditions_of_stability
+from tests.support.nets.system import System
+from tests.support.nets.taylor import variables
+
+TEXT = "x^2*sin(y)/(1 + sqrt(x)) + tan(x*y) - exp(-x)*log(y) + x^-1 + abs(x - y)"
+
+
+def plain(x: float, y: float) -> float:
+    return float(evaluate(TEXT, {"x": x, "y": y}))
+
+
+def test_derivatives_are_those_of_differences() -> None:
+    x, y, h = 0.3, 0.7, 1e-4
+    names = dict(zip("xy", variables([x, y], 2), strict=True))
+    series = evaluate(TEXT, names)
+    expected = (
+        x**2 * math.sin(y) / (1 + math.sqrt(x)) + math.tan(x * y) - math.exp(-x) * math.log(y) + 1 / x + abs(x - y)
+    )
+    assert series.value == pytest.approx(expected)
+    slope = (plain(x + h, y) - plain(x - h, y)) / (2 * h)
+    mixed = (plain(x + h, y + h) - plain(x + h, y - h) - plain(x - h, y + h) + plain(x - h, y - h)) / (4 * h * h)
+    assert series.gradient[0] == pytest.approx(slope, rel=1e-5)
+    assert series.hessian[0, 1] == pytest.approx(mixed, rel=1e-4)
+
+
+def test_inverse_functions_have_their_derivatives() -> None:
+    [x] = variables([0.4], 2)
+    for name, inverse in (("asin", "sin"), ("acos", "cos"), ("atan", "tan")):
+        series = evaluate(f"{inverse}({name}(x))", {"x": x})
+        assert series.coefficients == pytest.approx([0.4, 1, 0], abs=1e-12)
+
+
+def test_texts_are_no_code() -> None:
+    for text in ("__import__('os')", "x.real", "[x]", "x if x else y", "print(x)", "y"):
+        with pytest.raises(NotReadError):
+            evaluate(text, {"x": 1.0})
+
+
+def test_language() -> None:
+    assert evaluate("2*x' - x''^2", {"x__1": 3.0, "x__2": 2.0}) == 2
+    assert evaluate("3*i + x*j", {"x": 2.0, "i": np.eye(3)[0], "j": np.eye(3)[1]}).tolist() == [3, 2, 0]
+    assert math.isnan(evaluate("sqrt(x)/x", {"x": 0.0}))
+    assert names_in("m*l^2*theta'' - sin(phi)/2e3") == {"m", "l", "theta", "phi"}
+    assert holds("x ≥ 2", {"x": 3.0}) is True
+    assert holds("x < 2", {"x": 2.0}) is None
+
+
+def pendulum() -> System:
+    """A pendulum in its angle, from the top, with a pull to the side: tan θ = 3/4 below, and opposite."""
+    s = System("pendulum", ["theta"], {"theta"})
+    s.particle("P", "1", "2*sin(theta)", "2*cos(theta)")
+    s.weigh("4")
+    s.push("P", "3", "0")
+    return s
+
+
+def test_places_of_rest() -> None:
+    low, high = sorted(rests(pendulum(), {}, random.Random(1)), key=lambda r: float(abs(r.q[0])), reverse=True)
+    assert float(low.q[0]) == pytest.approx(math.pi - math.atan(0.75))
+    assert float(high.q[0]) == pytest.approx(-math.atan(0.75))
+    assert (low.stable, high.stable) == (True, False)
+    assert low.squares == pytest.approx([5 / 2])
+
+
+def kinds(shown: Printed, monkeypatch: pytest.MonkeyPatch, **changes: Any) -> set[str]:
+    """The kinds of findings where the program prints something else."""
+    other = Printed(shown.text, shown.report, shown.json | changes)
+    monkeypatch.setattr(statics, "printed", lambda _: other)
+    return {f.kind for f in check_system(pendulum(), random.Random(1), checking=False)} - {"undecided stability"}
+
+
+def test_what_is_wrong_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = statics.printed(pendulum().text)
+    assert isinstance(shown, Printed)
+    [both] = shown.json["equilibrium"] if len(shown.json["equilibrium"]) == 1 else [["tan(theta) = -3/4"]]
+    one = {"stability": ["undecided"], "equilibrium_conditions": [[]]}
+    assert kinds(shown, monkeypatch, equilibrium=[both], **one) == set()
+    assert kinds(shown, monkeypatch, equilibrium=[["tan(theta) = 3/4"]], **one) == {
+        "false equilibrium",
+        "missing equilibrium",
+    }
+    assert kinds(shown, monkeypatch, equilibrium=[["sin(theta) = -3/5"]], **one) == {
+        "false equilibrium",
+        "missing equilibrium",
+    }
+    assert "missing equilibrium" in kinds(shown, monkeypatch, equilibrium=[], equilibrium_conditions=[], stability=[])
+    assert kinds(shown, monkeypatch, equilibrium=[both], equilibrium_conditions=[[]], stability=["stable"]) == {
+        "stability"
+    }
+    assert "strange symbol" in kinds(shown, monkeypatch, equilibrium=[both], generalized_forces={"theta": "u*v"}, **one)
+    assert "not for print" in kinds(shown, monkeypatch, equilibrium=[both], note="nan", **one)
+
+
+def test_conditions_are_read_from_the_page() -> None:
+    prose = "At [equilibrium-1] they are a and b: stable where k > m*g*l and 2*k^2 > 4*g. At [equilibrium-2] it is c, negative: unstable."
+    shown = Printed("", None, {"steps": [{"rule": "equilibrium", "body": [{"prose": prose}]}]})  # type: ignore[arg-type]
+    assert conditions_of_stability(shown, 1) == ["k > m*g*l", "2*k^2 > 4*g"]
+    assert conditions_of_stability(shown, 2) is None
+
+
+def test_names_of_the_program_are_found() -> None:
+    shown = Printed(
+        "", None, {"steps": [], "constraints": [], "checks": [], "equilibrium": [["x = lambda_of_equilibrium_0*q"]]}
+    )  # type: ignore[arg-type]
+    assert {f.kind for f in wrong_names(shown, {"x"})} == {"strange symbol", "not for print"}
+
+
+def test_limit_of_time() -> None:
+    with pytest.raises(TooLongError), limited(0.05):
+        sum(1 for _ in iter(int, 1))
+
+
+def test_integrable_ranks() -> None:
+    s = System("constraints", ["x", "y", "z"])
+    s.forms = {"c": {"z": "1", "x": "-y"}}
+    assert constraint_systems.ranks(s, random.Random(1)) == (1, 0)
+    s.forms["d"] = {"y": "1"}
+    assert constraint_systems.ranks(s, random.Random(1)) == (2, 2)
+
+
+def test_a_state_is_consistent() -> None:
+    """A pendulum in Cartesian coordinates: x x″ + y y″ + x′² + y′² = 0, and y″ x − x″ y is the moment of the weight."""
+    s = System("pendulum", ["x", "y"])
+    s.particle("P", "2", "x", "y")
+    s.constraints["rod"] = "x^2 + y^2 = 4"
+    s.weigh("10")
+    at = motions.state(s, random.Random(1))
+    assert at is not None
+    (x, y), (v, w), (a, b) = at.q, at.velocities, at.accelerations
+    assert x * x + y * y == pytest.approx(4)
+    assert x * v + y * w == pytest.approx(0, abs=1e-12)
+    assert x * a + y * b + v * v + w * w == pytest.approx(0, abs=1e-9)
+    assert x * b - y * a == pytest.approx(-10 * x)
+
+
+@pytest.mark.parametrize(
+    ("net", "seed"),
+    [(statics, 2), (statics, 6), (motions, 2), (motions, 4), (constraint_systems, 1), (constraint_systems, 4)],
+)
+def test_a_few_cases(net: Any, seed: int) -> None:
+    """Six cases that always run; several hundred are in truth/test_nets.py."""
+    assert [str(f) for f in net.findings(seed)] == []
