@@ -30,7 +30,12 @@ class Open:
 
 
 OPEN = [
-    Open("own check", "sphere, Cartesian", 1048, "the pole of a chart is an equilibrium in a choice, with reactions that are false"),
+    Open(
+        "own check",
+        "sphere, Cartesian",
+        1048,
+        "the pole of a chart is an equilibrium in a choice, with reactions that are false",
+    ),
     Open(
         "no point",
         "four-bar linkage",
