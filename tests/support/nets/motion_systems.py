@@ -34,6 +34,9 @@ def pendulum_cartesian(rng: Rng) -> System:
         s.push("P", signed(rng), "0")
     if rng.random() < 0.3:
         s.damper(whole(rng), [signed(rng), "3"], "P")
+    if rng.random() < 0.6:
+        x, y = rng.sample([f"{p['l']}*sin(theta)", f"{rng.choice(['', '-'])}{p['l']}*cos(theta)"], 2)
+        s.choose("angle", ["theta"], {"x": x, "y": y}, {"theta"})
     return s
 
 
@@ -47,6 +50,8 @@ def wire(rng: Rng) -> System:
     s.constraints["wire"] = rng.choice([f"y = {curve}", f"{curve} = y", f"2*y - 2*({curve}) = 0"])
     s.named["wire"] = "N"
     s.weigh(p["g"])
+    if rng.random() < 0.6:
+        s.choose("abscissa", ["x"], {"y": curve}, set())
     return s
 
 
@@ -92,6 +97,10 @@ def double_cartesian(rng: Rng) -> System:
     s.constraints["c2"] = rng.choice([f"(X - x)^2 + (Y - y)^2 = {p['b']}^2", f"{p['b']}^2 = (x - X)^2 + (y - Y)^2"])
     s.named = {"c1": "S", "c2": "T_r"}
     s.weigh(p["g"])
+    if rng.random() < 0.5:
+        x, y = f"{p['a']}*sin(theta)", f"-{p['a']}*cos(theta)"
+        chart = {"x": x, "y": y, "X": f"{x} + {p['b']}*sin(phi)", "Y": f"{y} - {p['b']}*cos(phi)"}
+        s.choose("angles", ["theta", "phi"], chart, {"theta", "phi"})
     return s
 
 

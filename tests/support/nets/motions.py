@@ -171,13 +171,18 @@ def check_system(
     shown = printed(system.text)
     if isinstance(shown, Finding):
         return [shown], {}
+    chosen = {q for chart, _ in system.choices.values() for q in chart.coordinates}
     found = wrong_names(
-        shown, {*system.coordinates, *system.parameters, *system.particles, *system.bodies, *system.named.values()}
+        shown,
+        {*chosen, *system.coordinates, *system.parameters, *system.particles, *system.bodies, *system.named.values()},
     )
     values: dict[str, float] = {}
     try:
         for s in states:
             found += _at(system, shown, s)
+        for name, (chart, _) in system.choices.items():
+            for s in random_states(chart, random.Random(len(system.text))):
+                found += _at(chart, shown.in_choice(name), s)
         if states:
             found += list(_integrals_missing(system, shown))
         if reference is not None:
@@ -192,7 +197,7 @@ def check_system(
 def _at(system: System, shown: Printed, s: State) -> Iterator[Finding]:
     found, scope = shown.json, dict(s.scope)
     n, k = len(system.coordinates), len(s.rows)
-    if found["degrees_of_freedom"] != n - k:
+    if found.get("degrees_of_freedom", n - k) != n - k:
         yield Finding("degrees of freedom", str(found["degrees_of_freedom"]), str(n - k))
     for c in found["constraints"]:
         if "pfaffian" not in c:
@@ -347,8 +352,7 @@ def _sizes(system: System, values: dict[str, float], s: State) -> Iterator[Findi
         if forces and min(abs(abs(values[name]) - f) for f in forces) > 1e-6 * (1 + max(forces)):
             yield Finding("named reaction", f"{name} = {values[name]:.8g}", f"the force is {forces[0]:.8g}")
         if constraint == "rod":
-            place = np.array([s.scope[x] for x in ("x", "y")])
-            pulls = -float(total @ place / np.linalg.norm(place))
+            pulls = -float(total @ s.q / np.linalg.norm(s.q))  # x and y, in whatever order
             if abs(values[name] - pulls) > 1e-6 * (1 + abs(pulls)):
                 yield Finding(
                     "named reaction",

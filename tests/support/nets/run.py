@@ -72,6 +72,13 @@ class Printed:
     text: str
     report: Report
     json: dict[str, Any]
+    choice: str = ""
+
+    def in_choice(self, name: str) -> Printed:
+        """What is printed of it in a choice of generalized coordinates."""
+        [chosen] = [c for c in self.json["choices"] if c["name"] == name]
+        kept = {k: self.json[k] for k in ("steps", "problem", "checks")}
+        return Printed(self.text, self.report, kept | {"constraints": []} | chosen, name)
 
     def verdict(self, answer: list[list[str]] | list[str]) -> str:
         """The verdict of `check` on an answer."""

@@ -48,6 +48,7 @@ def check_system(system: System, rng: random.Random, checking: bool = True) -> l
     if isinstance(shown, Finding):
         return [shown]
     names = {*system.coordinates, *system.parameters, *system.particles}
+    names |= {q for chart, _ in system.choices.values() for q in chart.coordinates}
     found = wrong_names(shown, names)
     draws = [{p: rng.uniform(0.4, 3) * (rng.choice([-1, 1]) if p in system.real else 1) for p in system.parameters}
              for _ in range(DRAWS if system.parameters else 1)]  # fmt: skip
@@ -55,6 +56,11 @@ def check_system(system: System, rng: random.Random, checking: bool = True) -> l
     places = [r for r in places if not is_singular(system, r.q, r.parameters) and not _is_of_chart(system, r)]
     try:
         found += _compared(system, shown, places, draws, rng)
+        for name, (chart, _) in system.choices.items():
+            in_chart = [r for parameters in draws for r in rests(chart, parameters, rng)]
+            found += _compared(
+                chart, shown.in_choice(name), [r for r in in_chart if not _is_of_chart(chart, r)], draws, rng
+            )
         if checking:
             found += list(_judged(system, shown, draws, rng))
     except NotReadError as error:
@@ -189,12 +195,13 @@ STABLE_WHERE = re.compile(r"(?<!un)stable where (.*?)(?:, unstable where|; elsew
 
 def conditions_of_stability(shown: Printed, n: int) -> list[str] | None:
     """The conditions on the page under which the n-th equilibrium is stable; None if they are not found there."""
+    label = f"At [equilibrium{shown.choice and '-' + shown.choice}-{n}]"
     for step in shown.json["steps"]:
         if step["rule"] != "equilibrium":
             continue
         for block in step["body"]:
             for sentence in re.split(r"(?=At \[equilibrium-)", str(block.get("prose", ""))):
-                if sentence.startswith(f"At [equilibrium-{n}]") and (match := STABLE_WHERE.search(sentence + " ")):
+                if sentence.startswith(label) and (match := STABLE_WHERE.search(sentence + " ")):
                     return [c for c in re.split(r", (?![^(]*\))| and ", match[1]) if c]
     return None
 

@@ -49,6 +49,9 @@ def circle_cartesian(rng: Rng) -> System:
         s.push("P", rng.choice([p["F"], f"-{p['F']}"]), "0")
     if rng.random() < 0.4:
         s.spring(number(rng), [rng.choice(["0", signed(rng)]), rng.choice(["0", signed(rng)])], "P")
+    if rng.random() < 0.4:
+        x, y = rng.sample([f"{p['R']}*sin(theta)", f"{rng.choice(['', '-'])}{p['R']}*cos(theta)"], 2)
+        s.choose("angle", ["theta"], {"x": x, "y": y}, {"theta"})
     return s
 
 
@@ -114,6 +117,13 @@ def sphere_cartesian(rng: Rng) -> System:
         s.push("P", p["F"], rng.choice(["0", signed(rng)]), "0")
     if rng.random() < 0.3:
         s.field(f"{whole(rng)}*x^2/2 + {rng.choice(['', '-'])}{whole(rng)}*y^2/2")
+    if rng.random() < 0.3:
+        chart = {
+            "x": f"{p['R']}*sin(theta)*cos(phi)",
+            "y": f"{p['R']}*sin(theta)*sin(phi)",
+            "z": f"{p['R']}*cos(theta)",
+        }
+        s.choose("angles", ["theta", "phi"], chart, {"theta", "phi"})
     return s
 
 
@@ -140,6 +150,10 @@ def double_pendulum_cartesian(rng: Rng) -> System:
     s.weigh(p["g"])
     if rng.random() < 0.4:
         s.push("B", signed(rng), "0")
+    if rng.random() < 0.3:
+        x, y = f"{p['a']}*sin(theta)", f"-{p['a']}*cos(theta)"
+        chart = {"x": x, "y": y, "X": f"{x} + {p['b']}*sin(phi)", "Y": f"{y} - {p['b']}*cos(phi)"}
+        s.choose("angles", ["theta", "phi"], chart, {"theta", "phi"})
     return s
 
 

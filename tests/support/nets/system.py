@@ -6,8 +6,9 @@ The numbers come from the texts of positions and energies, read by `evaluate` an
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -32,6 +33,7 @@ class System:
     forms        name: {coordinate: coefficient}, a kinematic constraint
     terms        of V: weights, springs, constant forces, potentials
     turns_as_a_whole  whether all coordinates together count modulo 2π
+    choices      of generalized coordinates: the same system in them, and the substitution
     """
 
     family: str
@@ -51,6 +53,7 @@ class System:
     terms: list[str] = field(default_factory=list)
     find: str = "[equilibrium]"
     turns_as_a_whole: bool = False
+    choices: dict[str, tuple[System, dict[str, str]]] = field(default_factory=dict)
 
     # What a system consists of
 
@@ -92,6 +95,20 @@ class System:
         energy = f"({square})" if length == "0" else f"(sqrt({square}) - ({length}))^2"
         self.terms.append(f"({stiffness})/2*{energy}")
 
+    def choose(self, name: str, coordinates: list[str], substitute: dict[str, str], angles: set[str]) -> None:
+        """A choice of generalized coordinates, in which the finite constraints hold by themselves. The last to be called."""
+
+        def put(text: str) -> str:
+            return re.sub(r"[^\W\d]\w*", lambda m: f"({substitute[m[0]]})" if m[0] in substitute else m[0], text)
+
+        chart = replace(
+            self, coordinates=coordinates, angles=angles, constraints={}, named={}, choices={},
+            particles={p: (m, tuple(put(c) for c in r)) for p, (m, r) in self.particles.items()},
+            terms=[put(t) for t in self.terms],
+            dampers=[(c, a, tuple(put(x) for x in b)) for c, a, b in self.dampers],
+        )  # fmt: skip
+        self.choices[name] = (chart, substitute)
+
     def field(self, potential: str) -> None:
         self.forces.append(f"F{len(self.forces)}: {{potential: '{potential}'}}")
         self.terms.append(potential)
@@ -131,6 +148,11 @@ class System:
             lines.append(f"gravity: '{self.gravity}'")
         if self.forces:
             lines += ["forces:", *(f"  {f}" for f in self.forces)]
+        if self.choices:
+            lines.append("generalized_coordinates:")
+            for name, (chart, substitute) in self.choices.items():
+                pairs = ", ".join(f"{q}: '{e}'" for q, e in substitute.items() if q not in chart.coordinates)
+                lines.append(f"  {name}: {{coordinates: [{', '.join(chart.coordinates)}], substitute: {{{pairs}}}}}")
         lines.append(f"find: {self.find}")
         return "\n".join(lines) + "\n"
 
