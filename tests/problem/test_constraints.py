@@ -65,4 +65,4 @@ def test_what_keeps_a_constraint() -> None:
     by = f"{HEAD}constraints: {{rod: {{equation: x = l, by: WORD}}}}\n"
     assert [c.by for c in read(by.replace("WORD", "string")).constraints] == [Keeper.STRING]
     assert read(f"{HEAD}constraints: {{rod: x = l}}\n").constraints[0].by is None
-    assert places(by.replace("WORD", "rubber")) == [("unknown-keeper", 5, 44)]
+    assert places(by.replace("WORD", "rubber")) == [("unknown-keeper", 4, 42)]
