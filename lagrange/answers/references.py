@@ -110,6 +110,7 @@ class Reference:
     unknowns    declared unknown forces
     units       units of parameters and coordinates, as far as the file gives them
     newton      the reactions, whose names may have other meanings in an answer; None if there are none
+    settled     names of the constraints for which the file fixes the sign of the reaction
     """
 
     scope: Scope
@@ -118,11 +119,12 @@ class Reference:
     unknowns: tuple[sp.Symbol, ...] = ()
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     newton: Newton | None = None
+    settled: frozenset[str] = frozenset()
 
     def candidates_for(self, used: Collection[str]) -> Iterator[ReferenceCandidate]:
         """The candidates for an answer with these names: as in the derivation, then for other meanings of reactions."""
         yield from self.candidates
-        for reading in other_readings(self.newton, used):
+        for reading in other_readings(self.newton, used, self.settled):
             for c in self.candidates:
                 other = {s: ratio * c.meanings.get(s, s) for s, ratio in reading.ratios.items()}
                 yield replace(c, meanings={**c.meanings, **other}, remarks=reading.remarks)
@@ -178,7 +180,9 @@ def reference_of_solution(solution: Solution) -> Reference:
     plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
     newton = solution.law.newton if solution.law else None
-    return Reference(wider, candidates, values, problem.unknowns, units_of(problem), newton)
+    frictions = solution.law.frictions if solution.law else ()
+    settled = frozenset(f.constraint for f in frictions if f.contact is not None)
+    return Reference(wider, candidates, values, problem.unknowns, units_of(problem), newton, settled)
 
 
 def _with_meanings(candidates: list[ReferenceCandidate], solution: Solution) -> Iterator[ReferenceCandidate]:

@@ -148,7 +148,7 @@ class Formulation:
 
     @property
     def tensions(self) -> Mapping[str, sp.Expr]:
-        """The tension of each constraint that is a rod, positive if it pulls."""
+        """The tension of each constraint that keeps a length, positive if it pulls."""
         return MappingProxyType(dict(self._reactions.tensions) if self._reactions else {})
 
     @property

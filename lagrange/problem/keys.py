@@ -307,7 +307,7 @@ FORCES = {
             _ON,
             Key("surface_velocity", "vector", "The velocity of the surface."),
             Key("slip", "sense", "The sense of the slip along the coordinate, when known."),
-            Key("contact", "sense", "The sign of the multiplier, when known."),
+            Key("contact", "sense", "The sign of the reaction, when known."),
         ),
     ),
 }

@@ -6,6 +6,7 @@ import pytest
 import sympy as sp
 
 from lagrange.core.symbols import t
+from lagrange.problem.model import Keeper
 from tests.support.problem_texts import HEAD, places, read
 
 x, y, theta = (sp.Symbol(n, real=True) for n in ("x", "y", "theta"))
@@ -58,3 +59,10 @@ def test_identical_components_of_a_vector_constraint_do_not_count() -> None:
     assert [c.name for c in problem.constraints] == ["a.1", "a.3"]
     assert places(f"{HEAD}constraints:\n  a: '[1, sin(x)^2] = [1, 1 - cos(x)^2]'\n") == [("restricts-nothing", 5, 6)]
     assert places(f"{HEAD}constraints:\n  a: '[x, m] = [0, l]'\n") == [("restricts-nothing", 5, 6)]
+
+
+def test_what_keeps_a_constraint() -> None:
+    by = f"{HEAD}constraints: {{rod: {{equation: x = l, by: WORD}}}}\n"
+    assert [c.by for c in read(by.replace("WORD", "string")).constraints] == [Keeper.STRING]
+    assert read(f"{HEAD}constraints: {{rod: x = l}}\n").constraints[0].by is None
+    assert places(by.replace("WORD", "rubber")) == [("unknown-keeper", 4, 42)]

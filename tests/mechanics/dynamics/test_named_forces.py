@@ -21,7 +21,7 @@ from lagrange.mechanics.dynamics.named_forces import ForceKind
 from lagrange.mechanics.dynamics.newton import Newton, newton_equations
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import load
-from lagrange.problem.model import Constraint, Friction, Keeper, Problem
+from lagrange.problem.model import Constraint, Friction, Problem
 from lagrange.render.json import as_object
 from tests.support.paths import PROBLEMS
 
@@ -304,14 +304,3 @@ def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
                     (reaction.moment_per_unit(body), after.moment_per_unit(body)),
                 ):
                     assert same(one, None if two is None else two * sp.Integer(sign), configuration), (c.name, body)
-
-
-# -- what keeps a constraint -------------------------------------------------------------------------------------------
-
-
-def test_by_is_read(problem: Read) -> None:
-    read = problem(
-        "title: Example\nparameters: [l]\ncoordinates: [x, y]\nparticles: {P: {mass: l, position: x*i + y*j}}\n"
-        "constraints: {c: {equation: x^2 + y^2 = l^2, by: string}}\n"
-    )
-    assert read.constraints[0].by is Keeper.STRING

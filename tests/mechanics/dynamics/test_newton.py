@@ -156,7 +156,7 @@ def test_a_coordinate_that_moves_no_particle(problem: Read) -> None:
 # -- what a reaction is ------------------------------------------------------------------------------------------------
 
 
-def test_the_name_of_a_reaction_is_a_tension_or_a_multiplier(problem: Read) -> None:
+def test_the_name_of_a_reaction_is_a_force(problem: Read) -> None:
     [named] = one_particle(problem, "x^2 + y^2 + z^2 = l^2", ", reaction: T").law.newton.reactions
     tension = sp.Symbol("T", real=True)
     assert (named.force, named.multiplier.name, named.per_force) == (tension, "lambda_c", -1 / (2 * l))
@@ -164,7 +164,11 @@ def test_the_name_of_a_reaction_is_a_tension_or_a_multiplier(problem: Read) -> N
     [unnamed] = one_particle(problem, "x^2 + y^2 + z^2 = l^2").law.newton.reactions
     assert (unnamed.force.name, unnamed.tension.name) == ("lambda_c", "T_c")
     [surface] = one_particle(problem, "z = x*y", ", reaction: N").law.newton.reactions
-    assert surface.force == surface.multiplier == sp.Symbol("N", real=True)
+    assert (surface.force.name, surface.multiplier.name) == ("N", "lambda_c")
+    size = sp.sqrt(x**2 + y**2 + 1)
+    assert same(surface.per_unit("P"), -y / size, -x / size, 1 / size)
+    [plane] = one_particle(problem, "z = 0", ", reaction: N").law.newton.reactions
+    assert plane.force == plane.multiplier == sp.Symbol("N", real=True)
 
 
 # -- counting ----------------------------------------------------------------------------------------------------------
@@ -337,10 +341,7 @@ def test_newtons_laws_are_lagranges_equations_with_multipliers(name: str) -> Non
     newton, configuration = found.law.newton, found.law.configuration
     if newton.equations is None or found.law.frictions:
         pytest.skip("its coordinates give no free bodies, or there is friction")
-    tensions = newton.tensions
-    named = {r.tension: r.rod.factor * r.multiplier for r in newton.reactions if r.named and r.rod}
-    rule = {s: e.xreplace(tensions) if s not in named else named[s] for s, e in {**tensions, **named}.items()}
-    laws = [(a - b).xreplace(rule) for a, b in newton.equations]
+    laws = [(a - b).xreplace(newton.single_forces) for a, b in newton.equations]
     multipliers = tuple(r.multiplier for r in newton.reactions)
     system = multiplier_system(configuration, lagrange_equations(configuration).left, multipliers)
     assert compare(laws, replace(system, multipliers=multipliers)).agree
