@@ -77,6 +77,13 @@ def test_places_of_rest() -> None:
     assert low.squares == pytest.approx([5 / 2])
 
 
+def test_a_point_of_inflection_is_not_judged() -> None:
+    """x⁴ + x³ at 0: Newton's method ends a little beside a double root, on whichever side."""
+    s = System("inflection", ["x"])
+    s.field("x^4 + x^3")
+    assert {r.stable for r in rests(s, {}, random.Random(1)) if abs(r.q[0]) < 0.1} == {None}
+
+
 def kinds(shown: Printed, monkeypatch: pytest.MonkeyPatch, **changes: Any) -> set[str]:
     """The kinds of findings where the program prints something else."""
     other = Printed(shown.text, shown.report, shown.json | changes)

@@ -30,6 +30,7 @@ class Open:
 
 
 OPEN = [
+    Open("no point", "sphere, Cartesian", 1112, "two unsolved equations without a common root are an equilibrium"),
     Open(
         "own check",
         "sphere, Cartesian",

@@ -6,28 +6,16 @@ python -m tests.support.nets --kind statics --number 500 --seed 1 --processes 1 
 from __future__ import annotations
 
 import argparse
-import importlib
 import statistics
-import time
 from collections import Counter
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
+from tests.support.nets.cases import case
 from tests.support.nets.run import Finding
 
 KINDS = ("statics", "motions", "constraint_systems")
-
-
-def case(kind: str, seed: int) -> tuple[str, int, float, list[Finding]]:
-    """One case: its findings, and the seconds of processor time."""
-    net = importlib.import_module(f"tests.support.nets.{kind}")
-    start = time.process_time()
-    try:
-        found = net.findings(seed)
-    except Exception as error:
-        found = [Finding("the net itself", f"seed {seed}: {type(error).__name__}: {error}", "no exception")]
-    return kind, seed, time.process_time() - start, found
 
 
 def cases(kinds: list[str], seeds: range, processes: int) -> Iterator[tuple[str, int, float, list[Finding]]]:

@@ -36,7 +36,7 @@ class Rest:
 
     @property
     def stable(self) -> bool | None:
-        if self.lowest is None or abs(self.lowest) < 1e-6:
+        if self.lowest is None or abs(self.lowest) < (1e-3 if self.degenerate else 1e-6):
             return None
         return self.lowest > 0
 
@@ -159,7 +159,7 @@ def described(system: System, q: Array, multipliers: Array, parameters: dict[str
         free = null_space(gradients(system, q, parameters), n)
         reduced = free.T @ second @ free
         values = np.linalg.eigvalsh(reduced) if free.shape[1] else np.array([1.0])
-        lowest = float(values[0] / max(1e-12, np.abs(values).max())) if np.abs(values).max() > 1e-7 else 0.0
+        lowest = float(values[0] / max(1e-2, np.abs(values).max()))
         mass = free.T @ system.mass_matrix(q, parameters) @ free
         if free.shape[1] and np.linalg.eigvalsh(mass)[0] > 1e-9:
             lower = np.linalg.inv(np.linalg.cholesky(mass))

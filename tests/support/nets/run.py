@@ -81,8 +81,12 @@ class Printed:
         return Printed(self.text, self.report, kept | {"constraints": []} | chosen, name)
 
     def verdict(self, answer: list[list[str]] | list[str]) -> str:
-        """The verdict of `check` on an answer."""
-        return str(check(Result(self.report), answer).verdict.value)
+        """The verdict of `check` on an answer; "too long" where there is none within the limit."""
+        try:
+            with limited():
+                return str(check(Result(self.report), answer).verdict.value)
+        except TooLongError:
+            return "too long"
 
     def page(self) -> str:
         return json.dumps(self.json["steps"], ensure_ascii=False)
