@@ -39,7 +39,7 @@ def test_the_arrows_add_up_to_what_acts(name: str) -> None:
             s: 0.7 + 0.2 * n for n, s in enumerate(symbols) if s not in system.pose.values
         }
         named = {
-            r.tension: r.rod.factor * r.multiplier for r, _ in body.reactions if r.rod and r.tension and not r.named
+            r.symbol: r.single.factor * r.multiplier for r, _ in body.reactions if r.single and r.symbol and not r.named
         }
         for n in range(3):
             parts = []
