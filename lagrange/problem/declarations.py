@@ -161,9 +161,9 @@ def _value(scalar: Scalar, stated: Fragment | None, assume: Assumption | None) -
             return number, ""
         unit, text = _known_unit(stated), stated.text
     else:
-        number = _number(Fragment(parts[0], scalar.span), assume)
         text = parts[1]
         unit = _known_unit(Fragment(text, scalar.span))
+        number = _number(Fragment(parts[0], scalar.span), assume)
         expected = unit if stated is None else _known_unit(stated)
         if stated is not None and unit.dimension != expected.dimension:
             message = f"`{text}` does not fit the unit `{stated.text}`"

@@ -101,7 +101,11 @@ MISTAKES: dict[str, list[tuple[str, int, int]]] = {
     "title: T\nparameters: {m: {value: 1/0}}\ncoordinates: [x]": [("division-by-zero", 2, 27)],
     **{
         f"title: T\nparameters: {{m: {{value: {value}}}}}\ncoordinates: [x]": [("not-a-number", 2, 25)]
-        for value in ("12:30", "0x10", "null", "~", "1_000", "3 m", "pi", "no", "yes", "i")
+        for value in ("12:30", "null", "~", "1_000", "pi", "no", "yes", "i")
+    },
+    **{
+        f"title: T\nparameters: {{m: {{value: {value}}}}}\ncoordinates: [x]": [("unknown-unit", 2, 25)]
+        for value in ("0x10", "3 furlong", "2 m2")
     },
     # functions
     HEAD + "functions: [f]": [("wrong-kind", 4, 12)],
