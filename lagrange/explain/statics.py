@@ -250,6 +250,16 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
         else:
             what = ("a force has no value",)
         yield prose(*where, *what, ": not an equilibrium in the ordinary sense.", detail=Detail.BRIEF)
+    if equilibrium.poles:
+        places = (listed(math(r.lhs, r.rhs) for r in pole.equations) for pole in equilibrium.poles)
+        where = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
+        yield prose(
+            "The conditions hold as well where ",
+            *where,
+            ". The coordinates are singular there, and the forces do work in other displacements from such a position: "
+            "it is no equilibrium.",
+            detail=Detail.BRIEF,
+        )
 
 
 def _poles(equilibrium: Equilibrium) -> Iterator[Block]:

@@ -364,7 +364,7 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
 def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the equilibria in every set of coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
-    from lagrange.mechanics.equilibrium.equilibrium import equilibrium
+    from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
@@ -378,7 +378,9 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     views = []
     for view in solution.views:
         on_stage(_stage("equilibria", view))
-        resting = original if view is own else equilibrium(view.configuration, view.elimination, problem.unknowns)
+        resting = original
+        if view is not own:
+            resting = without_poles(equilibrium(view.configuration, view.elimination, problem.unknowns), original)
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]

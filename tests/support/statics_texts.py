@@ -152,3 +152,15 @@ constraints:
 forces: {couples: {potential: M_1*alpha - M_2*gamma}}
 find: equilibrium
 """
+POLES_OF_A_CHOICE = """
+title: A heavy particle on a sphere, and a horizontal force
+parameters: [m, g, F, R]
+coordinates: [x, y, z]
+particles: {P: {mass: m, position: x*i + y*j + z*k}}
+constraints: {sphere: x^2 + y^2 + z^2 = R^2}
+gravity: -g*k
+forces: {push: {on: P, vector: F*i}}
+generalized_coordinates:
+  angles: {coordinates: [theta, phi], substitute: {x: R*sin(theta)*cos(phi), y: R*sin(theta)*sin(phi), z: R*cos(theta)}}
+find: equilibrium
+"""

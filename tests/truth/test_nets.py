@@ -32,12 +32,6 @@ class Open:
 OPEN = [
     Open("no point", "sphere, Cartesian", 1112, "two unsolved equations without a common root are an equilibrium"),
     Open(
-        "own check",
-        "sphere, Cartesian",
-        1048,
-        "the pole of a chart is an equilibrium in a choice, with reactions that are false",
-    ),
-    Open(
         "no point",
         "four-bar linkage",
         129,
@@ -53,7 +47,6 @@ OPEN = [
         "no force there", "bead on a circle, centre", 1, "an unsolved equation holds at the pole it was multiplied by"
     ),
     Open("false equilibrium", "slider and crank", 147, "an unsolved equation holds where the spring has length 0"),
-    Open("not for print", "two beads and a rod", 119, "DiracDelta in the second derivative of a spring along a line"),
     Open("own list", "rod on a pivot", 153, "`check` calls an alternative wrong that the page states with a condition"),
 ]
 

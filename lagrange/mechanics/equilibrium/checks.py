@@ -34,7 +34,7 @@ from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check, certainty
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
-from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, is_balanced
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, balance_in
 from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
@@ -148,14 +148,7 @@ def _same_forces(resting: Equilibrium) -> bool | None:
 
 def _holds_there(resting: Equilibrium, original: Equilibrium) -> bool | None:
     """Whether the forces in the file's coordinates are balanced at every point of a choice."""
-    rewritten = resting.configuration.rewritten
-    verdicts: list[bool | None] = []
-    for point in (p for b in resting.branches if not b.special for p in b.points):
-        try:
-            verdicts.append(is_balanced(original, lambda e, p=point: resting.solution.at(p, rewritten(e))))  # type: ignore[misc]
-        except (NotAlgebraicError, DivisionByZeroError):
-            verdicts.append(None)
-    return all_hold(verdicts)
+    return all_hold(balance_in(original, resting, p) for b in resting.branches if not b.special for p in b.points)
 
 
 def check_linearization(linear: Linearization) -> list[Check]:

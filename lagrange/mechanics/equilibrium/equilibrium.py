@@ -101,6 +101,7 @@ class Equilibrium:
     multipliers  the unknowns λ in Q + Aᵀ λ = 0, one for each binding constraint
     singular     where the conditions multiplied by their denominators hold, but a force has no value
     idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
+    poles        such branches of a choice at which the forces do not balance in the file's coordinates, left out above
     """
 
     configuration: Configuration
@@ -116,6 +117,7 @@ class Equilibrium:
     multipliers: tuple[sp.Symbol, ...] = ()
     singular: tuple[SingularPlace, ...] = ()
     idle: tuple[tuple[sp.Symbol, ...], ...] = ()
+    poles: tuple[Branch, ...] = ()
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -195,6 +197,36 @@ def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None
         ranks = rank(matrix), rank([*matrix, [at(q) for q in e.work.forces]])
         verdicts.append(None if None in ranks else ranks[0] == ranks[1])
     return all_hold(verdicts)
+
+
+def without_poles(e: Equilibrium, original: Equilibrium) -> Equilibrium:
+    """The equilibria of a choice without the poles of its chart where the forces do not balance.
+
+    At θ = 0 of a sphere Q_θ = Q_φ = 0 may hold for φ = π/2 only, which is the same position as any other φ. The file's
+    coordinates, in `original`, have no pole there and decide.
+    """
+    poles, kept = [], []
+    for b, idle in zip(e.branches, e.idle, strict=False):
+        if idle and not b.left and _is_unbalanced(b, e, original):
+            poles.append(b)
+        else:
+            kept.append((b, idle))
+    if not poles:
+        return e
+    return replace(e, branches=tuple(b for b, _ in kept), idle=tuple(idle for _, idle in kept), poles=tuple(poles))
+
+
+def _is_unbalanced(b: Branch, e: Equilibrium, original: Equilibrium) -> bool:
+    """Whether the forces do not balance in the file's coordinates at any point of a branch."""
+    return bool(b.points) and all(balance_in(original, e, p) is False for p in b.points)
+
+
+def balance_in(original: Equilibrium, e: Equilibrium, point: Values) -> bool | None:
+    """Whether the forces balance in the file's coordinates at a point of a choice; None: undecided."""
+    try:
+        return is_balanced(original, lambda x: e.solution.at(point, e.configuration.rewritten(x)))
+    except (NotAlgebraicError, DivisionByZeroError):
+        return None
 
 
 def virtual_work(configuration: Configuration) -> VirtualWork:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import pytest
+import sympy as sp
 
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose
 from lagrange.explain.statics import explain_virtual_work
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
-from tests.support.statics_texts import CHAIN, CROSS_WIND
+from tests.support.statics_texts import CHAIN, CROSS_WIND, POLES_OF_A_CHOICE
 
 CYLINDRICAL = """
 title: A force in cylindrical coordinates
@@ -73,3 +74,25 @@ def test_it_is_said() -> None:
     assert "fixed by other means" not in words(SPHERICAL)
     assert "fixed by other means" in words(CYLINDRICAL)
     assert "singular" not in words(CHAIN)
+
+
+def test_the_poles_of_a_choice_are_no_equilibria_where_the_forces_do_not_balance() -> None:
+    """At θ = 0, φ = ±π/2 Q_θ and Q_φ vanish, but nothing balances the force along i."""
+    solution = solve(read_problem(Source("problem.yaml", POLES_OF_A_CHOICE)))
+    [choice] = solution.choices
+    e = choice.equilibrium
+    assert e is not None
+    assert [len(e.branches), len(e.poles)] == [2, 4]
+    assert all(r.lhs.has(sp.tan) or r.lhs.name == "phi" for b in e.branches for r in b.relations)
+    assert solution.holds
+    said = " ".join(
+        p for b in explain_virtual_work(e, None).body if isinstance(b, Prose) for p in b.parts if isinstance(p, str)
+    )
+    assert "it is no equilibrium" in said
+
+
+def test_without_a_horizontal_force_the_poles_of_a_choice_are_equilibria() -> None:
+    text = POLES_OF_A_CHOICE.replace("vector: F*i", "vector: -F*k")
+    [choice] = solve(read_problem(Source("problem.yaml", text))).choices
+    assert choice.equilibrium is not None
+    assert [len(choice.equilibrium.branches), len(choice.equilibrium.poles)] == [2, 0]
