@@ -252,10 +252,10 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
         yield prose(*where, *what, ": not an equilibrium in the ordinary sense.", detail=Detail.BRIEF)
     if equilibrium.poles:
         places = (listed(math(r.lhs, r.rhs) for r in pole.equations) for pole in equilibrium.poles)
-        where = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
+        listing: list[Part] = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
         yield prose(
             "The conditions hold as well where ",
-            *where,
+            *listing,
             ". The coordinates are singular there, and the forces do work in other displacements from such a position: "
             "it is no equilibrium.",
             detail=Detail.BRIEF,

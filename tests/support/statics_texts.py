@@ -164,3 +164,13 @@ generalized_coordinates:
   angles: {coordinates: [theta, phi], substitute: {x: R*sin(theta)*cos(phi), y: R*sin(theta)*sin(phi), z: R*cos(theta)}}
 find: equilibrium
 """
+PUSHED_LINKAGE = """
+title: A four-bar linkage pushed at a joint
+coordinates: [alpha, beta, gamma]
+particles: {A: {position: '3*cos(alpha)*i + 3*sin(alpha)*j'}}
+constraints:
+  h: 3*cos(alpha) + 3*cos(beta) - 2*cos(gamma) = 2
+  v: 3*sin(alpha) + 3*sin(beta) - 2*sin(gamma) = 0
+forces: {F: {on: A, vector: '-i + 2*j'}}
+find: equilibrium
+"""

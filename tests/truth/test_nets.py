@@ -41,9 +41,6 @@ OPEN = [
         "no point", "bead on a circle, centre", 108, "an unsolved equation without a root is stated as an equilibrium"
     ),
     Open(
-        "breaks a constraint", "four-bar linkage", 142, "tan α = c beside equations that hold for one of its two angles"
-    ),
-    Open(
         "no force there", "bead on a circle, centre", 1, "an unsolved equation holds at the pole it was multiplied by"
     ),
     Open("false equilibrium", "slider and crank", 147, "an unsolved equation holds where the spring has length 0"),

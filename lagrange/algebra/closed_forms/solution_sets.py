@@ -280,7 +280,7 @@ def determined(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) -
     given outright, φ = π/4, or by both cosine and sine.
     """
     angles = _of_two_signs(b, letters, unknowns)
-    if b.special or b.left or len(b.points) >= 2 ** len(angles):
+    if b.special or len(b.points) >= 2 ** len(angles):
         return [b]
     for number in range(1, len(angles) + 1):
         for fixed in combinations(angles, number):

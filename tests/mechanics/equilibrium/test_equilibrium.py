@@ -30,6 +30,7 @@ from tests.support.statics_texts import (
     LEVER,
     PENDULUM,
     POLE,
+    PUSHED_LINKAGE,
     SKATE,
     SPRING_ON_CIRCLE,
     SPRINGS,
@@ -448,3 +449,13 @@ def test_an_unsolved_linkage_states_its_moments() -> None:
     assert all(any({"M_1", "M_2"} <= {s.name for s in e.free_symbols} for e in b.left) for b in found.branches)
     for b in found.solution.branches:
         assert not any(v.has(sp.nan, sp.zoo) for p in b.points for v in p.values())
+
+
+def test_beside_unsolved_equations_an_angle_is_stated_by_both_its_functions() -> None:
+    """tan α = −2 has two angles; 15 sin β − 10 sin γ = 6√5 belongs to one of them only."""
+    found = relations(solve(read(PUSHED_LINKAGE)).own.equilibrium)
+    assert [r for r in found if "tan(alpha)" in r] == []
+    assert [(r["sin(alpha)"], r["cos(alpha)"]) for r in found if "sin(alpha)" in r] == [
+        ("-2*sqrt(5)/5", "sqrt(5)/5"),
+        ("2*sqrt(5)/5", "-sqrt(5)/5"),
+    ]
