@@ -272,13 +272,14 @@ class _Search:
         They explain more than those that make it a combination of several: 3 F for F, where m s'' = 2 F and m s'' is
         missing.
         """
-        own = {*self.terms}
+        own, multipliers = {*self.terms}, {*self.system.multipliers}
         changes: set[tuple[sp.Expr | None, sp.Expr | None]] = set()
         for derived in self.system.equations:
             for scale, _ in self._scales_to(derived):
                 other = {*(terms_of(sp.Add(*(scale * term for term in terms_of(derived) or ()))) or ())}
                 lost, gained = own - other, other - own
-                if max(len(lost), len(gained)) == 1:
+                has_multiplier = any(g.free_symbols & multipliers for g in gained)
+                if max(len(lost), len(gained)) == 1 and not has_multiplier:
                     changes.add((next(iter(lost), None), next(iter(gained), None)))
         return changes
 
@@ -400,7 +401,10 @@ class _Search:
                 if ratio is None:
                     continue
                 for cost, factor in self._scales_of(reduce(-ratio), term, derived):
-                    if (None, factor * term) in self._direct or factor.free_symbols.isdisjoint(self._moving):
+                    # A factor that moves is one that other terms have: the whole equation was multiplied by it.
+                    has_own = cost == 0 and not self._direct
+                    is_fixed = factor.free_symbols.isdisjoint(self._moving)
+                    if has_own or is_fixed or (None, factor * term) in self._direct:
                         yield 4.0 + cost, Diagnosis(None, Slip.MISSING, None, factor * term)
 
     def _holds(self, diagnosis: Diagnosis) -> bool:
