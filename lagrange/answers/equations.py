@@ -17,10 +17,9 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.conventions import Convention, other_convention
 from lagrange.answers.diagnosis import diagnosed, in_symbols
-from lagrange.answers.displacement_statements import NOT_FOR_ALL, displaced_coordinates, without_displacements
 from lagrange.answers.hints import Advisor
 from lagrange.answers.limits import MAX_EQUATIONS
-from lagrange.answers.readings import Reading, read_answer
+from lagrange.answers.readings import NOT_FOR_ALL, Reading, displaced_coordinates, read_answer, without_displacements
 from lagrange.answers.recognition import Recognised, recognised
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.validity import NonzeroCondition, conditions

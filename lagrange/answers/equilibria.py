@@ -15,10 +15,9 @@ from itertools import product
 
 import sympy as sp
 
-from lagrange.answers.displacement_statements import displaced_coordinates, without_displacements
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS
-from lagrange.answers.readings import Reading, read_answer
+from lagrange.answers.readings import Reading, displaced_coordinates, read_answer, without_displacements
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import (
     MIXED_CHOICES,

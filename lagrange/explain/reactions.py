@@ -148,7 +148,7 @@ def explain_bounds(newton: Newton) -> list[Block]:
             bodies = joined(map(the, (first, second))) if second else f"{the(first)} and the surface"
             blocks.append(
                 prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
-                      ", contact from inside ", inside, ".")
+                      ", contact from inside ", inside, ". A string, which can only pull, requires ", inside, " too.")
             )  # fmt: skip
     normal = [r for r in newton.reactions if r.is_normal and r.constraint.by is not Keeper.WIRE]
     if normal:

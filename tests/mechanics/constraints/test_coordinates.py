@@ -87,7 +87,7 @@ def test_redundant_ropes_share_what_they_carry(problem: Read) -> None:
     page = " ".join(terminal.text(told.derivation, told.notation, 120).split())
     assert "T₁, T₂ and T₃ are not determined individually" in page
     assert "T₁ − T₃ = 0" in page
-    assert "T₂ − 4l T₃ = m l θ̇² + m g cos θ" in page  # T₁ and T₃ multiply squares: each rope pulls with −2l T
+    assert "T₂ + 2T₃ = m l θ̇² + m g cos θ" in page  # the ropes pull with these forces, however they are written
     assert "λ" not in page
 
 

@@ -6,8 +6,8 @@ from functools import cache
 
 import pytest
 
-from lagrange.answers.displacement_statements import NOT_FOR_ALL
 from lagrange.answers.examiner import Examiner
+from lagrange.answers.readings import NOT_FOR_ALL
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
 
