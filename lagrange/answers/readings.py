@@ -9,9 +9,10 @@ answer that is right for r > 0 is right, with a remark. A coordinate r is a radi
 with r > 0: positions do not change when r changes sign and one or two angles become φ + π or π − θ. No body may be
 turned by that.
 
-Equations between displacements are δz = λ δφ, x dx + y dy = 0, and d'Alembert's principle. Such an equation is
-linear and homogeneous in the displacements. With possible displacements dq, dt it states what it states of the velocities, for dq = q' dt. With virtual displacements, A δq = 0, the dependent ones are substituted
-first; then it holds for all virtual displacements if and only if the coefficient of each independent one vanishes,
+Equations between displacements are δz = λ δφ, x dx + y dy = 0, and d'Alembert's principle. Such an equation is linear
+and homogeneous in the displacements. With possible displacements dq, dt it states what it states of the velocities,
+for dq = q' dt. With virtual displacements, A δq = 0, the dependent ones are substituted first; then it holds for all
+virtual displacements if and only if the coefficient of each independent one vanishes,
 
     δz = λ δφ                     0 = 0                          if z = λ φ is a constraint: this is restated
     (m x'' + k x) δx = 0          m x'' + k x = 0                if x is free
