@@ -18,7 +18,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from itertools import pairwise
 from pathlib import Path
@@ -47,7 +47,10 @@ from tests.support.processes import PATIENCE
 WIDTHS = (60, 80, 120)
 MOST_PARTS = 4
 """Processes that share the problems."""
+TOGETHER = 20
+"""Derivations in one LaTeX document: TeX takes longer over its packages than over most of them."""
 BAD_TEX = re.compile(r"^(Overfull \\hbox.*|LaTeX Warning: .*(?:undefined|multiply).*|! .*)$", re.MULTILINE)
+Document = tuple[Derivation, Notation, Detail]
 EQUATIONS = ("equation", "equations", "possible_displacements", "virtual_displacements", "newton", "equilibrium")
 
 
@@ -91,7 +94,7 @@ def main() -> int:
 def swept(names: Sequence[str]) -> Tally:
     """Some of the problems."""
     tally = Tally()
-    documents: dict[str, str] = {}
+    documents: dict[str, Document] = {}
     derivations: list[tuple[Derivation, Notation]] = []
     for name in names:
         path = library.entries()[name]
@@ -120,18 +123,18 @@ def faults_of_run(status: int, said: str) -> list[str]:
     return [f"exit status {status}"] * bool(status) + [said.strip()] * bool(said.strip())
 
 
-def rendered(name: str, found: Report, documents: dict[str, str], tally: Tally) -> list[str]:
+def rendered(name: str, found: Report, documents: dict[str, Document], tally: Tally) -> list[str]:
     """Renders a problem in every format that is not for many at once."""
     for detail in Detail:
         for width in WIDTHS:
             text = terminal.text(found.derivation, found.notation, width, detail)
             wide = [line for line in text.splitlines() if cell_len(line) > width]
             tally.add(f"{name}: terminal, {width} columns, {detail.name.lower()}", wide)
-        documents[f"{name}, {detail.name.lower()}"] = latex.render([(found.derivation, found.notation)], detail=detail)
+        documents[f"{name}, {detail.name.lower()}"] = (found.derivation, found.notation, detail)
     return []
 
 
-def by_lagrange(name: str, path: Path, documents: dict[str, str], tally: Tally) -> list[str]:
+def by_lagrange(name: str, path: Path, documents: dict[str, Document], tally: Tally) -> list[str]:
     """The same by Lagrange's equations, with everything that is shown at full detail."""
     found = report(load(path), method=Method.LAGRANGE)
     reference = reference_of_solution(found.solution)
@@ -141,7 +144,7 @@ def by_lagrange(name: str, path: Path, documents: dict[str, str], tally: Tally) 
         text = terminal.text(found.derivation, found.notation, width, Detail.FULL)
         wide = [line for line in text.splitlines() if cell_len(line) > width]
         tally.add(f"{name}: by Lagrange, terminal, {width} columns", wide)
-    documents[f"{name}, by Lagrange"] = latex.render([(found.derivation, found.notation)], detail=Detail.FULL)
+    documents[f"{name}, by Lagrange"] = (found.derivation, found.notation, Detail.FULL)
     return [str(d) for d in (*found.shortcomings, *found.notes)]
 
 
@@ -201,14 +204,20 @@ def unreadable(text: str, reference: Reference) -> list[str]:
 # LaTeX
 
 
-def compile_all(documents: dict[str, str], tally: Tally) -> None:
-    """Compiles the documents, several at a time."""
+def compile_all(documents: dict[str, Document], tally: Tally) -> None:
+    """Compiles the documents, many as one; where TeX complains, each by itself, so that it is named."""
     if shutil.which("pdflatex") is None:
         print(f"SKIPPED: there is no pdflatex, so {len(documents)} LaTeX documents are not compiled")
         return
-    with ThreadPoolExecutor() as pool:
-        for name, faults in zip(documents, pool.map(faults_of_tex, documents.values()), strict=True):
-            tally.add(f"{name}: pdflatex", faults)
+    for detail in Detail:
+        these = [name for name, (*_, d) in documents.items() if d is detail]
+        for names in (these[k : k + TOGETHER] for k in range(0, len(these), TOGETHER)):
+            together = [documents[name][:2] for name in names]
+            faults = faults_of_tex(latex.render(together, detail=detail))
+            for name, page in zip(names, together, strict=True):
+                tally.add(f"{name}: pdflatex", faults and faults_of_tex(latex.render([page], detail=detail)))
+            if len(names) > 1:
+                tally.add(f"{names[0]} to {names[-1]}: pdflatex", faults)
 
 
 def faults_of_tex(document: str) -> list[str]:
@@ -216,7 +225,7 @@ def faults_of_tex(document: str) -> list[str]:
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "a.tex").write_text(document, encoding="utf-8")
         for _ in range(2):
-            call = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
+            call = ["pdflatex", "-draftmode", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
             done = subprocess.run(
                 call, cwd=folder, capture_output=True, stdin=subprocess.DEVNULL, check=False, timeout=PATIENCE
             )
