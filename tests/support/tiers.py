@@ -1,7 +1,7 @@
 """Which tests `make test` runs a part of: names of folders, files and functions below `tests/`.
 
 The tiers `truth` and `process` are listed here. Of the others those are `slow` whose function takes more than
-`LONG` seconds, all its parameters together: `slow_tests.txt` has them, as `pytest --renew-slow` measured them last.
+`LONG` processor seconds, all its parameters together: `slow_tests.txt` has them, as `pytest --renew-slow` measured them last.
 """
 
 from __future__ import annotations
@@ -63,7 +63,7 @@ def tier_of(test: str) -> str | None:
 
 
 def renew(seconds: Mapping[str, float]) -> None:
-    """Writes the list of slow tests anew, from the seconds that each test of a run of all has taken."""
+    """Writes the list of slow tests anew, from the processor seconds of each test in a run of all."""
     by_function: Counter[str] = Counter()
     for test, taken in seconds.items():
         function = test.partition("[")[0]
