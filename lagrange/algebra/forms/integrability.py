@@ -191,7 +191,9 @@ def derived_flag(
         return flag
 
     try:
-        return _agreed(at, [a for row in (*rows, *others) for a in row], surface, slots, lambda why: Flag((), None, why))
+        return _agreed(
+            at, [a for row in (*rows, *others) for a in row], surface, slots, lambda why: Flag((), None, why)
+        )
     except _OpenFlagError as error:
         return error.flag
 

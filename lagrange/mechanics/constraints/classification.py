@@ -130,7 +130,7 @@ class Classification:
 
     @property
     def reachable_dimension(self) -> int | None:
-        """The dimension of the reachable configurations, each orientation that quasi-coordinates describe counted with three angles."""
+        """The dimension of the reachable configurations; the orientation of a body with quasi-coordinates counts 3."""
         dimension = self.configuration_dimension
         return None if dimension is None else dimension + self.further_angles - self.flag.beside
 

@@ -31,7 +31,14 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.algebra.forms.exact_forms import ExteriorForm, one_form, potential, wedge
-from lagrange.algebra.forms.integrability import Exactness, derived_flag, exactness, frobenius_form, is_integrable, writer
+from lagrange.algebra.forms.integrability import (
+    Exactness,
+    derived_flag,
+    exactness,
+    frobenius_form,
+    is_integrable,
+    writer,
+)
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import in_differences, tidied
 from lagrange.core.records import record

@@ -9,9 +9,9 @@ which requires, with components in i, j, k,
 
 Coordinates for which this fails and of which only the velocities occur are quasi-coordinates. Up to three of them with
 independent Ω_k can be replaced by three angles: their velocities follow from the ω of a sequence of rotations, and a
-form becomes one in true coordinates, to which Frobenius' theorem applies. One or two of them also restrict the rotation:
-the components of ω along the vectors e_i that complete the Ω_k to a basis of space vanish, one form each in the angles. With more than three the
-question is left undecided.
+form becomes one in true coordinates, to which Frobenius' theorem applies. One or two of them also restrict the
+rotation: the components of ω along the unit vectors that complete the Ω_k to a basis vanish, one form each in the
+angles. With more than three the question is left undecided.
 """
 
 from __future__ import annotations
