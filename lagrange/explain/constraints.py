@@ -119,8 +119,9 @@ def explain_quasi(c: ConstraintAnalysis, letter: str, *, likewise: bool) -> list
             "The angular velocity, given by fewer than three such rates, restricts the rotation by itself. Together "
             "with this restriction, and written in angles that determine the orientation of the body, the constraint "
         )
-        verdict = "is equivalent to a finite relation." if c.integrable else "implies no finite relation: it is "
-        return [prose(*words, angles, verdict, *([] if c.integrable else [Emphasis("not integrable"), "."]))]
+        if c.integrable:
+            return [prose(*words, angles, "is equivalent to a finite relation.")]
+        return [prose(*words, angles, "implies no finite relation: it is ", Emphasis("not integrable"), ".")]
     product = Wedge(form, differential(form))
     end: list[Part] = (
         [math(product, sp.S.Zero), ": it is equivalent to a finite relation."]
