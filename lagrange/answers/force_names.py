@@ -32,22 +32,17 @@ class Meaning:
     remark: str
 
 
-def meanings(reaction: Reaction, settled: Collection[str] = ()) -> tuple[Meaning, ...]:
-    """What the name of one reaction may stand for, the meaning of the derivation first.
-
-    settled  names of constraints whose reactions have a sign that the file fixes: they are not the opposite force
-    """
+def meanings(reaction: Reaction) -> tuple[Meaning, ...]:
+    """What the name of one reaction may stand for, the meaning of the derivation first."""
     name, single = reaction.force.name, reaction.single
     same = Meaning(sp.S.One, "")
     opposite = Meaning(sp.S.NegativeOne, _opposite(name, single))
     if single is None or abs(single.factor) == 1:
-        return (same,) if reaction.name in settled else (same, opposite)
+        return same, opposite
     what = "tension" if single.kind is ForceKind.TENSION else "force"
     remark = f"`{name}` is taken as the multiplier of the constraint; in the derivation it is the {what}"
     negative = f"`{name}` is taken as minus the multiplier of the constraint; in the derivation it is the {what}"
     per_force = 1 / single.factor
-    if reaction.name in settled:
-        return same, Meaning(per_force, remark)
     return same, opposite, Meaning(per_force, remark), Meaning(-per_force, negative)
 
 
@@ -74,15 +69,13 @@ class NameReading:
     remarks: Mapping[str, str]
 
 
-def other_readings(
-    newton: Newton | None, used: Collection[str], settled: Collection[str] = ()
-) -> Iterator[NameReading]:
+def other_readings(newton: Newton | None, used: Collection[str]) -> Iterator[NameReading]:
     """All readings of the names that an answer uses, except that of the derivation; `MOST_MEANINGS` at most.
 
     First those in which all names have the same kind of meaning, then those in which fewer of them differ.
     """
     named = [r for r in newton.reactions if r.given is not None and r.force.name in used] if newton else []
-    kinds = [meanings(r, settled) for r in named]
+    kinds = [meanings(r) for r in named]
     choices = sorted(product(*(range(len(k)) for k in kinds)), key=_order)
     for choice in islice((c for c in choices if any(c)), MOST_MEANINGS):
         taken = {r.force: k[n] for r, k, n in zip(named, kinds, choice, strict=True) if n}

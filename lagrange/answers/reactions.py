@@ -95,15 +95,15 @@ def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> lis
     value = read_value(fragment, reference.scope, [], latex=True)
     if isinstance(value, Vector):
         return []
-    return [(force - value, (remark,) if remark else ()) for force, remark in _meanings(reaction, reference)]
+    return [(force - value, (remark,) if remark else ()) for force, remark in _meanings(reaction)]
 
 
-def _meanings(reaction: Reaction, reference: Reference) -> Iterator[tuple[sp.Expr, str]]:
+def _meanings(reaction: Reaction) -> Iterator[tuple[sp.Expr, str]]:
     """The forces that one number for a reaction may be, each with a remark."""
     multiplier, single = reaction.multiplier, reaction.single
     force = multiplier if single is None else single.factor * multiplier
     if reaction.given is not None:
-        yield from ((meaning.ratio * force, meaning.remark) for meaning in meanings(reaction, reference.settled))
+        yield from ((meaning.ratio * force, meaning.remark) for meaning in meanings(reaction))
         return
     is_tension = single is not None and single.kind is ForceKind.TENSION
     if not is_tension:

@@ -110,7 +110,6 @@ class Reference:
     unknowns    declared unknown forces
     units       units of parameters and coordinates, as far as the file gives them
     newton      the reactions, whose names may have other meanings in an answer; None if there are none
-    settled     names of the constraints for which the file fixes the sign of the reaction
     """
 
     scope: Scope
@@ -119,15 +118,17 @@ class Reference:
     unknowns: tuple[sp.Symbol, ...] = ()
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     newton: Newton | None = None
-    settled: frozenset[str] = frozenset()
 
     def candidates_for(self, used: Collection[str]) -> Iterator[ReferenceCandidate]:
         """The candidates for an answer with these names: as in the derivation, then for other meanings of reactions."""
         yield from self.candidates
-        for reading in other_readings(self.newton, used, self.settled):
+        for reading in other_readings(self.newton, used):
             for c in self.candidates:
                 other = {s: ratio * c.meanings.get(s, s) for s, ratio in reading.ratios.items()}
-                yield replace(c, meanings={**c.meanings, **other}, remarks=reading.remarks)
+                certain = dict(c.certain)
+                for s, ratio in reading.ratios.items():  # |N| is the same force, and so −N for the opposite N
+                    certain |= {e: sp.sign(ratio) * c.certain[e] for e in (sp.Abs(s), sp.sign(s)) if e in c.certain}
+                yield replace(c, meanings={**c.meanings, **other}, certain=certain, remarks=reading.remarks)
 
     def mismatch(self, reading: Reading) -> Mismatch | None:
         """Terms of an equation whose dimensions differ; None if they agree, or if that is not known."""
@@ -180,9 +181,7 @@ def reference_of_solution(solution: Solution) -> Reference:
     plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
     newton = solution.law.newton if solution.law else None
-    frictions = solution.law.frictions if solution.law else ()
-    settled = frozenset(f.constraint for f in frictions if f.contact is not None)
-    return Reference(wider, candidates, values, problem.unknowns, units_of(problem), newton, settled)
+    return Reference(wider, candidates, values, problem.unknowns, units_of(problem), newton)
 
 
 def _with_meanings(candidates: list[ReferenceCandidate], solution: Solution) -> Iterator[ReferenceCandidate]:

@@ -37,6 +37,8 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
     relations = in_words(flag.integrable_rank, "finite relation") if flag.integrable_rank else "no finite relation"
     if all(c.integrable for c in constraints):
         return [prose(f"Taken together, the constraints are equivalent to {relations} between the coordinates.")]
+    if any(c.restricted for c in constraints):
+        return [prose(f"Together, and with what restricts the rotation, the constraints imply {relations}.")]
     omega = sp.Symbol(letter, real=True)
     question = prose(
         "Taken together, the constraints may imply further finite relations. A combination ", math(omega), " of the "

@@ -114,6 +114,14 @@ def explain_quasi(c: ConstraintAnalysis, letter: str, *, likewise: bool) -> list
     ]  # fmt: skip
     if c.integrable is None:
         return [prose(*words, "This could not be decided.")]
+    if c.restricted:
+        angles = (
+            "The angular velocity, given by fewer than three such rates, restricts the rotation by itself. Together "
+            "with this restriction, and written in angles that determine the orientation of the body, the constraint "
+        )
+        if c.integrable:
+            return [prose(*words, angles, "is equivalent to a finite relation.")]
+        return [prose(*words, angles, "implies no finite relation: it is ", Emphasis("not integrable"), ".")]
     product = Wedge(form, differential(form))
     end: list[Part] = (
         [math(product, sp.S.Zero), ": it is equivalent to a finite relation."]
@@ -446,7 +454,7 @@ def explain_freedom(classification: Classification) -> Step:
             ", the number of independent virtual displacements" + ("." if pfaffian else ", by Chetaev's rule."),
         )
     ]
-    dimension = classification.configuration_dimension
+    dimension = classification.reachable_dimension
     if dimension is None:
         sentences.append(prose("The dimension of the space of reachable configurations could not be decided."))
     elif dimension == freedom == 0:
@@ -455,6 +463,7 @@ def explain_freedom(classification: Classification) -> Step:
         sentences.append(prose(f"The space of reachable configurations also has dimension {dimension}: no constraint "
                                "restricts the velocities alone."))  # fmt: skip
     else:
-        sentences.append(prose(f"The space of reachable configurations has dimension {dimension}. "
-                               + _difference(n - dimension)))  # fmt: skip
+        angles = ", the orientation of a body counted with three angles" if classification.further_angles else ""
+        sentences.append(prose(f"The space of reachable configurations has dimension {dimension}{angles}. "
+                               + _difference(classification.integrable_rank or 0)))  # fmt: skip
     return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (brief(paragraph(*sentences), sentences[0]),))

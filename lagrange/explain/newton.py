@@ -14,7 +14,7 @@ from lagrange.explain.words import capital, constraints_called, counted, joined,
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.friction import FrictionForce
-from lagrange.mechanics.dynamics.named_forces import ForceKind, SingleForce
+from lagrange.mechanics.dynamics.named_forces import SURFACES, ForceKind, SingleForce
 from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction, WorkOfReaction
 from lagrange.problem.model import Keeper
 
@@ -60,8 +60,39 @@ def _without_bodies(newton: Newton, rigid: bool) -> list[Block]:
     return [prose(words, *multipliers, "." if rigid else f".{shared}"), *known]
 
 
+_LIKE = (Keeper.ROD, Keeper.STRING)
+KEEPERS = {
+    Keeper.ROD: "a rod",
+    Keeper.STRING: "a string",
+    Keeper.SURFACE: "a surface",
+    Keeper.WIRE: "a wire",
+    Keeper.HINGE: "a hinge",
+    Keeper.ROLLING: "rolling without slipping",
+    Keeper.GEAR: "gears in mesh",
+}
+"""What maintains a constraint, in words."""
+
+
 def nature(reaction: Reaction) -> list[Prose]:
-    """The kind of force that maintains a constraint."""
+    """What maintains a constraint, where the file says so, and the kind of force."""
+    by = reaction.constraint.by
+    is_said = by in SURFACES if _is_on_surface(reaction) else by in _LIKE and reaction.rod is not None
+    if by is None or is_said:
+        return _force(reaction)
+    return [prose(f"{capital(constraints_called([reaction.name]))} is maintained by {KEEPERS[by]}."), *_force(reaction)]
+
+
+def _is_on_surface(reaction: Reaction) -> bool:
+    """Whether the reaction is said to be normal to what the particle is kept on."""
+    return reaction.rod is None and reaction.is_normal and bool(reaction.directions)
+
+
+def _support(reaction: Reaction) -> str:
+    by = reaction.constraint.by
+    return KEEPERS[by] if by is not None and by in SURFACES else "a surface or curve"
+
+
+def _force(reaction: Reaction) -> list[Prose]:
     if reaction.rod is not None:
         return [_of_rod(reaction, reaction.rod)]
     called, single = constraints_called([reaction.name]), reaction.single
@@ -78,7 +109,7 @@ def nature(reaction: Reaction) -> list[Prose]:
     multiplier = math(reaction.multiplier)
     if reaction.is_normal and reaction.directions:
         [particle] = reaction.directions
-        words = f"{capital(called)} keeps {the(particle)} on a surface or curve, and its reaction is normal to it: "
+        words = f"{capital(called)} keeps {the(particle)} on {_support(reaction)}, and its reaction is normal to it: "
         return [prose(words, multiplier, " times the gradient.")]
     if not reaction.acts_on:
         return [prose(f"{capital(called)} acts on no particle.", *_not_a_force(reaction))]
@@ -94,9 +125,10 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
     first, second = rod.ends
     other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
     like = ", as that of a rod" if second else ", as that of a rod, or of a smooth circle or sphere"
-    if reaction.constraint.by in (Keeper.ROD, Keeper.STRING):
-        like = f", as that of a {reaction.constraint.by}"
-    elif reaction.on_body:
+    by = reaction.constraint.by
+    if by is not None and by in _LIKE:
+        like = f", as that of {KEEPERS[by]}"
+    elif by is not None or reaction.on_body:
         like = ""
     beginning: list[Part] = [
         f"{capital(constraints_called([reaction.name]))} keeps {the(first)} at the distance ", math(rod.length),
@@ -121,7 +153,7 @@ def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
     is_short = direction is not None and sum(c.count_ops() for c in direction.components) <= LONGEST
     unit: tuple[Part, ...] = (" ", math(direction)) if is_short and direction is not None else ()
     if reaction.is_normal:
-        words = f"{capital(called)} keeps {body} on a surface or curve, and its reaction is normal to it: a force "
+        words = f"{capital(called)} keeps {body} on {_support(reaction)}, and its reaction is normal to it: a force "
         along: tuple[Part, ...] = (math(name), " along the unit normal", *unit)
     else:
         words = f"The reaction of {called} on {body} is a force "

@@ -39,6 +39,11 @@ def explain_reduction(given: Given, count: int) -> list[Block]:
     steps = [_sentence(step) for step in given.steps]
     end = "It is therefore equivalent to" if count == 1 else f"It is therefore equivalent to the {count} constraints"
     words = prose("is not linear in the velocities as it stands.")
+    excluded = [*dict.fromkeys(e for step in given.steps for e in step.excluded)]
+    if excluded:
+        zeros = [math(e, ZERO) for e in excluded]
+        words = prose(*words.parts, " It admits more velocities where ", *listed(zeros, " or "), "; such positions are "
+                      "excluded here.")  # fmt: skip
     return [prose("The constraint"), shown, paragraph(words, *steps, prose(end))]
 
 

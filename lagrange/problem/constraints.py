@@ -18,9 +18,16 @@ from functools import partial
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
-from lagrange.algebra.forms.nonlinear_constraints import Alternative, Alternatives, alternatives, is_affine
+from lagrange.algebra.forms.nonlinear_constraints import (
+    Alternative,
+    Alternatives,
+    Why,
+    alternatives,
+    in_configuration,
+    is_affine,
+)
 from lagrange.algebra.fourier.vector_cleanup import tidied
-from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, nearest
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity, Span, nearest
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.problem import keys
@@ -145,6 +152,8 @@ def _reduced(
     none.
     """
     slots, function = context.scope.slots, lhs - rhs
+    if not kinematic:
+        _check_no_sum_of_squares(name, function, scalar.span, context)
     if not kinematic or is_affine(function, slots) or not context.may_reduce(function):
         return [(lhs, rhs, kinematic)], None
     try:
@@ -157,8 +166,39 @@ def _reduced(
     [only] = meanings.members
     if only.forms == (function,):
         return [(lhs, rhs, kinematic)], None
+    if excluded := _excluded(meanings):
+        zeros = " or ".join(f"`{_text(e, slots)} = 0`" for e in excluded)
+        message = f"the constraint `{name}` admits more velocities where {zeros}: this is excluded here"
+        help_ = f"divide by the factor to say so, or write {zeros} where that is meant"
+        context.diagnostics.report_all(
+            [Diagnostic("factor-excluded", message, scalar.span, help=help_, level=Severity.NOTE)]
+        )
     parts = [(f, sp.S.Zero, not f.free_symbols.isdisjoint(slots.velocities)) for f in only.forms]
     return parts, Given(lhs, rhs, only.steps)
+
+
+def _excluded(meanings: Alternatives) -> list[sp.Expr]:
+    """The factors whose zeros satisfy the constraint as well."""
+    return [*dict.fromkeys(e for a in meanings.members for step in a.steps for e in step.excluded)]
+
+
+def _check_no_sum_of_squares(name: str, function: sp.Expr, span: Span, context: LoadContext) -> None:
+    """Raises ProblemError for a geometric constraint such as x² + y² = 0, which is a point and has no normal there."""
+    signs = {(a.is_nonnegative, a.is_nonpositive) for a in sp.Add.make_args(function)}
+    mixed = (True, False) in signs and (False, True) in signs
+    slots = context.scope.slots
+    linear = all(function.diff(q).free_symbols.isdisjoint(slots.coordinates) for q in slots.coordinates)
+    if not function.is_Add or mixed or linear or not context.may_reduce(function):
+        return
+    meanings = in_configuration(function, slots)
+    if meanings.endless or len(meanings.members) != 1:
+        return
+    [only] = meanings.members
+    if only.steps and only.steps[0].why is Why.SQUARES:
+        message = f"`{name}` is a sum of terms of one sign: it holds only where all of them vanish"
+        parts = " and ".join(f"`{_text(f, slots)} = 0`" for f in only.forms)
+        help_ = f"its differential vanishes there; write {parts} instead"
+        raise ProblemError(Diagnostic("singular-constraint", message, span, help=help_))
 
 
 def _not_one(name: str, meanings: Alternatives, span: Span, slots: Slots) -> Diagnostic:
@@ -167,6 +207,8 @@ def _not_one(name: str, meanings: Alternatives, span: Span, slots: Slots) -> Dia
         message = f"`{name}` cannot be satisfied"
         help_ = "no real velocity satisfies it; correct or remove it"
         return Diagnostic("contradictory-constraints", message, span, help=help_)
+    if excluded := _excluded(meanings):
+        meanings = Alternatives((*meanings.members, *(Alternative((e,)) for e in excluded)), meanings.endless)
     count = "infinitely many" if meanings.endless else str(len(meanings.members))
     message = f"the constraint `{name}` leaves {count} alternatives"
     shown = [_written(a, slots) for a in meanings.members[:MOST_ALTERNATIVES_SHOWN]]
@@ -185,7 +227,7 @@ def _written(alternative: Alternative, slots: Slots) -> str:
 
 def _text(expression: sp.Expr, slots: Slots) -> str:
     """An expression in the language of problem files, the terms with velocities first: `x' - c*y'`."""
-    places = {v: n for n, v in enumerate(slots.velocities)}
+    places = {s: n for n, s in enumerate((*slots.velocities, *slots.coordinates))}
 
     def first(term: sp.Expr) -> int:
         return min((places[s] for s in term.free_symbols if s in places), default=len(places))

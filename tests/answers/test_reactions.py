@@ -72,8 +72,8 @@ def test_the_remark_says_what_a_stated_reaction_is_taken_for(problem: Read, stat
     [said] = answer.equations
     assert (said.verdict, len(said.remarks)) == (Verdict.EQUIVALENT, 1 if taken_for else 0)
     assert taken_for in "".join(said.remarks)
-    told = report(problem(f'title: Example\n{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n'))
-    page = terminal.text(told.derivation, told.notation, 1000)
+    shown = report(problem(f'title: Example\n{PENDULUM}answers: {{reactions: {{rod: "{stated}"}}}}\n'))
+    page = terminal.text(shown.derivation, shown.notation, 1000)
     assert ("In the answer for the rod constraint" in page) == bool(taken_for)
 
 
@@ -245,3 +245,47 @@ answers: {{reactions: {{plane: '{stated}'}}}}
 """
     [answer] = compared_answers(solution(problem, text))
     assert answer.verdict is verdict
+
+
+BLOCK = """parameters: [m, g, mu, F]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {floor: {equation: y = 0, reaction: N}}
+gravity: -g*j
+forces:
+  push: {on: P, vector: F*i}
+  rub: {friction: mu, constraint: floor, on: P, slip: positive, contact: positive}
+"""
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict", "remarked"),
+    [
+        ("m*x'' = F - mu*N; N = m*g", Verdict.EQUIVALENT, False),
+        ("m*x'' = F - mu*abs(N); N = m*g", Verdict.EQUIVALENT, False),
+        ("m*x'' = F + mu*N; N = -m*g", Verdict.EQUIVALENT, True),
+        ("m*x'' = F - mu*abs(N); N = -m*g", Verdict.EQUIVALENT, True),
+        ("m*x'' = F + mu*N; N = m*g", Verdict.WRONG, False),
+        ("m*x'' = F - mu*N; N = -m*g", Verdict.WRONG, False),
+        ("m*x'' = F + mu*abs(N); N = -m*g", Verdict.WRONG, False),
+        ("m*x'' = F + mu*m*g", Verdict.WRONG, False),
+    ],
+)
+def test_with_a_contact_given_the_name_may_be_the_opposite_force_too(
+    problem: Read, stated: str, verdict: Verdict, remarked: bool
+) -> None:
+    """One meaning of N in the whole answer: with N along −j, μ|N| is −μ N."""
+    judged = check_equations([Fragment.of(e) for e in stated.split("; ")], reference_of_solution(_block(problem)))
+    assert judged.verdict is verdict
+    remarks = [r for e in judged.equations for r in e.remarks]
+    if verdict is Verdict.EQUIVALENT:
+        assert any("`N` is taken along `-j` on `P`" in r for r in remarks) is remarked
+
+
+_solved: list[Solution] = []
+
+
+def _block(problem: Read) -> Solution:
+    if not _solved:
+        _solved.append(solution(problem, BLOCK))
+    return _solved[0]

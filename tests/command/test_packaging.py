@@ -128,9 +128,9 @@ def test_the_licence_goes_with_it(wheel: Path, contents: set[str], checkout: Pat
     assert text == (checkout / "LICENSE").read_text(encoding="utf-8")
     assert text.startswith("MIT License\n\nCopyright (c) 2026 The lagsolve authors\n")
     with (checkout / "pyproject.toml").open("rb") as file:
-        told = tomllib.load(file)
-    assert told["project"]["license"] == {"text": "MIT"}
-    assert "LICENSE" in told["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
+        settings = tomllib.load(file)
+    assert settings["project"]["license"] == {"text": "MIT"}
+    assert "LICENSE" in settings["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
 
 
 def test_the_command_works_elsewhere(installed: Path, tmp_path: Path) -> None:

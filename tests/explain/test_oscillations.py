@@ -39,8 +39,8 @@ def test_a_long_mode_has_lines_of_its_own() -> None:
 
 
 def test_brief_names_the_small_changes_where_they_are_used() -> None:
-    told = shared.reported("ziegler-column")
-    brief = terminal.text(told.derivation, told.notation, 80, Detail.BRIEF)
+    shown = shared.reported("ziegler-column")
+    brief = terminal.text(shown.derivation, shown.notation, 80, Detail.BRIEF)
     assert "Let ξ₁ and ξ₂ be the small changes of θ and ψ from equilibrium.\n" in brief
 
 

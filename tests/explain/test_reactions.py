@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import pytest
+
 from lagrange.explain.report import report
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
@@ -45,3 +47,37 @@ def test_reactions_that_the_coordinates_take_into_account_are_not_denied(problem
     assert "satisfy the constraints already" in words
     free = page(problem("title: Free\nparameters: [m]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\n"))
     assert "there are no reactions" in free
+
+
+KEPT = """title: Kept
+parameters: [m, g, l, R, I, L]
+coordinates: [x, y, p, q, a, b]
+particles: {A: {mass: m, position: x*i + y*j}, C: {mass: m, position: a*j}, D: {mass: m, position: b*j}}
+bodies: {W: {mass: m, inertia: I, position: p*i + R*j, angle: q}}
+constraints:
+  held: {equation: EQUATION, reaction: N, by: KEEPER}
+  wheel: {equation: "p' + R*q' = 0", reaction: F, by: rolling}
+  cord: {equation: a + b = L, reaction: S, by: string}
+gravity: -g*j
+"""
+
+
+@pytest.mark.parametrize(
+    ("equation", "keeper", "words"),
+    [
+        ("y = x^2", "wire", "The held constraint keeps A on a wire, and its reaction is normal to it"),
+        ("y = x^2", "surface", "The held constraint keeps A on a surface, and its reaction is normal to it"),
+        ("x^2 + y^2 = l^2", "wire", "The held constraint keeps A on a wire, and its reaction is normal to it"),
+        ("x^2 + y^2 = l^2", "string", "along the line joining them, as that of a string."),
+        ("x^2 + y^2 = l^2", "rod", "along the line joining them, as that of a rod."),
+        ("x^2 + y^2 = l^2", "hinge", "The held constraint is maintained by a hinge."),
+        ("x = 2*a", "gear", "The held constraint is maintained by gears in mesh."),
+    ],
+)
+def test_what_keeps_a_constraint_is_named(problem: Read, equation: str, keeper: str, words: str) -> None:
+    found = report(problem(KEPT.replace("EQUATION", equation).replace("KEEPER", keeper)), complete=False)
+    shown = " ".join(terminal.text(found.derivation, found.notation, 100).split())
+    assert words in shown
+    assert "on a surface or curve" not in shown
+    assert "The wheel constraint is maintained by rolling without slipping." in shown
+    assert "The cord constraint is maintained by a string." in shown

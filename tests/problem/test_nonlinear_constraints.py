@@ -22,10 +22,12 @@ from lagrange.answers.equations import Verdict
 from lagrange.answers.examiner import check_answer
 from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.core.symbols import prime
+from lagrange.explain.report import report
 from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.solution import Solution, solve
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
+from lagrange.render import latex
 from lagsolve.main import main
 from tests.support.chance import examples
 
@@ -93,6 +95,8 @@ REDUCIBLE = [
     ("(x' + y')^2 - x'^2 - y'^2 - 2*x'*y' + x' = u'", "x' - u'"),
     ("x'^2*sin(theta)^2 + x'^2*cos(theta)^2 - x'^2 + y' = 0", "y'"),
     ("x'^2 + f(x)^2*y'^2 = 0", "x'; y'"),
+    ("sin(x')^2 + x'^2 = 0", "x'"),
+    ("sin(x')^2 + x'^2 + (y' - x')^2 = 0", "x'; y'"),
 ]
 
 
@@ -165,6 +169,75 @@ def test_a_factor_without_velocities_may_be_all_that_can_vanish() -> None:
     assert constraint.function == sp.Symbol("x", real=True)
 
 
+EXCLUDED = [
+    ("z*x'^2 = 0", "z"),
+    ("z^2*(x'^2 + y'^2) = 0", "z"),
+    ("cos(theta)*(x' - y')^2 = 0", "cos(theta)"),
+    ("z*x'^2 + 2*z*x'*y' + z*y'^2 = 0", "z"),
+    ("x'^2 + x^2*y'^2 = 0", "x"),
+    ("(2 + sin(theta))*x'^2 = 0", ""),
+    ("(1 + z^2)*x'^2 = 0", ""),
+    ("exp(z)*(x' - y')^2 = 0", ""),
+    ("a*x'^2 = 0", ""),
+]
+
+
+@pytest.mark.parametrize(("constraint", "factor"), EXCLUDED)
+def test_a_factor_that_can_vanish_is_excluded_in_words(constraint: str, factor: str) -> None:
+    problem = read(constraint)
+    noted = [n.message for n in problem.notes if n.code == "factor-excluded"]
+    assert noted == (
+        [f"the constraint `c1` admits more velocities where `{factor} = 0`: this is excluded here"] if factor else []
+    )
+    assert ("such positions are excluded here" in latex_of(problem)) is bool(factor)
+
+
+def latex_of(problem: Problem) -> str:
+    found = report(problem)
+    return latex.render([(found.derivation, found.notation)]).replace("\n", " ")
+
+
+def test_a_factor_that_other_constraints_make_zero_restricts_nothing() -> None:
+    with pytest.raises(ProblemError) as caught:
+        classify(read("z = 0", "z*x'^2 = 0"))
+    assert caught.value.diagnostics[0].code == "restricts-nothing"
+
+
+def test_alternatives_include_factors_without_velocities() -> None:
+    with pytest.raises(ProblemError) as caught:
+        read("z*x'*y' = 0")
+    assert caught.value.diagnostics[0].help == "a system is one of them; write `x' = 0` or `y' = 0` or `z = 0`"
+
+
+@pytest.mark.parametrize(
+    ("constraint", "parts"),
+    [
+        ("x^2 + y^2 = 0", "`x = 0` and `y = 0`"),
+        ("sin(x)^2 + x^2 = 0", "`x = 0`"),
+        ("x^2 + (y - z)^2 = 0", "`x = 0` and `y - z = 0`"),
+        ("-2*x^2 - 2*x*y - y^2 = 0", "`2*x + y = 0` and `y = 0`"),
+        ("x^2 + y^2 + 1 = 2*x", "`x - 1 = 0` and `y = 0`"),
+        ("abs(x) + y^4 = 0", "`x = 0` and `y = 0`"),
+    ],
+)
+def test_a_geometric_sum_of_squares_is_said_to_be_one(constraint: str, parts: str) -> None:
+    """Its differential vanishes wherever it holds; each term is a constraint of its own."""
+    with pytest.raises(ProblemError) as caught:
+        read(constraint)
+    (finding,) = caught.value.diagnostics
+    assert (finding.code, finding.help) == (
+        "singular-constraint",
+        f"its differential vanishes there; write {parts} instead",
+    )
+
+
+@pytest.mark.parametrize(
+    "constraint", ["x^2 + y^2 = a^2", "x^2 = y^2", "y = a*x^2", "x*y = 0", "x^2 + y = 0", "sin(x) = x"]
+)
+def test_other_geometric_constraints_are_read(constraint: str) -> None:
+    assert len(read(constraint).constraints) == 1
+
+
 # Alternatives, and what cannot be
 
 BRANCHES = [
@@ -202,7 +275,8 @@ def test_alternatives_are_refused_with_each_written_out(constraint: str, expecte
 @pytest.mark.parametrize(
     "constraint",
     ["x'^2 + y'^2 + 1 = 0", "exp(x'*y') = 0", "sqrt(x'^2 + 1) + 1 = 0", "cosh(x') = 0", "1/(x' - y') = 0",
-     "(x' - 1)^2 + (x' - 2)^2 = 0", "abs(x' - 2) + abs(x' - 3) = 0", "exp(x') = -a", "abs(x') = -v"],
+     "(x' - 1)^2 + (x' - 2)^2 = 0", "abs(x' - 2) + abs(x' - 3) = 0", "exp(x') = -a", "abs(x') = -v",
+     "sin(x')^2 + (x' - 1)^2 = 0"],
 )  # fmt: skip
 def test_what_no_velocity_satisfies_is_refused(constraint: str) -> None:
     with pytest.raises(ProblemError) as caught:

@@ -124,7 +124,7 @@ def test_equations_in_latex_mean_the_same(solved: Report) -> None:
 
 
 def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None:
-    """From the LaTeX of the whole derivation, as if it were somebody's answer: rows, labels and line breaks too."""
+    """From the LaTeX of the whole derivation, as if it were an answer: rows, labels and line breaks too."""
     document = body(solved.derivation, solved.notation)
     boxed = [
         display

@@ -122,6 +122,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "merge-key": ("Write the keys out.", None),
     "missing-space": ("A colon is followed by a space.", None),
     "more-mistakes": ("Only the first mistakes of a file are shown.", None),
+    "factor-excluded": (
+        "A note: a factor without velocities vanishes somewhere. A constraint is taken where it does not.",
+        problem("constraints: {skate: \"x*(x' - y')^2 = 0\"}")),
     "file-beside": (
         "A name without `.yaml` is a problem of the library, whatever files exist. The exit status is not changed.",
         Command(("check", "ex11", "-e", "theta'' + g/l*sin(theta) = 0"), beside="ex11.yaml")),

@@ -279,7 +279,7 @@ def test_json_is_read_back(name: str) -> None:
     assert result["method"] == "lagrange"
     assert [f for e in equations_in(result) for f in unreadable(e, reference)] == []
     for part, motion in zip([result, *result["choices"]], motions(found), strict=True):
-        told, principle = part["lagrange"], motion.principle
+        printed, principle = part["lagrange"], motion.principle
         slots_ = motion.configuration.slots
         scope = replace(reference.scope, slots=slots_)
 
@@ -287,11 +287,13 @@ def test_json_is_read_back(name: str) -> None:
             read: sp.Expr = read_scalar(Fragment.of(expression), scope)  # type: ignore[arg-type]
             return read
 
-        kinetic, potential = value(told["kinetic_energy"]), value(told["potential_energy"])
+        kinetic, potential = value(printed["kinetic_energy"]), value(printed["potential_energy"])
         for k, (q, v) in enumerate(zip(slots_.coordinates, slots_.velocities, strict=True)):
-            momentum, force = value(told["momenta"][q.name]), value(told["generalized_forces"][q.name])
+            momentum, force = value(printed["momenta"][q.name]), value(printed["generalized_forces"][q.name])
             assert is_zero(momentum - kinetic.diff(v)) is True
-            quasi = value(told["quasi_coordinate_terms"][q.name]) if "quasi_coordinate_terms" in told else sp.S.Zero
+            quasi = (
+                value(printed["quasi_coordinate_terms"][q.name]) if "quasi_coordinate_terms" in printed else sp.S.Zero
+            )
             left = slots_.time_derivative(momentum) - kinetic.diff(q) + potential.diff(q) - force - quasi
             assert is_zero(left - principle.coefficients[k].to_sympy()) is True
 

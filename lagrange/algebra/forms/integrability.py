@@ -23,6 +23,7 @@ from typing import Any, TypeVar
 import sympy as sp
 
 from lagrange.algebra.exact.expression_graph import SIGNED
+from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.points_needed import (
     FLAG_POINTS,
     FLAG_POINTS_AFTER_ROOTS,
@@ -65,11 +66,13 @@ class Flag:
     ranks            of the system, of its first derived system, ..., as far as they were found
     integrable_rank  number of independent finite relations in the constraints (the last rank), or None
     reason           why it is undecided
+    beside           number of finite relations in which only forms take part modulo which the ranks are taken
     """
 
     ranks: tuple[int, ...]
     integrable_rank: int | None
     reason: str = ""
+    beside: int = 0
 
     @property
     def bound(self) -> int | None:
@@ -154,6 +157,7 @@ def derived_flag(
     slots: Slots,
     geometric: Sequence[sp.Expr] | Surface = (),
     *,
+    modulo: Sequence[Sequence[sp.Expr]] = (),
     highest_order: int = HIGHEST_FLAG_ORDER,
     work_limit: int = FLAG_WORK,
 ) -> Flag:
@@ -161,12 +165,15 @@ def derived_flag(
 
     forms      (m, n + 1): coefficients of dq_1 ... dq_n, dt; rows of geometric constraints may be among them
     geometric  functions f(q, t) whose vanishing is the geometric constraints, or their surface
+    modulo     (k, n + 1): forms that vanish as well and are not counted: the ranks are those of I + E less that of E,
+               I being a derived system of all the forms and E the span of these
 
     Random points must agree. Undecided where no point is found, an expression has no Taylor series, or the
     limits on order and work (products of coefficients, all points together) are reached.
     """
     surface = _surface(geometric, slots)
     rows = _beyond(surface.constraints, [tuple(sp.sympify(a, strict=True) for a in form) for form in forms], slots)
+    others = [tuple(form) for form in modulo]
     left = work_limit
 
     def at(point: Point, finite: Sequence[sp.Expr]) -> Flag:
@@ -175,7 +182,7 @@ def derived_flag(
             return Flag((len(finite),), len(finite))
         ring = JetRing(point.arithmetic, left)
         try:
-            flag = _flag_at(ring, point, rows, slots, finite, highest_order)
+            flag = _flag_at(ring, point, rows, others, slots, finite, highest_order)
         finally:
             left -= ring.work
         # A limit of order or work is reached at every generic point alike: no need to try another one.
@@ -184,7 +191,9 @@ def derived_flag(
         return flag
 
     try:
-        return _agreed(at, [a for row in rows for a in row], surface, slots, lambda why: Flag((), None, why))
+        return _agreed(
+            at, [a for row in (*rows, *others) for a in row], surface, slots, lambda why: Flag((), None, why)
+        )
     except _OpenFlagError as error:
         return error.flag
 
@@ -211,6 +220,7 @@ def _flag_at(
     ring: JetRing,
     point: Point,
     forms: Sequence[Sequence[sp.Expr]],
+    modulo: Sequence[Sequence[sp.Expr]],
     slots: Slots,
     geometric: Sequence[sp.Expr],
     highest_order: int,
@@ -223,17 +233,29 @@ def _flag_at(
         try:
             # Pulling back differentiates the chart, which costs one order.
             local = chart(ring, point, geometric, slots, order + 1 if geometric else order)
-            d: Distribution | None = kernel(ring, pulled_back(ring, local, forms), local.free, order)
+            others = pulled_back(ring, local, modulo)
+            d: Distribution | None = kernel(ring, [*pulled_back(ring, local, forms), *others], local.free, order)
+            last = -1
             while d is not None:
-                ranks.append(len(local.graph) + len(d.bound))
-                if len(ranks) > 1 and ranks[-2] == ranks[-1]:
-                    return Flag(tuple(ranks[:-1]), ranks[-1])
+                total = len(local.graph) + len(d.bound)
+                if total == last:
+                    return Flag(tuple(ranks), ranks[-1], beside=total - ranks[-1])
+                last = total
+                ranks.append(total - _rank_lost(ring, d, others, local.free) if others else total)
                 d = derived(ring, d)
         except WorkLimitError:
             best = ranks if len(ranks) > len(best) else best
             return Flag(tuple(best), None, "the computation would be too large")
         best = ranks
     return Flag(tuple(best), None, f"brackets of more than {highest_order} levels would be needed")
+
+
+def _rank_lost(ring: JetRing, d: Distribution, forms: Sequence[Sequence[Jet]], columns: Sequence[int]) -> int:
+    """dim (I ∩ E) at the point: the rank of the forms E, less that of E restricted to the fields annihilated by I."""
+    values = [dict(zip(columns, map(constant_term, form), strict=True)) for form in forms]
+    along = [[e[a] + sum(e[p] * constant_term(d.slopes[p, a]) for p in d.bound) for a in d.free] for e in values]
+    full = row_reduced(ring.arithmetic, [[*e.values()] for e in values])[1]
+    return len(full) - len(row_reduced(ring.arithmetic, along)[1])
 
 
 class _OpenFlagError(Exception):

@@ -8,9 +8,10 @@
 
 Such rules are applied to φ from outside inwards. The result is a list of alternatives; each is a list of functions that
 all vanish, most of them affine in the velocities. A system is one alternative, and only its author can say which. A
-factor without velocities, r in r (x' − y')² = 0, is assumed not to vanish, as in a Pfaffian form. An alternative that
-is contained in another is left out (x' = y' = 0 in x' = y'), and so are one that contradicts itself (x' = 0 with
-x' = 1) and, within one alternative, whatever follows from the rest. Affine forms are compared by rank.
+factor without velocities, r in r (x' − y')² = 0, is assumed not to vanish, as in a Pfaffian form; where it can, it is
+listed as excluded, to be stated. An alternative that is contained in another is left out (x' = y' = 0 in x' = y'), and
+so are one that contradicts itself (x' = 0 with x' = 1) and, within one alternative, whatever follows from the rest.
+Affine forms are compared by rank.
 
 All zeros are found by the exact test, signs by SymPy's assumptions; an unknown sign is never guessed. The work is
 bounded: in depth, in the number of functions reduced, in the terms of polynomials.
@@ -35,6 +36,7 @@ from lagrange.algebra.forms.limits import (
 )
 from lagrange.algebra.forms.velocity_polynomials import (
     Polynomial,
+    Square,
     degree,
     is_definite,
     polynomial,
@@ -69,12 +71,16 @@ Condition = tuple[sp.Expr, str]
 
 @record
 class Reduction:
-    """`function` vanishes if and only if all `forms` do; where it splits, if one does, and the first is followed."""
+    """`function` vanishes if and only if all `forms` do; where it splits, if one does, and the first is followed.
+
+    excluded  functions of q and t whose zeros satisfy it as well; they are assumed not to vanish
+    """
 
     function: sp.Expr
     why: Why
     forms: tuple[sp.Expr, ...]
     conditions: tuple[Condition, ...] = ()
+    excluded: tuple[sp.Expr, ...] = ()
 
 
 @record
@@ -91,6 +97,23 @@ class Alternatives:
 
     members: tuple[Alternative, ...]
     endless: bool = False
+
+
+def in_configuration(function: sp.Expr, slots: Slots) -> Alternatives:
+    """The alternatives of f(q, t) = 0, by the same rules with q for q'. Raises DivisionByZeroError."""
+    rates = dict(zip(slots.coordinates, slots.velocities, strict=True))
+    back = {v: q for q, v in rates.items()}
+    found = alternatives(function.xreplace(rates), slots)
+    members = tuple(
+        Alternative(
+            tuple(f.xreplace(back) for f in a.forms),
+            tuple(
+                Reduction(s.function.xreplace(back), s.why, tuple(f.xreplace(back) for f in s.forms)) for s in a.steps
+            ),
+        )
+        for a in found.members
+    )
+    return Alternatives(members, found.endless)
 
 
 def is_affine(function: sp.Expr, slots: Slots) -> bool:
@@ -202,15 +225,18 @@ class _Search:
         above = [a for a in f.args if not _is_reciprocal(a)]
         conditions = [(a.as_base_exp()[0], "≠") for a in f.args if _is_reciprocal(a) and not self._never_zero(a)]
         moving = [a for a in above if self._moves(a)]
-        fixed = [a for a in above if not self._moves(a) and not self._never_zero(a)]
+        fixed = [a for a in above if not self._moves(a) and self._can_vanish(a)]
         zeros = {a: self.zeros(a, depth) for a in moving}
         vanishing = [a for a in moving if zeros[a]]
         if not vanishing:
             return [Alternative((a,), (Reduction(f, Why.FACTOR, (a,)),)) for a in fixed]
-        conditions += [(a, "≠") for a in fixed]
+        excluded = tuple(a.as_base_exp()[0] for a in fixed)
+        conditions += [(a, "≠") for a in excluded]
         why = Why.SPLIT if len(vanishing) > 1 else Why.QUOTIENT if len(above) < len(f.args) else Why.FACTOR
         return [
-            _after(Reduction(f, why, _first(v, vanishing), tuple(conditions)), a) for v in vanishing for a in zeros[v]
+            _after(Reduction(f, why, _first(v, vanishing), tuple(conditions), excluded), a)
+            for v in vanishing
+            for a in zeros[v]
         ]
 
     def _of_power(self, f: sp.Expr, depth: int) -> list[Alternative] | None:
@@ -266,7 +292,29 @@ class _Search:
 
     def _all_zero(self, f: sp.Expr, why: Why, forms: Sequence[sp.Expr], depth: int) -> list[Alternative] | None:
         """f = 0 if and only if all forms vanish: every combination of their alternatives."""
-        each = [self.zeros(a, depth) for a in forms]
+        before, each, periodic = self.endless, dict[sp.Expr, list[Alternative]](), list[sp.Expr]()
+        for a in forms:
+            self.endless = False
+            each[a] = self.zeros(a, depth)
+            periodic += [a] if self.endless else []
+        self.endless = before
+        combined = self._combinations(f, why, [each[a] for a in forms if a not in periodic], forms)
+        if combined is None or not periodic:
+            return combined
+        # Of infinitely many zeros those count at which the other forms vanish: of sin² u + u² that at u = 0.
+        there = [(alternative, [self._on(a, alternative) for a in periodic]) for alternative in combined]
+        if len(periodic) < len(forms) and all(self._is_settled(v) for _, values in there for v in values):
+            return [alternative for alternative, values in there if all(v == 0 or is_zero(v) for v in values)]
+        self.endless = True
+        return self._combinations(f, why, [each[a] for a in forms], forms)
+
+    def _is_settled(self, value: sp.Expr | None) -> bool:
+        """Whether it is zero or never vanishes."""
+        return value is not None and not self._moves(value) and (is_zero(value) is True or not self._can_vanish(value))
+
+    def _combinations(
+        self, f: sp.Expr, why: Why, each: Sequence[Sequence[Alternative]], forms: Sequence[sp.Expr]
+    ) -> list[Alternative] | None:
         combined: list[Alternative] = []
         for together in product(*each):
             if len(combined) > MOST_ALTERNATIVES:
@@ -395,7 +443,7 @@ class _Search:
         pairs = zip(factors, terms, strict=True)
         forms = [primitive(s.form) if self._moves(s.form) else textbook_form(d) for d, s in pairs]
         if len(terms) == 1:
-            return self._next(f, Why.POWER, forms[0], depth)
+            return self._of_one_square(f, terms[0], forms[0], depth)
         if all(map(_is_nonnegative, factors)) or all(_is_nonnegative(-d) for d in factors):
             return self._all_zero(f, Why.SQUARES, forms, depth)
         if len(terms) > 2:
@@ -407,6 +455,17 @@ class _Search:
         branches = tuple(primitive(a + s * ratio * b) for s in (-1, 1))
         known = () if sp.cancel(-e / d).is_nonnegative else ((textbook_form(-e / d), "≥"),)
         return self._split(f, branches, depth, known)
+
+    def _of_one_square(self, f: sp.Expr, square: Square, form: sp.Expr, depth: int) -> list[Alternative]:
+        """d ℓ² = c u² = 0, where ℓ is a multiple of u: u = 0, or else c = 0, which is excluded."""
+        v = next((v for v in self.slots.velocities if square.form.has(v)), None)
+        if v is None:
+            return self._next(f, Why.POWER, form, depth)
+        c = textbook_form(sp.cancel(square.factor * (square.form.diff(v) / form.diff(v)) ** 2))
+        if not self._can_vanish(c):
+            return self._next(f, Why.POWER, form, depth)
+        step = Reduction(f, Why.POWER, (form,), ((c, "≠"),), (c,))
+        return [_after(step, a) for a in self.zeros(form, depth)]
 
     def _factored(self, f: sp.Expr, depth: int) -> list[Alternative] | None:
         """Factors of a polynomial in velocities, exp u, and what else occurs."""
@@ -443,15 +502,22 @@ class _Search:
 
     def _vanishes(self, f: sp.Expr, alternative: Alternative) -> bool:
         """Whether f is zero wherever the affine forms of an alternative are."""
+        value = self._on(f, alternative)
+        return value is not None and is_zero(value) is True
+
+    def _on(self, f: sp.Expr, alternative: Alternative) -> sp.Expr | None:
+        """f where the affine forms of an alternative vanish; None where they are not solved for velocities."""
         rule: dict[sp.Expr, sp.Expr] = {}
         for form in alternative.forms:
             form = form.xreplace(rule)
+            if not is_affine(form, self.slots):
+                return None
             v = next((v for v in self.slots.velocities if is_zero(form.diff(v)) is False), None)
             if v is None:
-                return False
+                return None
             value = sp.cancel(-form.xreplace({v: sp.S.Zero}) / form.diff(v))
             rule = {w: e.xreplace({v: value}) for w, e in rule.items()} | {v: value}
-        return is_zero(f.xreplace(rule)) is True
+        return f.xreplace(rule)
 
     def _first_velocity(self, f: sp.Expr) -> int:
         """The place of the first velocity that occurs."""
@@ -471,6 +537,16 @@ class _Search:
         moving = {*self.slots.coordinates, *self.slots.prescribed, t}
         constant = not any(base(s) in moving for s in f.free_symbols)
         return constant and is_zero(f) is False
+
+    def _can_vanish(self, f: sp.Expr) -> bool:
+        """Whether a function of q and t may be zero somewhere, as far as the same rules can tell."""
+        if self._never_zero(f):
+            return False
+        rates = dict(zip(self.slots.coordinates, self.slots.velocities, strict=True))
+        search = _Search(self.slots, taken=self.taken)
+        can = bool(search.zeros(f.xreplace(rates), 1))
+        self.taken = search.taken
+        return can
 
 
 def _first(one: sp.Expr, all_: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:

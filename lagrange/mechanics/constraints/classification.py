@@ -65,6 +65,7 @@ class Classification:
     losses     special configurations where the constraints are not independent, as far as they were found
     moving     names of particles and bodies whose position contains t
     driven     names of bodies whose rotation contains t
+    further_angles  how many more numbers than quasi-coordinates determine the orientation of bodies
     """
 
     constrained: ConstrainedSystem
@@ -76,6 +77,7 @@ class Classification:
     losses: tuple[RankLoss, ...]
     moving: tuple[str, ...]
     driven: tuple[str, ...]
+    further_angles: int = 0
 
     @property
     def coordinates(self) -> int:
@@ -123,8 +125,14 @@ class Classification:
 
     @property
     def configuration_dimension(self) -> int | None:
-        """The dimension of the reachable configurations."""
+        """The dimension of the reachable configurations, a quasi-coordinate counted as a coordinate."""
         return None if self.integrable_rank is None else self.coordinates - self.integrable_rank
+
+    @property
+    def reachable_dimension(self) -> int | None:
+        """The dimension of the reachable configurations; the orientation of a body with quasi-coordinates counts 3."""
+        dimension = self.configuration_dimension
+        return None if dimension is None else dimension + self.further_angles - self.flag.beside
 
     @property
     def rows(self) -> tuple[Row, ...]:
@@ -160,6 +168,7 @@ def classify(problem: Problem) -> Classification:
         losses=rank_losses(independent) if system.is_pfaffian else (),
         moving=_moving_positions(problem),
         driven=_driven_rotations(problem),
+        further_angles=len(quasi.slots.coordinates) - len(slots.coordinates) if quasi and in_quasi_coordinates else 0,
     )
 
 
@@ -176,7 +185,8 @@ def _flag(system: ConstrainedSystem, rank: int, quasi: QuasiCoordinates | None) 
         turned = [quasi.in_angles(form, slots) for form in forms]
         if len(pfaffian) < len(rows) or None in turned:
             return Flag((rank,), None, "some coordinates are quasi-coordinates")
-        return derived_flag([f for f in turned if f is not None], quasi.slots, finite)
+        known = [f for f in turned if f is not None]
+        return derived_flag(known, quasi.slots, finite, modulo=quasi.restrictions)
     flag = derived_flag(forms, slots, finite) if forms else Flag((0,), 0)
     if len(pfaffian) == len(rows):
         return flag

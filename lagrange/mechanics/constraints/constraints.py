@@ -31,7 +31,14 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.algebra.forms.exact_forms import ExteriorForm, one_form, potential, wedge
-from lagrange.algebra.forms.integrability import Exactness, exactness, frobenius_form, is_integrable, writer
+from lagrange.algebra.forms.integrability import (
+    Exactness,
+    derived_flag,
+    exactness,
+    frobenius_form,
+    is_integrable,
+    writer,
+)
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import in_differences, tidied
 from lagrange.core.records import record
@@ -117,6 +124,7 @@ class ConstraintAnalysis:
     integral         F, if the finite form is given or was found; F stays constant
     finite_form      the factor that makes the form exact, if it is not exact and one was found
     quasi            the quasi-coordinates in its form, which make the test of mixed partial derivatives meaningless
+    restricted       whether the angular velocities restrict the rotation by themselves, having fewer than three of them
     frobenius        the components of ω ∧ dω ∧ df_1 ∧ ... that are not written as 0, if the form is not exact; the f
                      are the geometric constraints, so that ω ∧ dω counts only along their surface
     depends_on_time  t occurs: in the finite relation if it is one, otherwise in the form
@@ -137,6 +145,7 @@ class ConstraintAnalysis:
     bending: Bending | None = None
     finite_form: FiniteForm | None = None
     quasi: tuple[sp.Symbol, ...] = ()
+    restricted: bool = False
 
     @property
     def pfaffian(self) -> bool:
@@ -225,7 +234,11 @@ def _in_quasi_coordinates(
     true_form = quasi.in_angles(row.form, slots)
     integrable: bool | None = None
     frobenius: tuple[FrobeniusComponent, ...] = ()
-    if true_form is not None:
+    if true_form is not None and quasi.restrictions:
+        # Frobenius' condition for one form is not enough: the rotation is restricted by others, integrable or not.
+        flag = derived_flag([true_form], quasi.slots, surface.constraints, modulo=quasi.restrictions)
+        integrable = None if flag.integrable_rank is None else flag.integrable_rank == 1
+    elif true_form is not None:
         integrable = is_integrable(true_form, quasi.slots, surface.constraints)
         rewritten = Row(row.name, true_form[:-1], true_form[-1])
         frobenius = _frobenius(rewritten, independent.geometric, surface, quasi.slots)
@@ -242,6 +255,7 @@ def _in_quasi_coordinates(
         catastatic=surface.is_zero(row.drift),
         contains_time=contains_time,
         quasi=quasi.used_by(row.form, slots),
+        restricted=bool(quasi.restrictions),
     )
 
 

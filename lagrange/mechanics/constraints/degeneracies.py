@@ -47,6 +47,15 @@ Pairs = list[tuple[Constraint, Row]]
 def check_consistent(constraints: Sequence[Constraint], system: ConstrainedSystem) -> None:
     """Raise ProblemError if constraints contradict each other or restrict nothing; `system` has their rows."""
     surface = system.surface
+    for c in constraints:
+        factors = [] if c.given is None else [e for step in c.given.steps for e in step.excluded]
+        if any(surface.is_zero(e) for e in factors):
+            message = (
+                f"the constraint `{c.name}` restricts nothing where the other constraints hold: a factor of it vanishes"
+            )
+            raise ProblemError(
+                Diagnostic("restricts-nothing", message, c.span, help="remove it, or divide by the factor")
+            )
     linear = [(c, row) for c, row in zip(constraints, system.rows, strict=True) if row.nonlinear is None]
     constraints, rows = [c for c, _ in linear], [row for _, row in linear]
     geometric = [c for c in constraints if not c.kinematic]

@@ -7,9 +7,11 @@ which requires, with components in i, j, k,
 
     ∂Ω_k/∂q_j − ∂Ω_j/∂q_k = Ω_j × Ω_k       for all pairs, t included        (Maurer, Cartan) .
 
-Coordinates for which this fails and of which only the velocities occur are quasi-coordinates. Three of them with
+Coordinates for which this fails and of which only the velocities occur are quasi-coordinates. Up to three of them with
 independent Ω_k can be replaced by three angles: their velocities follow from the ω of a sequence of rotations, and a
-form becomes one in true coordinates, to which Frobenius' theorem applies. With fewer the question is left undecided.
+form becomes one in true coordinates, to which Frobenius' theorem applies. One or two of them also restrict the
+rotation: the components of ω along the unit vectors that complete the Ω_k to a basis vanish, one form each in the
+angles. With more than three the question is left undecided.
 """
 
 from __future__ import annotations
@@ -32,14 +34,16 @@ Form = tuple[sp.Expr, ...]
 class QuasiCoordinates:
     """The quasi-coordinates of a problem.
 
-    coordinates  in the order of the problem
-    slots        the problem's, with angles instead of the quasi-coordinates that can be replaced
-    velocities   of the replaced ones, in terms of the velocities of the angles and of the others
+    coordinates   in the order of the problem
+    slots         the problem's, with angles instead of the quasi-coordinates that can be replaced; further angles last
+    velocities    of the replaced ones, in terms of the velocities of the angles and of the others
+    restrictions  forms over `slots`, dt last, that vanish because ω has fewer than three quasi-coordinates
     """
 
     coordinates: tuple[sp.Symbol, ...]
     slots: Slots
     velocities: Mapping[sp.Symbol, sp.Expr]
+    restrictions: tuple[Form, ...]
 
     def used_by(self, form: Sequence[sp.Expr], slots: Slots) -> tuple[sp.Symbol, ...]:
         """The quasi-coordinates whose differentials occur in a form over `slots`, dt last."""
@@ -50,9 +54,7 @@ class QuasiCoordinates:
         if any(prime(q) not in self.velocities for q in self.used_by(form, slots)):
             return None
         total = sp.Add(*(a * v for a, v in zip(form, slots.velocities, strict=False)), form[-1])
-        total = total.xreplace(dict(self.velocities))
-        at_rest = dict.fromkeys(self.slots.velocities, sp.S.Zero)
-        return (*(total.diff(v) for v in self.slots.velocities), total.xreplace(at_rest))
+        return _form(total.xreplace(dict(self.velocities)), self.slots)
 
 
 def quasi_coordinates(problem: Problem) -> QuasiCoordinates | None:
@@ -60,24 +62,36 @@ def quasi_coordinates(problem: Problem) -> QuasiCoordinates | None:
     spins = {b.name: b.angular_velocity.fixed() for b in problem.bodies if b.angular_velocity is not None}
     quasi: list[sp.Symbol] = []
     angles: dict[sp.Symbol, sp.Symbol] = {}
+    further: list[sp.Symbol] = []
     solved: dict[sp.Symbol, sp.Expr] = {}
+    vanishing: list[sp.Expr] = []
     plain = _occurring(problem) if spins else set()
     for body, spin in spins.items():
         rates = _rates(spin, problem.slots)
         own = [q for q in _failing(rates, problem.slots) if q not in plain and q not in quasi]
         quasi += own
-        if len(own) == 3:
+        if 0 < len(own) <= 3:
             taken = problem.scope.names()
             names = (next(n for n in _names(body, k) if n not in taken) for k in range(3))
             new = tuple(sp.Symbol(n, real=True) for n in names)
-            velocities = _solved(rates, own, new)
-            if velocities is not None:
-                angles |= dict(zip(own, new, strict=True))
+            turned = _solved(rates, own, new)
+            if turned is not None:
+                velocities, restrictions = turned
+                angles |= dict(zip(own, new, strict=False))
+                further += new[len(own) :]
                 solved |= velocities
+                vanishing += restrictions
     if not quasi:
         return None
-    slots = Slots(tuple(angles.get(q, q) for q in problem.slots.coordinates), problem.slots.prescribed)
-    return QuasiCoordinates(tuple(q for q in problem.slots.coordinates if q in quasi), slots, solved)
+    slots = Slots((*(angles.get(q, q) for q in problem.slots.coordinates), *further), problem.slots.prescribed)
+    forms = tuple(_form(e.xreplace(solved), slots) for e in vanishing)
+    return QuasiCoordinates(tuple(q for q in problem.slots.coordinates if q in quasi), slots, solved, forms)
+
+
+def _form(linear: sp.Expr, slots: Slots) -> Form:
+    """The coefficients of the differentials in what is linear in the velocities, dt last."""
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+    return (*(linear.diff(v) for v in slots.velocities), linear.xreplace(at_rest))
 
 
 def _names(body: str, number: int) -> Iterator[str]:
@@ -120,15 +134,22 @@ def _derivative(rate: Vector, by: sp.Symbol, slots: Slots) -> Vector:
 
 def _solved(
     rates: Mapping[sp.Symbol, Vector], own: Sequence[sp.Symbol], angles: Sequence[sp.Symbol]
-) -> dict[sp.Symbol, sp.Expr] | None:
-    """The velocities of three quasi-coordinates with ω that of a sequence of rotations; None if not determined."""
-    matrix = sp.Matrix([rates[q].components for q in own]).T
-    determinant = matrix.det(method="berkowitz")
-    if is_zero(determinant) is not False:
-        return None
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]] | None:
+    """The velocities of quasi-coordinates with ω that of a sequence of rotations, and what must vanish besides.
+
+    None if they are not determined.
+    """
     spin = angular_velocity(list(zip((3, 1, 3), angles, strict=True)), Slots(tuple(angles)))
     for q, w in rates.items():
         if q not in own:
             spin = spin - w * (sp.S.One if q == t else prime(q))
-    values = matrix.adjugate() * sp.Matrix(spin.components)
-    return {prime(q): value / determinant for q, value in zip(own, values, strict=True)}
+    columns = [rates[q].components for q in own]
+    units = [tuple(sp.Integer(i == k) for i in range(3)) for k in range(3)]
+    for completing in combinations(units, 3 - len(own)):
+        matrix = sp.Matrix([*columns, *completing]).T
+        determinant = matrix.det(method="berkowitz")
+        if is_zero(determinant) is False:
+            values = [*(matrix.adjugate() * sp.Matrix(spin.components))]
+            velocities = {prime(q): value / determinant for q, value in zip(own, values, strict=False)}
+            return velocities, values[len(own) :]
+    return None

@@ -134,7 +134,8 @@ def check_integrability(classification: Classification) -> list[Check]:
     """Frobenius' form, expanded symbolically, against the verdict on the constraint, which is found with jets."""
     checks = []
     for c in classification.constraints:
-        if c.pfaffian and c.row.finite is None and not c.exactness.exact and c.integrable is not None:
+        tested = c.pfaffian and c.row.finite is None and not c.restricted  # there Frobenius' condition is not enough
+        if tested and not c.exactness.exact and c.integrable is not None:
             verdicts = [k.nonzero for k in c.frobenius]
             vanishes = False if True in verdicts else None if None in verdicts else True
             passed = None if vanishes is None else vanishes == c.integrable

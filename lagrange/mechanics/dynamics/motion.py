@@ -140,6 +140,20 @@ class Motion:
     multipliers: Mapping[str, sp.Symbol] = field(default_factory=dict)
     solved: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
+    @property
+    def slips(self) -> tuple[sp.Expr, ...]:
+        """The speeds of slips, each in the sense that the file gives, in which they are positive."""
+        known = (f for f in self.friction_forces if f.friction.slip is not None and f.speed is not None)
+        return tuple(f.sense * f.speed for f in known if f.speed is not None)
+
+    @property
+    def contacts(self) -> tuple[sp.Expr, ...]:
+        """The multipliers of constraints with friction, each with the sign that the file or the derivation gives it."""
+        values = {} if self.reactions is None else self.reactions.multipliers
+        known = ((f.contact, values.get(f.reaction.name)) for f in self.friction_forces)
+        stated = tuple(sign * value for sign, value in known if value is not None and not isinstance(sign, Sign))
+        return (*stated, *self.signs.values())
+
     @cached_property
     def matrices(self) -> MatrixForm:
         """The equations in matrix form."""

@@ -220,8 +220,8 @@ def _pulling(constant: sp.Expr, lengths: Sequence[Length]) -> SingleForce | None
     unit = _unit_share(constant, [x.share for x in placing])
     if unit is None:
         return None
-    told = {x.toward if x.share.is_positive else -x.toward for x in placing if x.toward is not None}
-    signs = told or {-1 if x.share.is_positive else 1 for x in placing}
+    signs = {x.toward if x.share.is_positive else -x.toward for x in placing if x.toward is not None}
+    signs = signs or {-1 if x.share.is_positive else 1 for x in placing}
     if len(signs) != 1:
         return None
     [sign] = signs
@@ -338,7 +338,7 @@ def _of_square(row: Row, placed: Placed, configuration: Configuration) -> Single
 def _squared_distance(
     function: sp.Expr, placed: Placed, configuration: Configuration
 ) -> tuple[Between, sp.Expr] | None:
-    """d and c, if a function is c d·d but for a constant, and |d| is the distance of two points."""
+    """d and c, if a function is c d·d up to a constant, and |d| is the distance of two points."""
     coordinates = configuration.slots.coordinates
     row = Row("", tuple(function.diff(q) for q in coordinates), sp.S.Zero)
     try:

@@ -3,14 +3,15 @@
 Parameters, positions and velocities get simple numbers; the equations, linear in the accelerations, give those as
 numbers. Where constraints bind the coordinates, the dependent ones and their velocities follow from the constraints, so
 that the state is a possible one. The parameters get small numbers that differ from one another, because equal ones
-would hide interchanged letters.
+would hide interchanged letters. What the file declares positive (the slip in its sense, the force of a contact, the
+length of a spring on a line) must be so at the state; positions and velocities are reversed until it is.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from itertools import combinations, count, islice
+from itertools import combinations, count, islice, product
 from random import Random
 from typing import Any
 
@@ -48,52 +49,81 @@ class SpotValue:
     accelerations: Mapping[sp.Symbol, sp.Expr]
 
 
-def spot_value(system: System, given: Mapping[sp.Symbol, sp.Expr]) -> SpotValue | None:
-    """A spot value of a system; `given` are the values of parameters in the file. None if none was found."""
+def spot_value(
+    system: System,
+    given: Mapping[sp.Symbol, sp.Expr],
+    positive: Sequence[sp.Expr] = (),
+    preferred: Sequence[sp.Expr] = (),
+) -> SpotValue | None:
+    """A spot value of a system; None if none was found.
+
+    given      the values of parameters in the file
+    positive   functions of position and velocity that the file declares positive
+    preferred  others that are positive if possible
+    """
     if any(e.has(Unspecified) for e in system.equations):
         return None
-    for trial in range(SPOT_TRIALS):
+    wanted = (*positive, *preferred)
+    signs = REVERSED if wanted else REVERSED[:1]
+    found: SpotValue | None = None
+    for trial, (position, velocity) in product(range(SPOT_TRIALS), signs):
         try:
-            value = _at(system, given, trial)
+            value, met = _at(system, given, trial, (position, velocity), wanted)
         except (ValueError, ZeroDivisionError, TypeError, InadmissibleError, ZeroDivisorError):
-            value = None
-        if value is not None:
+            continue
+        if all(met):
             return value
-    return None
+        if all(met[: len(positive)]):
+            found = found or value
+    return found
 
 
-def _at(system: System, given: Mapping[sp.Symbol, sp.Expr], trial: int) -> SpotValue | None:
+REVERSED = tuple(product((1, -1), (1, -1)))
+"""Signs of the positions and velocities that are chosen freely."""
+
+
+def _at(
+    system: System,
+    given: Mapping[sp.Symbol, sp.Expr],
+    trial: int,
+    signs: tuple[int, int],
+    wanted: Sequence[sp.Expr],
+) -> tuple[SpotValue, list[bool]]:
+    """A spot value, and which of the wanted functions are positive there. Raises ValueError if there is none."""
     configuration = system.configuration
     slots = configuration.slots
     used = set().union(*(e.free_symbols for e in _all_expressions(system)))
     values: dict[sp.Basic, sp.Expr] = {}
     moving = {*slots.coordinates, *slots.velocities, *slots.accelerations}
     fixed = sorted(used - moving, key=lambda s: counting(s.name))
-    signs, others = ([s for s in fixed if isinstance(s, Sign) is sign] for sign in (True, False))
+    roots, others = ([s for s in fixed if isinstance(s, Sign) is sign] for sign in (True, False))
     numbers = count(1 + trial)
     angles = _angles(system.equations)
     turn = reversed if trial % 2 == 0 else iter  # √(l² − c²) may want the later letter to be the larger one
     parameters = {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in turn(others)}
-    values |= dict.fromkeys(signs, sp.S.One)
+    values |= dict.fromkeys(roots, sp.S.One)
     values |= {s: parameters[s] for s in others}
-    positions = _positions(configuration, values, trial)
+    unused = set().union(*(e.free_symbols for e in wanted)) - used - moving
+    values |= {s: given.get(s) or _parameter_value(s, numbers, s in angles) for s in sorted(unused, key=str)}
+    positions = _positions(configuration, values, trial, signs[0])
     if positions is None:
-        return None
+        raise ValueError("no positions")
     values |= positions
-    values |= _velocities(configuration, values, trial)
+    values |= _velocities(configuration, values, trial, signs[1])
     accelerations = _solved(system, values)
     if accelerations is None:
-        return None
+        raise ValueError("no accelerations")
+    met = [bool(e.xreplace(values).evalf(DIGITS) > TOLERANCE) for e in wanted]
     shown = {s: v for s, v in values.items() if s in used or s in slots.coordinates}
-    return SpotValue({s: _rounded(v) for s, v in shown.items()}, accelerations)
+    return SpotValue({s: _rounded(v) for s, v in shown.items()}, accelerations), met
 
 
 def _positions(
-    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
+    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int, sign: int
 ) -> dict[sp.Basic, sp.Expr] | None:
     """Simple numbers for the free coordinates, and the others from the finite constraints."""
     slots = configuration.slots
-    chosen = {q: sp.Rational(n + 1, n + 2 + trial) for n, q in enumerate(slots.coordinates)}
+    chosen = {q: sign * sp.Rational(n + 1, n + 2 + trial) for n, q in enumerate(slots.coordinates)}
     finite = configuration.finite_constraints
     if not finite:
         return dict(chosen)
@@ -182,19 +212,19 @@ def _angles(expressions: Iterable[sp.Expr]) -> set[sp.Expr]:
 
 
 def _velocities(
-    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
+    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int, sign: int
 ) -> dict[sp.Basic, sp.Expr]:
     """Velocities 1, 2, ... for the free ones, and the others from the constraints."""
     velocities = configuration.slots.velocities
     if not configuration.constrained.is_pfaffian:
-        return _velocities_by_newton(configuration, values, trial)
+        return _velocities_by_newton(configuration, values, trial, sign)
     point = _point(values)
     rows = [point.values((*row.coefficients, row.drift)) for row in configuration.rows]
     reduced, pivots = row_reduced(point.arithmetic, rows)
     if len(velocities) in pivots:
         raise ValueError("no velocities")
     free = [k for k in range(len(velocities)) if k not in pivots]
-    chosen = {k: n + trial for n, k in enumerate(free, start=1)}
+    chosen = {k: sign * (n + trial) for n, k in enumerate(free, start=1)}
     result: dict[sp.Basic, sp.Expr] = {velocities[k]: sp.Integer(n) for k, n in chosen.items()}
     for k, row in zip(pivots, reduced, strict=True):
         result[velocities[k]] = _recognised(-row[-1] - sum(row[i] * n for i, n in chosen.items()))
@@ -202,12 +232,12 @@ def _velocities(
 
 
 def _velocities_by_newton(
-    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int
+    configuration: Configuration, values: Mapping[sp.Basic, sp.Expr], trial: int, sign: int
 ) -> dict[sp.Basic, sp.Expr]:
     """Velocities that satisfy constraints that are not linear in them."""
     slots = configuration.slots
     rows = [r.velocity_form(slots).xreplace(values) for r in configuration.rows]
-    start = {v: sp.Rational(3, 5) * (n + trial) for n, v in enumerate(slots.velocities, start=1)}
+    start = {v: sign * sp.Rational(3, 5) * (n + trial) for n, v in enumerate(slots.velocities, start=1)}
     velocities = _by_newton(rows, start)
     if velocities is None:
         raise ValueError("no velocities")

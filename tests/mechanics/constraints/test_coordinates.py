@@ -83,8 +83,8 @@ def test_a_long_chain_is_solved_as_far_as_that_goes(problem: Read) -> None:
 
 def test_redundant_ropes_share_what_they_carry(problem: Read) -> None:
     """How they share it is not determined; what is, is written with the names that the file has for the forces."""
-    told = report(problem(ROPES))
-    page = " ".join(terminal.text(told.derivation, told.notation, 120).split())
+    shown = report(problem(ROPES))
+    page = " ".join(terminal.text(shown.derivation, shown.notation, 120).split())
     assert "T₁, T₂ and T₃ are not determined individually" in page
     assert "T₁ − T₃ = 0" in page
     assert "T₂ + 2T₃ = m l θ̇² + m g cos θ" in page  # the ropes pull with these forces, however they are written
@@ -101,8 +101,8 @@ constraints: {one: {equation: x^2 + y^2 = l^2, reaction: T}, two: {equation: 3*x
 gravity: g*j
 generalized_coordinates: {angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}}
 """
-    told = report(problem(text))
-    page = " ".join(terminal.text(told.derivation, told.notation, 120).split())
+    shown = report(problem(text))
+    page = " ".join(terminal.text(shown.derivation, shown.notation, 120).split())
     assert "S + T = m l θ̇² + m g cos θ" in page or "T + S = m l θ̇² + m g cos θ" in page
 
 

@@ -58,22 +58,54 @@ def test_a_ball_is_classified_as_with_angles(problem: Read, constraints: str, ra
 
 
 def test_what_is_said_and_checked(problem: Read) -> None:
-    told = report(problem(BALL + ROLLING))
-    assert told.holds
-    text = latex.render([(told.derivation, told.notation)])
+    found = report(problem(BALL + ROLLING))
+    assert found.holds
+    text = latex.render([(found.derivation, found.notation)])
     assert "is exact" not in text
     assert "a quasi-coordinate: the time integral of a component of an angular velocity, which determines no" in text
     assert "Frobenius' condition fails for the rolling 1 constraint" in text
 
 
-def test_fewer_than_three_are_left_undecided(problem: Read) -> None:
-    """ω = α' i + β' j binds the rotation by itself."""
+@pytest.mark.parametrize(
+    ("spin", "constraints", "rank", "integrable", "reachable"),
+    [
+        ("alpha'*i + beta'*j", ROLLING, 2, 0, 5),
+        ("beta'*j + alpha'*k", ROLLING, 2, 1, 4),  # y' = 0
+        ("alpha'*(i + k) + beta'*(j - k)", ROLLING, 2, 0, 5),
+        ("alpha'*i + beta'*j", '  turned: "alpha\' = 0"\n', 1, 1, 3),
+        ("alpha'*i + beta'*j", "  turned: \"alpha' = 2*beta'\"\n", 1, 1, 3),
+        ("alpha'*i + beta'*j", "  turned: \"alpha' = y*beta'\"\n", 1, 0, 5),
+        ("alpha'*i + beta'*j", '  line: "x = y"\n', 1, 1, 4),
+        ("alpha'*i + beta'*j", ROLLING + '  groove: "y\' = 0"\n', 3, 3, 1),
+        ("alpha'*i + beta'*j", ROLLING + '  groove: "y = x"\n', 3, 3, 1),
+        ("alpha'*i + beta'*j", ROLLING + '  groove: "y = x^2"\n', 3, 3, 1),
+        ("alpha'*(cos(x)*i + sin(x)*j)", '  driven: "alpha\' = x\'"\n  line: "y\' = 0"\n', 2, 2, 1),
+        ("alpha'*(cos(x)*i + sin(x)*j)", "  driven: \"alpha' = y'\"\n", 1, 0, 5),
+    ],
+)
+def test_fewer_than_three_restrict_the_rotation(
+    problem: Read, spin: str, constraints: str, rank: int, integrable: int, reachable: int
+) -> None:
+    """Compared with ranks found by hand, in three angles with the constraints that the angular velocity states.
+
+    With one component of ω zero, a rolling ball still reaches every place and orientation (Chow): 2 + 3 dimensions.
+    """
+    text = BALL.replace("alpha'*i + beta'*j + gamma'*k", spin).replace(", gamma", "")
+    text = text if "beta" in spin else text.replace(", beta", "")
+    found = classify(problem(text + constraints))
+    assert ranks(found) == (rank, integrable, rank == integrable)
+    if found.further_angles:
+        assert found.reachable_dimension == reachable
+    assert None not in [c.integrable for c in found.constraints]
+
+
+def test_words_on_a_restricted_rotation(problem: Read) -> None:
     text = (BALL + ROLLING).replace(" + gamma'*k", "").replace(", gamma", "")
-    found = classify(problem(text))
-    assert found.rank == 2
-    assert found.holonomic is None
-    assert found.scleronomic is True
-    assert [c.integrable for c in found.constraints] == [None, None]
+    known = report(problem(text))
+    assert known.holds
+    page = latex.render([(known.derivation, known.notation)])
+    assert "the constraint implies no finite relation: it is" in page
+    assert "has dimension 5, the orientation of a body counted with three angles" in page
 
 
 @pytest.mark.parametrize(

@@ -128,8 +128,8 @@ def test_finite_relations_that_cannot_be_solved_stay(problem: Read) -> None:
 
 
 def test_what_is_put_in_is_said(problem: Read) -> None:
-    told = report(problem(DRUM))
-    text = latex.render([(told.derivation, told.notation)])
+    shown = report(problem(DRUM))
+    text = latex.render([(shown.derivation, shown.notation)])
     shown = text[text.index("Equation of motion (choice depth)") :]
     for line in (
         "for the velocities, and differentiating, gives",
@@ -139,7 +139,7 @@ def test_what_is_put_in_is_said(problem: Read) -> None:
         r"\boxed{(m R^{2} + J) \ddot{y} - m g R^{2} = 0}",
     ):
         assert line in shown.replace("&", "")
-    [choice] = as_object(told)["choices"]
+    [choice] = as_object(shown)["choices"]
     assert choice["equations"] == ["(m*R^2 + J)*y'' - m*g*R^2 = 0"]
     assert choice["through_velocities"] == {"phi'": "y'/R"}
 

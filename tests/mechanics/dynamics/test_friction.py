@@ -295,8 +295,8 @@ def test_a_rough_surface_has_no_tension(problem: Read) -> None:
     assert found.law is not None
     [reaction] = found.law.newton.reactions
     assert (reaction.rod, reaction.tension, reaction.multiplier.name, reaction.is_normal) == (None, None, "N", True)
-    told = report(problem("title: Example\n" + DOME.format(coordinate="r", radius="r", dome="r = R")))
-    page = terminal.text(told.derivation, told.notation, 120)
+    shown = report(problem("title: Example\n" + DOME.format(coordinate="r", radius="r", dome="r = R")))
+    page = terminal.text(shown.derivation, shown.notation, 120)
     assert "N = m g cos θ − m r θ̇²" in page
     assert "r θ̈ + 2ṙ θ̇ − μ r θ̇² − g sin θ + μ g cos θ = 0" in page
     for word in ("tension", "λ", "|"):

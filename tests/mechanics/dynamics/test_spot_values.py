@@ -61,3 +61,41 @@ constraints: {{rod: (s - sqrt({long}^2 - {short}^2))^2 + y^2 = {long}^2}}
     assert spot is not None
     values = {s.name: v for s, v in spot.values.items()}
     assert values[long] > values[short] > 0
+
+
+TRACK = """
+title: A block on a circular track
+parameters: [m, g, R, mu]
+coordinates: [x, y]
+particles: {{P: {{mass: m, position: x*i + y*j}}}}
+constraints: {{track: {{equation: x^2 + y^2 = R^2, reaction: N, by: surface}}}}
+gravity: -g*j
+forces: {{rub: {{friction: mu, constraint: track, on: P, slip: {0}, contact: {1}}}}}
+"""
+
+
+@pytest.mark.parametrize("slip", ["positive", "negative"])
+@pytest.mark.parametrize("contact", ["positive", "negative"])
+def test_a_spot_value_slips_and_presses_as_the_file_says(problem: Read, slip: str, contact: str) -> None:
+    """N = m (g y − x'² − y'²)/R along the outer normal, by hand; the slip is counted along x."""
+    spot = solve(problem(TRACK.format(slip, contact))).own.spot
+    assert spot is not None
+    v = {s.name: float(e) for s, e in spot.values.items()}
+    assert (v["x'"] > 0) is (slip == "positive")
+    assert (v["g"] * v["y"] - v["x'"] ** 2 - v["y'"] ** 2 > 0) is (contact == "positive")
+
+
+@pytest.mark.parametrize("sense", ["positive", "negative"])
+def test_a_spot_value_has_springs_on_the_side_that_the_file_says(problem: Read, sense: str) -> None:
+    text = f"""
+title: Two masses
+parameters: [m, c, l, L]
+coordinates: [u, v]
+particles: {{P: {{mass: m, position: u*i}}, Q: {{mass: m, position: v*i}}}}
+forces:
+  middle: {{spring: c, between: [P, Q], length: l, sense: {sense}}}
+"""
+    spot = solve(problem(text)).own.spot
+    assert spot is not None
+    v = {s.name: float(e) for s, e in spot.values.items()}
+    assert (v["v"] - v["u"] > 0) is (sense == "positive")

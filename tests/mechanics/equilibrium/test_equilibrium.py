@@ -1,4 +1,4 @@
-"""Statics: conditions of equilibrium, solutions, stability, what is refused, and verdicts on somebody's answers."""
+"""Statics: conditions of equilibrium, solutions, stability, what is refused, and verdicts on answers."""
 
 from __future__ import annotations
 

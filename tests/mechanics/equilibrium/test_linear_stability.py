@@ -63,8 +63,8 @@ def test_a_zero_root_beside_one_that_may_be_negative() -> None:
             larger = condition.lhs if condition.relation == ">" else condition.rhs
             assert {condition.lhs, condition.rhs} == {a, b}
             assert larger == (a if upright else b)
-    told = report(read_problem(Source("cam", f"title: cam\n{CAM}find: linearization\n")))
-    page = " ".join(terminal.text(told.derivation, told.notation, 80, Detail.STEPS).split())
+    shown = report(read_problem(Source("cam", f"title: cam\n{CAM}find: linearization\n")))
+    page = " ".join(terminal.text(shown.derivation, shown.notation, 80, Detail.STEPS).split())
     assert "is unstable where a > b. The root zero corresponds to a uniform motion" in page
 
 
