@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -98,6 +98,19 @@ def branch_conditions(b: Branch) -> tuple[Part, ...]:
     if b.left:
         words.append("; not solved in closed form" if words else "not solved in closed form")
     return tuple(words)
+
+
+def existence_left_open(places: Iterable[tuple[Part, Branch]]) -> Iterator[Prose]:
+    """That unsolved equations may have no real solution at all, where that is not known."""
+    unsolved = [(place, b) for place, b in places if b.left and not b.occupied]
+    if not unsolved:
+        return
+    several = len(unsolved) > 1 or any(len(b.equations) > 1 for _, b in unsolved)
+    words = "the equations of " if several else ""
+    yield prose(
+        "Whether ", words, *listed(place for place, _ in unsolved), " have" if several else " has",
+        " real solutions is undecided; any that exist are equilibria.", detail=Detail.BRIEF,
+    )  # fmt: skip
 
 
 # -- clauses common to d'Alembert's principle and the principle of virtual work ----------------------------------------

@@ -164,7 +164,7 @@ class Equilibrium:
         """Whether there is an equilibrium in these coordinates; None if unknown."""
         if self.solution.solved:
             return bool(self.branches)
-        return True if any(not b.left for b in self.branches) else None
+        return True if any(not b.left or b.occupied for b in self.branches) else None
 
     @property
     def undetermined(self) -> tuple[sp.Symbol, ...]:
