@@ -105,11 +105,9 @@ def existence_left_open(places: Iterable[tuple[Part, Branch]]) -> Iterator[Prose
     unsolved = [(place, b) for place, b in places if b.left and not b.occupied]
     if not unsolved:
         return
-    several = len(unsolved) > 1 or any(len(b.equations) > 1 for _, b in unsolved)
-    words = "the equations of " if several else ""
     yield prose(
-        "Whether ", words, *listed(place for place, _ in unsolved), " have" if several else " has",
-        " real solutions is undecided; any that exist are equilibria.", detail=Detail.BRIEF,
+        "Any real solution of ", *listed((place for place, _ in unsolved), " or "),
+        " is an equilibrium; whether there is one is left open.", detail=Detail.BRIEF,
     )  # fmt: skip
 
 

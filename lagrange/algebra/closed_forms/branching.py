@@ -18,6 +18,7 @@ from itertools import islice, product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
 from lagrange.algebra.closed_forms.real_points import have_real_solution, real_branches, with_values
@@ -101,7 +102,8 @@ def solutions(
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
         alike = merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(some)])
-        return without_repetitions([part for b in alike for part in determined(b, letters, unknowns)])
+        parts = [part for b in alike for part in determined(b, letters, unknowns)]
+        return without_repetitions(with_shortest_conditions(parts))
 
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
     regular, singular = separated(branches, divisors, letters)

@@ -39,3 +39,9 @@ HIGHEST_COUNTED_DEGREE = 40
 MOST_BOXED_UNKNOWNS = 3
 MOST_BOXES = 3000
 SCANNED = 60
+
+# Conditions that are reduced together, the degree in one monomial of those that become intervals, and multiples of
+# conditions of which another one is the sum (`conditions`).
+MOST_CONDITIONS = 8
+HIGHEST_CONDITION_DEGREE = 12
+MOST_COMBINED = 4

@@ -33,7 +33,7 @@ from lagrange.algebra.closed_forms.intervals import (
 from lagrange.algebra.closed_forms.limits import HIGHEST_COUNTED_DEGREE, MOST_BOXED_UNKNOWNS, MOST_BOXES, SCANNED
 from lagrange.algebra.closed_forms.polynomial_roots import factors, numerator
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
-from lagrange.algebra.closed_forms.single_equation import Values, one_unknown
+from lagrange.algebra.closed_forms.single_equation import Values, one_unknown, trivial_solutions
 from lagrange.algebra.closed_forms.solution_sets import Branch, resolved
 from lagrange.algebra.closed_forms.unit_circle import LetteredAngle, NotAlgebraicError, TrigLetters
 from lagrange.algebra.exact.zero_test import is_zero
@@ -86,9 +86,21 @@ def with_values(b: Branch, divisors: Sequence[sp.Expr], letters: TrigLetters) ->
     written = (replace(c, lhs=letters.write(c.lhs), rhs=letters.write(c.rhs)) for c in conditions)
     conditions = list(dict.fromkeys(written))
     exists = b.occupied and len(conditions) == len(b.conditions)
+    exists = exists or _holds_trivially(equations, conditions, letters)
     if not exists and len(equations) == 1 and all(c.relation == "≠" for c in conditions):
         exists = _crosses_zero(equations[0], [letters.read(c.lhs - c.rhs) for c in conditions], letters)
     return replace(b, conditions=tuple(conditions), occupied=exists)
+
+
+def _holds_trivially(equations: Sequence[sp.Expr], conditions: Sequence[SignCondition], letters: TrigLetters) -> bool:
+    """Whether the equations hold where every unknown is 0, or π: then there is a solution, although it is not new."""
+    excluded = [letters.read(c.lhs - c.rhs) for c in conditions if c.relation == "≠"]
+    if len(excluded) < len(conditions):
+        return False
+    return any(
+        all(is_zero(letters.write(resolved(x, {**values, **_roots_at(values, letters)}))) is False for x in excluded)
+        for values in trivial_solutions(equations, letters)
+    )
 
 
 def _zeros(divisor: sp.Expr, letters: TrigLetters) -> Iterator[sp.Expr]:

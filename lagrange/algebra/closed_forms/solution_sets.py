@@ -86,6 +86,7 @@ class Branch:
     special     whether it exists for particular parameters only
     left        equations that could not be solved, each zero
     occupied    whether these are known to have a real solution
+    implied     conditions that follow from the others, or of which they are a shorter form
     """
 
     relations: tuple[Relation, ...]
@@ -95,6 +96,7 @@ class Branch:
     special: bool = False
     left: tuple[sp.Expr, ...] = ()
     occupied: bool = False
+    implied: tuple[SignCondition, ...] = ()
 
     @property
     def equations(self) -> tuple[Relation, ...]:

@@ -77,7 +77,7 @@ def _compared(
 ) -> list[Finding]:
     branches = list(zip(shown.json.get("equilibrium", []), shown.json.get("equilibrium_conditions", []), strict=True))
     named_singular = "coordinates are singular there" in shown.page()
-    open_existence = "real solutions is undecided" in shown.page()
+    open_existence = "whether there is one is left open" in shown.page()
     found = [f for branch in branches for f in _points(system, branch, draws, rng, named_singular, open_existence)]
     for r in places:
         if not any(satisfies(system, r, *b) for b in branches):
