@@ -457,7 +457,7 @@ class EquilibriumComparison:
             _, related = parameters_given([r.residual for r in b.relations] if b.special else [], own.unknowns)
             for p in b.points:
                 holds = self._is_balanced(own, {**p, **related}, values)
-                if holds:
+                if holds or self._is_conditional(own, {**p, **related}, values):
                     continue
                 if holds is None:
                     verdict = None
@@ -466,6 +466,26 @@ class EquilibriumComparison:
                 else:
                     return False, False, _also_holds(b)
         return (False if loose else verdict), loose, ""
+
+    def _is_conditional(self, own: SolutionSet, point: Values, values: Values) -> bool:
+        """Whether a solution of the answer is an equilibrium under the condition of a branch: 5 H ≥ g.
+
+        Where a root has the sign of 5 H − g, the forces balance for some parameters only, and not identically.
+        """
+        known = (p for n, p in self.points if self.branches[n].conditions)
+        return self.solution.verified is True and any(self._coincide(own, point, {**p, **values}) for p in known)
+
+    def _coincide(self, own: SolutionSet, point: Values, known: Values) -> bool:
+        """Whether a solution of the answer is the same position, with the same forces, as a known point."""
+        for u in self.unknowns:
+            for f in (sp.cos(u), sp.sin(u)) if u in self.angles else (u,):
+                try:
+                    same = is_zero(own.at(point, f) - self.solution.at(known, f))
+                except (NotAlgebraicError, DivisionByZeroError):
+                    return False
+                if not same:
+                    return False
+        return True
 
     def _is_balanced(self, own: SolutionSet, point: Values, values: Values) -> bool | None:
         """Whether a solution of the answer is an equilibrium; None: undecided."""

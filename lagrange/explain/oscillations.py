@@ -13,7 +13,15 @@ from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.statics import singular_places
-from lagrange.explain.words import branch_conditions, capital, plural, sign_conditions, suffix_of, title_in
+from lagrange.explain.words import (
+    branch_conditions,
+    capital,
+    existence_left_open,
+    plural,
+    sign_conditions,
+    suffix_of,
+    title_in,
+)
 from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
@@ -80,6 +88,8 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
         last = lines[-1]
         lines[-1] = Equation(last.sides, label=_label(linearization, "at-rest", n), condition=branch_conditions(b))
         yield display(*lines, detail=Detail.BRIEF)
+    branches = enumerate(linearization.branches, start=1)
+    yield from existence_left_open((Ref(_label(linearization, "at-rest", n)), b) for n, b in branches)
     yield from singular_places(e)
 
 

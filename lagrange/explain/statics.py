@@ -13,6 +13,7 @@ from lagrange.explain.bodies import link_called
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.words import (
     branch_conditions,
+    existence_left_open,
     must_vanish,
     plural,
     sign_conditions,
@@ -190,6 +191,8 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
             for k, r in enumerate(equations)
         ]
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    places = ((Ref(f"equilibrium{suffix}-{n}"), b) for n, b in enumerate(equilibrium.branches, start=1))
+    yield from existence_left_open(places)
     yield from _remarks(equilibrium)
     yield from singular_places(equilibrium)
     yield from _poles(equilibrium)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -98,6 +98,17 @@ def branch_conditions(b: Branch) -> tuple[Part, ...]:
     if b.left:
         words.append("; not solved in closed form" if words else "not solved in closed form")
     return tuple(words)
+
+
+def existence_left_open(places: Iterable[tuple[Part, Branch]]) -> Iterator[Prose]:
+    """That unsolved equations may have no real solution at all, where that is not known."""
+    unsolved = [(place, b) for place, b in places if b.left and not b.occupied]
+    if not unsolved:
+        return
+    yield prose(
+        "Any real solution of ", *listed((place for place, _ in unsolved), " or "),
+        " is an equilibrium; whether there is one is left open.", detail=Detail.BRIEF,
+    )  # fmt: skip
 
 
 # -- clauses common to d'Alembert's principle and the principle of virtual work ----------------------------------------

@@ -265,3 +265,24 @@ def test_beside_an_angle_of_which_no_multiple_occurs_an_answer_is_incomplete() -
     What the page states beside φ = 0 is not solved, and the answer lacks it, as with k θ = m g l sin θ.
     """
     assert verdict(read(ROCKING_STONE), "phi = 0").verdict is INCOMPLETE
+
+
+SPRING_FROM_ABOVE = """
+title: A rod on a pivot, held by a spring from a point above
+parameters: [g, H]
+coordinates: [theta]
+particles: {P: {mass: 1, position: sin(theta)*i + cos(theta)*j}}
+gravity: -g*j
+forces: {spring: {spring: 5, between: [H*j, P], length: 1}}
+find: equilibrium
+"""
+
+
+def test_an_answer_counts_with_the_condition_of_its_branch() -> None:
+    """The spring has the length d = 5 H/(5 H − g), so 5 H ≥ g; the equation for cos θ gives d² alone."""
+    side = "cos(theta) = (H^2 + 1 - 25*H^2/(5*H - g)^2)/(2*H)"
+    problem = read(SPRING_FROM_ABOVE)
+    assert verdict(problem, f"theta = 0 or theta = pi or {side}").verdict is EQUIVALENT
+    other = "cos(theta) = (H^2 + 1 - 25*H^2/(5*H + g)^2)/(2*H)"
+    assert verdict(problem, f"theta = 0 or theta = pi or {other}").verdict is WRONG
+    assert verdict(problem, "theta = 0 or theta = pi").verdict is INCOMPLETE

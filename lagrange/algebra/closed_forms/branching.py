@@ -18,8 +18,10 @@ from itertools import islice, product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
+from lagrange.algebra.closed_forms.real_points import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
     Relation,
@@ -96,16 +98,17 @@ def solutions(
     except _TooLongError:
         branches = [Branch((), left=tuple(equations))]
         return SolutionSet(tuple(equations), tuple(unknowns), letters, tuple(branches), None)
-    branches = [replace(b, left=(*b.left, *strange)) for b in branches]
+    branches = [replace(b, left=(*b.left, *strange)) for b in real_branches(branches, letters)]
 
     def stated(some: Sequence[Branch]) -> list[Branch]:
         alike = merged_branches([as_stated(b, letters, unknowns) for b in merged_branches(some)])
-        return without_repetitions([part for b in alike for part in determined(b, letters, unknowns)])
+        parts = [part for b in alike for part in determined(b, letters, unknowns)]
+        return without_repetitions(with_shortest_conditions(parts))
 
     # Verified first: a branch without a point left must neither be merged with another one nor contain it.
     regular, singular = separated(branches, divisors, letters)
     kept, verdict = verified(regular, readable, letters)
-    kept = [with_divisors(b, divisors, letters) for b in kept]
+    kept = [(with_values if b.left else with_divisors)(b, divisors, letters) for b in kept]
     return SolutionSet(
         tuple(equations), tuple(unknowns), letters, tuple(stated(kept)), verdict, tuple(stated(singular))
     )
@@ -489,7 +492,9 @@ class _BranchSearch:
             parts = numerator(resolved(a, state.values))
             for p in factors(self.letters.shortest(parts[0])) or () if parts else ():
                 unknowns = self.letters.unknowns_in(p)
-                if unknowns and unknowns.isdisjoint(self.first):
+                if not unknowns or not unknowns.isdisjoint(self.first):
+                    continue
+                if have_real_solution((*state.stuck, p), self.letters) is not False:
                     yield from different_from_zero(p)
 
     def _root_of(self, radicand: sp.Expr) -> sp.Expr:

@@ -31,3 +31,17 @@ MOST_MATRIX_SYMBOLS = 12
 # Operations of a factor whose roots are sought [20] and of a root that is written down [22]; longer ones fill lines.
 LONGEST_SOLVED_FACTOR = 80
 LONGEST_ROOT = 80
+
+# Whether equations that are not solved have a real solution (`real_points`): the degree of a polynomial of which the
+# real roots are counted, unknowns of a box, boxes tried, about 0.1 ms each, and places on either side of 0 between
+# which a sign may change.
+HIGHEST_COUNTED_DEGREE = 40
+MOST_BOXED_UNKNOWNS = 3
+MOST_BOXES = 3000
+SCANNED = 60
+
+# Conditions that are reduced together, the degree in one monomial of those that become intervals, and multiples of
+# conditions of which another one is the sum (`conditions`).
+MOST_CONDITIONS = 8
+HIGHEST_CONDITION_DEGREE = 12
+MOST_COMBINED = 4

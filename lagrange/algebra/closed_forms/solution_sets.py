@@ -85,6 +85,8 @@ class Branch:
     common      values of letters that hold at all of them
     special     whether it exists for particular parameters only
     left        equations that could not be solved, each zero
+    occupied    whether these are known to have a real solution
+    implied     conditions that follow from the others, or of which they are a shorter form
     """
 
     relations: tuple[Relation, ...]
@@ -93,6 +95,8 @@ class Branch:
     common: Values = field(default_factory=dict)
     special: bool = False
     left: tuple[sp.Expr, ...] = ()
+    occupied: bool = False
+    implied: tuple[SignCondition, ...] = ()
 
     @property
     def equations(self) -> tuple[Relation, ...]:

@@ -25,6 +25,7 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.conditions import solved_for
 from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, is_part
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
@@ -41,6 +42,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
 from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates
+from lagrange.mechanics.equilibrium.loads import loads
 
 
 @record
@@ -164,7 +166,7 @@ class Equilibrium:
         """Whether there is an equilibrium in these coordinates; None if unknown."""
         if self.solution.solved:
             return bool(self.branches)
-        return True if any(not b.left for b in self.branches) else None
+        return True if any(not b.left or b.occupied for b in self.branches) else None
 
     @property
     def undetermined(self) -> tuple[sp.Symbol, ...]:
@@ -324,6 +326,8 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     excluded, _ = _without(solution.excluded, multipliers)
     singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
     idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
+    applied = loads(e.configuration)
+    branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
     return replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
 
 

@@ -39,6 +39,7 @@ from lagrange.mechanics.equilibrium.stability import (
     on_branch,
     sign_on,
     where_positive,
+    with_critical_loads,
 )
 
 
@@ -82,8 +83,13 @@ class LinearSystem:
 
 
 def judged(s: LinearSystem, b: Branch, resting: Equilibrium) -> StabilityJudgement:
-    """The verdict on stability at one equilibrium; if undecided, with the conditions for a negative ω²."""
-    judgement = _judged(s, b, resting)
+    """The verdict on stability at one equilibrium."""
+    judgement = _undecided_in_part(_judged(s, b, resting), s, b)
+    return replace(judgement, stability=with_critical_loads(judgement.stability, resting))
+
+
+def _undecided_in_part(judgement: StabilityJudgement, s: LinearSystem, b: Branch) -> StabilityJudgement:
+    """The judgement; if undecided, with the conditions for a negative ω²."""
     if judgement.stability.verdict is not StabilityVerdict.UNDECIDED:
         return judgement
     known = known_positive(b)

@@ -24,6 +24,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
 from lagrange.algebra.closed_forms.limits import LARGEST_FACTORED, LARGEST_SIGNED
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
@@ -35,6 +36,7 @@ from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, MOST_MINORS
+from lagrange.mechanics.equilibrium.loads import loads
 
 
 class StabilityVerdict(StrEnum):
@@ -105,12 +107,23 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
         matrix.append(tuple(row))
     if not _is_symmetric(matrix, e):
         return None
-    verdicts = tuple(_verdict(b, matrix, e) for b in e.branches)
+    verdicts = tuple(with_critical_loads(_verdict(b, matrix, e), e) for b in e.branches)
     jumps = {jump for row in matrix for v in row for jump in v.atoms(sp.DiracDelta)}
     smooth = dict.fromkeys(jumps, sp.S.Zero)
     table = tuple(tuple(e.work.textbook.form(v.xreplace(smooth)) if jumps else v for v in row) for row in matrix)
     arguments = tuple(sorted({jump.args[0] for jump in jumps}, key=str))
     return SecondVariation(tuple(q[k] for k in free), table, verdicts, arguments)
+
+
+def with_critical_loads(s: Stability, e: Equilibrium) -> Stability:
+    """The verdict with its conditions solved for loads."""
+    applied = loads(e.configuration)
+    return replace(
+        s,
+        conditions=solved_for(s.conditions, applied),
+        presupposed=solved_for(s.presupposed, applied),
+        unstable=solved_for(s.unstable, applied),
+    )
 
 
 def _along(expression: sp.Expr, column: int, e: Equilibrium) -> sp.Expr:
@@ -307,7 +320,19 @@ def by_signs(expressions: Sequence[sp.Expr], b: Branch, e: Equilibrium) -> Stabi
     if conditions is None:
         return Stability(StabilityVerdict.UNDECIDED, values)
     presupposed = not_vanishing(expressions, b, e, [sp.factor(_positive_part(c)) for c in conditions])
-    return Stability(StabilityVerdict.CONDITIONAL, values, (*conditions, *presupposed))
+    return _shortest(Stability(StabilityVerdict.CONDITIONAL, values, (*conditions, *presupposed)), b)
+
+
+def _shortest(s: Stability, b: Branch) -> Stability:
+    """A conditional verdict with the shortest form of its conditions, beside those for the existence of the branch."""
+    shorter = reduced(s.conditions, b.conditions)
+    if shorter is None:
+        return s
+    if only_excludes_equality(shorter, b.conditions):
+        return replace(s, verdict=StabilityVerdict.STABLE, conditions=(), presupposed=shorter)
+    lost = [c for c in s.conditions if c.relation == "≠" and c not in shorter]
+    # With one condition its opposite is stated as well, and there a minor may vanish.
+    return s if lost and len(shorter) == 1 else replace(s, conditions=shorter)
 
 
 def not_vanishing(
@@ -333,7 +358,9 @@ def not_vanishing(
             for f in (f for f, _ in _bases(square) if sign_of(f, strict) is None):
                 sign = sign_of(f, known)
                 conditions += different_from_zero(f) if sign is None else [more_than_zero(sign * f)]
-    return tuple(dict.fromkeys(conditions))
+    conditions = list(dict.fromkeys(conditions))
+    shorter = reduced(conditions, b.conditions)
+    return tuple(conditions) if shorter is None else shorter
 
 
 def _square_in_parameters(x: sp.Expr, b: Branch, e: Equilibrium) -> sp.Expr | None:
@@ -364,8 +391,9 @@ def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
     """
     above = (">",) if strict else (">", "≥")
     below = ("<",) if strict else ("<", "≤")
-    known = [c.lhs - c.rhs for c in b.conditions if c.relation in above]
-    for c in b.conditions:
+    conditions = dict.fromkeys((*b.conditions, *b.implied))
+    known = [c.lhs - c.rhs for c in conditions if c.relation in above]
+    for c in conditions:
         if c.relation in below:
             within = c.lhs.args[0] if isinstance(c.lhs, sp.Abs) else None
             known += [c.rhs - c.lhs] if within is None else [c.rhs - within, c.rhs + within]

@@ -1,0 +1,438 @@
+"""Conditions on positive parameters, all of which hold, in their shortest form.
+
+Polynomials whose terms differ by powers of one monomial t, such as k R/(m g), are polynomials in t > 0. Between their
+real roots no sign changes, so that the conditions hold in certain intervals of t, found exactly:
+
+    4 m² g² + 3 k² R² ≥ 8 m g k R,  k R ≥ m g        (t − 2) (3 t − 2) ≥ 0, t ≥ 1        k R ≥ 2 m g .
+
+Otherwise a product A B is split where the other conditions give one factor its sign, or where A + B has a sign,
+
+    A B ≥ 0, A + B ≥ 0        A ≥ 0, B ≥ 0 ,
+
+and a condition is dropped that others imply, being a sum of multiples of them and of terms of one sign.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+from math import gcd
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.limits import (
+    HIGHEST_CONDITION_DEGREE,
+    LARGEST_FACTORED,
+    MOST_COMBINED,
+    MOST_CONDITIONS,
+)
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.records import record
+
+OPPOSITE = {"≥": "≤", ">": "<", "≤": "≥", "<": ">", "≠": "≠"}
+
+
+@record
+class _Bound:
+    """polynomial relation 0; the relation is ≥, > or ≠, and `stated` how it was given."""
+
+    polynomial: sp.Expr
+    relation: str
+    stated: SignCondition | None = None
+
+
+def reduced(
+    conditions: Sequence[SignCondition], known: Sequence[SignCondition] = ()
+) -> tuple[SignCondition, ...] | None:
+    """What the conditions say beside those `known` to hold, in fewer or shorter ones; None if they exclude each other.
+
+    Conditions that are no polynomials in positive parameters are left as they are.
+    """
+    asked, others = _bounds(conditions)
+    given, _ = _bounds(known)
+    if not asked or len(asked) + len(given) > MOST_CONDITIONS:
+        return tuple(conditions)
+    shorter = _on_one_line(asked, given)
+    if shorter is None:
+        try:
+            shorter = _implied(asked, given)
+        except _ExcludedError:
+            return None
+    elif not shorter and isinstance(shorter, _Nowhere):
+        return None
+    stated = [b.stated or _written(b) for b in shorter]
+    return tuple(dict.fromkeys((*stated, *others)))
+
+
+def with_shortest_conditions(branches: Sequence[Branch]) -> list[Branch]:
+    """The branches whose conditions do not exclude each other, with the shortest form of these."""
+    kept = []
+    for b in branches:
+        shorter = reduced(b.conditions)
+        if shorter is not None:
+            kept.append(b if shorter == b.conditions else replace(b, conditions=shorter, implied=b.conditions))
+    return kept
+
+
+def only_excludes_equality(conditions: Sequence[SignCondition], known: Sequence[SignCondition]) -> bool:
+    """Whether conditions with > say no more than those known with ≥, apart from equality."""
+    weaker = {">": "≥", "<": "≤"}
+    return all(c.relation == "≠" or reduced([replace(c, relation=weaker.get(c.relation, c.relation))], known) == ()
+               for c in conditions)  # fmt: skip
+
+
+class _ExcludedError(Exception):
+    """Conditions that exclude each other."""
+
+
+class _Nowhere(tuple[_Bound, ...]):
+    """No value satisfies the conditions."""
+
+    __slots__ = ()
+
+
+def _bounds(conditions: Sequence[SignCondition]) -> tuple[list[_Bound], list[SignCondition]]:
+    """The conditions as polynomials, and those that are none."""
+    read: list[_Bound] = []
+    others = []
+    for c in conditions:
+        polynomials = _polynomials(c)
+        if polynomials is None:
+            others.append(c)
+            continue
+        relation = {"≤": "≥", "<": ">"}.get(c.relation, c.relation)
+        alone = len(polynomials) == 1
+        read += [_Bound(p, relation, c if alone else None) for p in polynomials]
+    return read, others
+
+
+def _polynomials(c: SignCondition) -> list[sp.Expr] | None:
+    """What must be ≥ 0, > 0 or ≠ 0, as polynomials in positive parameters; of |N/D| ≤ 1 D − N and D + N."""
+    difference = (c.lhs - c.rhs) * (-1 if c.relation in "≤<" else 1)
+    if difference.count_ops() > LARGEST_FACTORED or not all(s.is_positive for s in difference.free_symbols):
+        return None
+    cases = [difference]
+    moduli = difference.atoms(sp.Abs)
+    if moduli:
+        if len(moduli) > 1 or c.relation not in "≤<":
+            return None
+        [modulus] = moduli
+        if sp.expand(difference).coeff(modulus).is_positive is not False:
+            return None
+        cases = [difference.xreplace({modulus: s * modulus.args[0]}) for s in (1, -1)]
+    polynomials = []
+    for e in cases:
+        above, below = sp.fraction(sp.together(e))
+        if below.is_number:
+            below_sign = 1
+        else:
+            factors = sp.factor_list(below)[1]
+            if not all(n % 2 == 0 or f.is_positive for f, n in factors):
+                return None
+            below_sign = 1 if sp.factor_list(below)[0] > 0 else -1
+        p = sp.expand(above * below_sign * (1 if not below.is_number else sp.sign(below)))
+        if not p.is_polynomial(*p.free_symbols) or not p.free_symbols or p.atoms(sp.Pow) - _powers(p):
+            return None
+        polynomials.append(p)
+    return polynomials
+
+
+def _powers(p: sp.Expr) -> set[sp.Expr]:
+    return {x for x in p.atoms(sp.Pow) if x.exp.is_Integer and x.exp > 0 and x.base.is_Symbol}
+
+
+def _written(b: _Bound) -> SignCondition:
+    """Positive terms on the left, negative ones on the right."""
+    terms = sp.Add.make_args(sp.expand(b.polynomial))
+    left = [t for t in terms if not t.could_extract_minus_sign()]
+    right = [-t for t in terms if t.could_extract_minus_sign()]
+    if not left:
+        return SignCondition(sp.Add(*right), OPPOSITE[b.relation], sp.S.Zero)
+    return SignCondition(sp.Add(*left), b.relation, sp.Add(*right))
+
+
+# -- one monomial ------------------------------------------------------------------------------------------------------
+
+
+@record
+class _Line:
+    """The monomials `above`/`below` = t, in which all polynomials are polynomials."""
+
+    above: sp.Expr
+    below: sp.Expr
+    polynomials: tuple[sp.Poly, ...]
+
+
+def _line(polynomials: Sequence[sp.Expr]) -> _Line | None:
+    """The polynomials in one monomial; None where there is none."""
+    symbols = sorted({s for p in polynomials for s in p.free_symbols}, key=str)
+    terms = [sp.Poly(p, *symbols).terms() for p in polynomials]
+    direction: tuple[int, ...] | None = None
+    for own in terms:
+        first = own[0][0]
+        for powers, _ in own[1:]:
+            step = tuple(int(a - b) for a, b in zip(powers, first, strict=True))
+            size = gcd(*step)
+            primitive = tuple(x // size for x in step)
+            if direction is None:
+                direction = primitive
+            if primitive not in (direction, tuple(-x for x in direction)):
+                return None
+    if direction is None:
+        return None
+    t = sp.Dummy("t", positive=True)
+    k = next(n for n, x in enumerate(direction) if x)
+    written = []
+    for own in terms:
+        least = min(powers[k] * (1 if direction[k] > 0 else -1) for powers, _ in own)
+        exponents = [
+            ((powers[k] * (1 if direction[k] > 0 else -1) - least) // abs(direction[k]), c) for powers, c in own
+        ]
+        if max(n for n, _ in exponents) > HIGHEST_CONDITION_DEGREE:
+            return None
+        try:
+            written.append(sp.Poly(sp.Add(*(c * t**n for n, c in exponents)), t, domain="QQ"))
+        except (sp.PolynomialError, sp.CoercionFailed):
+            return None
+    above = sp.Mul(*(s**x for s, x in zip(symbols, direction, strict=True) if x > 0))
+    below = sp.Mul(*(s**-x for s, x in zip(symbols, direction, strict=True) if x < 0))
+    return _Line(above, below, tuple(written))
+
+
+def _on_one_line(asked: Sequence[_Bound], given: Sequence[_Bound]) -> tuple[_Bound, ...] | None:
+    """The bounds of t that all conditions leave, and what may not be there; None where this is no interval."""
+    line = _line([b.polynomial for b in (*asked, *given)])
+    if line is None:
+        return None
+    bounds = list(zip((*asked, *given), line.polynomials, strict=True))
+    inner = [(b, p) for b, p in bounds if b.relation != "≠"]
+    interval = _interval(inner)
+    if interval is None:
+        return None
+    if interval == ():
+        return _Nowhere()
+    before = _interval([(b, p) for b, p in inner if b in given])
+    low, high = _ends(interval)
+    points = [(b, [r for r in _roots(p) if _within(r, low, high)]) for b, p in bounds if b.relation == "≠"]
+    missing = [b for b, roots in points if b in asked and any(r not in (low[0], high[0]) for r in roots)]
+    excluded = {r for _, roots in points for r in roots}
+    low = (low[0], low[1] and low[0] not in excluded)
+    high = (high[0], high[1] and high[0] not in excluded)
+    known_low, known_high = _ends(before) if before else ((sp.S.Zero, False), (sp.oo, False))
+    if any(not r.is_Rational and r.has(sp.CRootOf) for r in (low[0], high[0])):
+        return None
+    kept = []
+    if low != known_low and low[0] != 0:
+        kept.append(_bound(line, low, lower=True))
+    if high != known_high and high[0] != sp.oo:
+        kept.append(_bound(line, high, lower=False))
+    return (*kept, *missing)
+
+
+_End = tuple[sp.Expr, bool]
+"""A value of t, and whether it is included."""
+
+
+def _bound(line: _Line, end: _End, lower: bool) -> _Bound:
+    value, below = sp.fraction(sp.together(sp.radsimp(end[0])))
+    greater, less = below * line.above, value * line.below
+    relation = "≥" if end[1] else ">"
+    sides = (greater, less) if lower else (less, greater)
+    return _Bound(sides[0] - sides[1], relation, SignCondition(sides[0], relation, sides[1]))
+
+
+def _roots(p: sp.Poly) -> list[sp.Expr]:
+    """The positive real roots, each once, in order."""
+    return [r for r in dict.fromkeys(p.real_roots()) if r > 0]
+
+
+def _within(r: sp.Expr, low: _End, high: _End) -> bool:
+    return bool((r > low[0] or (r == low[0] and low[1])) and (r < high[0] or (r == high[0] and high[1])))
+
+
+def _ends(cells: tuple[_End, ...] | None) -> tuple[_End, _End]:
+    assert cells
+    return cells[0], cells[1]
+
+
+def _interval(bounds: Sequence[tuple[_Bound, sp.Poly]]) -> tuple[_End, ...] | None:
+    """The ends of the interval of t in which all hold; () where none does, None where it is not one interval."""
+    roots = sorted({r for _, p in bounds for r in _roots(p)}, key=lambda r: r.evalf(40))
+    if any(a.evalf(40) == b.evalf(40) for a, b in pairwise(roots)):
+        return None
+    own = [set(_roots(p)) for _, p in bounds]
+    places = _between(roots)
+    signs = [[p.eval(x) > 0 for x in places] for _, p in bounds]
+    # Cells in order: the open interval before each root, the root, ..., the last open interval.
+    cells: list[bool] = []
+    for n in range(len(places)):
+        cells.append(all(s[n] for s in signs))
+        if n < len(roots):
+            root = roots[n]
+            at = (
+                b.relation == "≥" if root in zeros else s[n]
+                for (b, _), zeros, s in zip(bounds, own, signs, strict=True)
+            )
+            cells.append(all(at))
+    true = [n for n, holds in enumerate(cells) if holds]
+    if not true:
+        return ()
+    if true[-1] - true[0] + 1 != len(true) or (len(true) == 1 and true[0] % 2):
+        return None
+    first, last = true[0], true[-1]
+    low = (roots[first // 2], True) if first % 2 else (roots[first // 2 - 1] if first else sp.S.Zero, False)
+    high = (roots[last // 2], True) if last % 2 else (roots[last // 2] if last < len(cells) - 1 else sp.oo, False)
+    return low, high
+
+
+def _between(roots: Sequence[sp.Expr]) -> list[sp.Rational]:
+    """A rational number before, between and after the roots, all positive."""
+    near = [sp.Rational(str(r.evalf(30))) for r in roots]
+    if not near:
+        return [sp.S.One]
+    return [near[0] / 2, *((a + b) / 2 for a, b in pairwise(near)), near[-1] + 1]
+
+
+# -- several -----------------------------------------------------------------------------------------------------------
+
+
+def _implied(asked: Sequence[_Bound], given: Sequence[_Bound]) -> tuple[_Bound, ...]:
+    """The conditions with products split where signs are known, and without those that others imply."""
+    for _ in range(len(asked) + 2):
+        changed = _split(asked, given)
+        if changed is None:
+            break
+        asked = changed
+    kept = [*dict.fromkeys(asked)]
+    for b in sorted(kept, key=lambda b: (b.relation != "≠", -int(b.polynomial.count_ops()))):
+        rest = [o for o in kept if o != b]
+        if _follows(b, [*rest, *given]):
+            kept = rest
+        elif b.relation != "≠" and _follows(_Bound(-b.polynomial, ">" if b.relation == "≥" else "≥"), [*rest, *given]):
+            raise _ExcludedError
+    return tuple(kept)
+
+
+def _follows(b: _Bound, known: Sequence[_Bound]) -> bool:
+    """Whether a condition follows from others: a sum of them, times monomials, and of terms that are positive."""
+    signs = (b.polynomial, -b.polynomial) if b.relation == "≠" else (b.polynomial,)
+    return any(_least(p, known) >= (1 if b.relation == "≥" else 2) for p in signs)
+
+
+def _least(p: sp.Expr, known: Sequence[_Bound]) -> int:
+    """2 if a polynomial is positive, 1 if it is not negative, 0 if that is not seen."""
+    given = [k for k in known if k.relation != "≠"]
+    symbols = sorted({s for e in (p, *(k.polynomial for k in given)) for s in e.free_symbols}, key=str)
+    if not symbols:
+        return 2 if p.is_positive else 1 if p == 0 else 0
+    rows = [(_terms(k.polynomial, symbols), k.relation == ">") for k in given]
+    found = 0
+    for factor in (sp.S.One, *symbols):
+        if factor not in (1, *p.free_symbols) and not any(factor in k.polynomial.free_symbols for k in given):
+            continue
+        found = max(found, _combined(_terms(p * factor, symbols), rows, MOST_COMBINED))
+        if found == 2:
+            break
+    return found
+
+
+_Terms = dict[tuple[int, ...], sp.Rational]
+
+
+def _terms(p: sp.Expr, symbols: Sequence[sp.Symbol]) -> _Terms:
+    return dict(sp.Poly(p, *symbols).terms())
+
+
+def _combined(p: _Terms, known: Sequence[tuple[_Terms, bool]], steps: int, strict: bool = False) -> int:
+    """As `_least`, for p and `steps` multiples of what is known, by monomials, that may be taken from it."""
+    p = {m: c for m, c in p.items() if c != 0}
+    negative = next((m for m in sorted(p) if p[m].could_extract_minus_sign()), None)
+    if negative is None:
+        return 2 if strict or p else 1
+    found = 0
+    for terms, is_strict in known if steps else ():
+        for m, c in terms.items():
+            powers = tuple(x - y for x, y in zip(negative, m, strict=True))
+            if not c.could_extract_minus_sign() or min(powers) < 0:
+                continue
+            rest = dict(p)
+            for n, d in terms.items():
+                place = tuple(x + y for x, y in zip(n, powers, strict=True))
+                rest[place] = rest.get(place, sp.S.Zero) - d * p[negative] / c
+            found = max(found, _combined(rest, known, steps - 1, strict or is_strict))
+            if found == 2:
+                return 2
+    return found
+
+
+def _split(asked: Sequence[_Bound], given: Sequence[_Bound]) -> list[_Bound] | None:
+    """The conditions after one product has been replaced by its factors of unknown sign; None where none can be."""
+    for n, b in enumerate(asked):
+        others = [*asked[:n], *asked[n + 1 :]]
+        number, powers = sp.factor_list(b.polynomial)
+        if not powers or (len(powers) == 1 and powers[0][1] == 1):
+            continue
+        sign = 1 if number > 0 else -1
+        open_factors: list[sp.Expr] = []
+        weak = False
+        for f, exponent in powers:
+            positive, negative = _least(f, [*others, *given]), _least(-f, [*others, *given])
+            if 2 in (positive, negative):
+                sign *= -1 if negative == 2 and exponent % 2 else 1
+            elif exponent % 2:
+                open_factors.append(f)
+            else:
+                weak = True
+        if weak or len(open_factors) == len(powers) > 2 or not open_factors:
+            continue
+        if len(open_factors) == 1:
+            return [*asked[:n], _Bound(sign * open_factors[0], b.relation), *asked[n + 1 :]]
+        if len(open_factors) == 2 and b.relation != "≠":
+            one, other = open_factors
+            for s in (1, -1):
+                # A B ≥ 0 with A + B > 0, or −A − B > 0: both have that sign. A B ≤ 0 is A (−B) ≥ 0.
+                first, second = s * one, s * sign * other
+                if _sum_is_positive(first, second, [*others, *given]):
+                    return [*asked[:n], _Bound(first, b.relation), _Bound(second, b.relation), *asked[n + 1 :]]
+        elif len(open_factors) < len(powers) and b.relation != "≠":
+            product = sp.expand(sign * sp.Mul(*open_factors))
+            if product.count_ops() < b.polynomial.count_ops():
+                return [*asked[:n], _Bound(product, b.relation), *asked[n + 1 :]]
+    return None
+
+
+def _sum_is_positive(a: sp.Expr, b: sp.Expr, known: Sequence[_Bound]) -> bool:
+    """Whether a + λ b is not negative for some λ > 0: where it is zero, a b is not positive."""
+    of_a, of_b = sp.expand(a).as_coefficients_dict(), sp.expand(b).as_coefficients_dict()
+    scales = {sp.S.One, *(-of_a[m] / c for m, c in of_b.items() if m in of_a and of_a[m] * c < 0)}
+    return any(_least(sp.expand(a + scale * b), known) for scale in scales)
+
+
+def solved_for(conditions: Sequence[SignCondition], loads: Sequence[sp.Symbol]) -> tuple[SignCondition, ...]:
+    """Conditions that are linear in one of some parameters, the loads, solved for it: P < (3 − √5) k/(2 l)."""
+    return tuple(_solved_for(c, loads) for c in conditions)
+
+
+def _solved_for(c: SignCondition, loads: Sequence[sp.Symbol]) -> SignCondition:
+    if c.lhs.has(sp.Abs) or c.rhs.has(sp.Abs):
+        return c
+    difference = sp.expand(c.lhs - c.rhs)
+    occurring = [p for p in loads if p in difference.free_symbols]
+    if len(occurring) != 1:
+        return c
+    [p] = occurring
+    rate = difference.diff(p)
+    if p in rate.free_symbols:
+        return c
+    rate = sp.factor(rate)
+    if not (rate.is_positive or rate.is_negative):
+        return c
+    value = sp.factor(sp.together((p * rate - difference).expand() / rate))
+    number, rest = value.as_independent(*value.free_symbols, as_Add=False)
+    value = sp.radsimp(number) * rest
+    value = min((value, sp.expand(value)), key=lambda e: int(e.count_ops()))
+    if value.is_negative or value == 0 or value.could_extract_minus_sign():
+        return c
+    return replace(c, lhs=p, relation=c.relation if rate.is_positive else OPPOSITE[c.relation], rhs=value)

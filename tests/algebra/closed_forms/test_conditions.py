@@ -1,0 +1,91 @@
+"""Conditions in their shortest form: each must say the same as those given, at random parameters."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+
+import pytest
+import sympy as sp
+
+from lagrange.algebra.closed_forms.conditions import only_excludes_equality, reduced, solved_for
+from lagrange.algebra.closed_forms.signs import SignCondition
+
+m, g, k, R, l, P, H, c = sp.symbols("m g k R l P H c", positive=True)
+OPERATORS = {"≥": "__ge__", ">": "__gt__", "≤": "__le__", "<": "__lt__"}
+
+
+def condition(lhs: sp.Expr, relation: str, rhs: sp.Expr) -> SignCondition:
+    return SignCondition(sp.sympify(lhs), relation, sp.sympify(rhs))
+
+
+def holds(conditions: Sequence[SignCondition], at: dict[sp.Symbol, sp.Rational]) -> bool:
+    for x in conditions:
+        a, b = x.lhs.xreplace(at), x.rhs.xreplace(at)
+        if not (a != b if x.relation == "≠" else bool(getattr(a, OPERATORS[x.relation])(b))):
+            return False
+    return True
+
+
+ring = condition(4 * m**2 * g**2 + 3 * k**2 * R**2, "≥", 8 * m * g * k * R)
+ring_with_length = condition(4 * m**2 * g**2 + 4 * k**2 * R**2, "≥", 8 * m * g * k * R + k**2 * l**2)
+pulls = condition(k * R, "≥", m * g)
+length = (H**2 + 1 - 25 * H**2 / (5 * H - g) ** 2) / (2 * H)
+
+CASES = [
+    ([ring, pulls], [condition(k * R, "≥", 2 * m * g)]),
+    ([ring_with_length, pulls], [condition(2 * k * R, "≥", 2 * m * g + k * l)]),
+    ([condition(k * l, ">", 2 * P), condition(k**2 * l**2 + 3 * P**2, ">", 4 * k * l * P)], [condition(k * l, ">", 3 * P)]),
+    ([condition(sp.Abs(m * g / (k * R)), "≤", 1)], [condition(k * R, "≥", m * g)]),
+    ([condition(k * R * m, "≥", k * l * m + m**2 * g), condition(R, "≥", l)], [condition(k * R, "≥", g * m + k * l)]),
+    ([condition(k * R, "≥", m * g), condition(k * R, "≠", m * g)], [condition(k * R, ">", m * g)]),
+    ([condition(m, ">", 2 * k), condition(m, "≠", k)], [condition(m, ">", 2 * k)]),
+    (
+        [condition(sp.Abs(length), "≤", 1), condition(5 * H, "≥", g)],
+        [condition(H * g + 10 * H, "≥", 5 * H**2 + g), condition(5 * H**2, "≥", H * g + g)],
+    ),
+    ([condition(k**3 + l**3, ">", 3 * k * l**2), condition(k, ">", l)], None),
+    ([condition(c + k * l**2, ">", l * P)], None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("given", "shortest"), CASES, ids=str)
+def test_conditions_are_shortened_and_say_the_same(
+    given: list[SignCondition], shortest: list[SignCondition] | None
+) -> None:
+    found = reduced(given)
+    assert found is not None
+    assert [*found] == (given if shortest is None else shortest)
+    rng = random.Random(3)
+    symbols = sorted({s for x in given for s in (x.lhs - x.rhs).free_symbols}, key=str)
+    sides = set()
+    for _ in range(150):
+        at = {s: sp.Rational(rng.randint(1, 60), rng.randint(1, 20)) for s in symbols}
+        sides.add(holds(given, at))
+        assert holds(given, at) is holds(found, at)
+    assert sides == {True, False}
+
+
+def test_critical_loads() -> None:
+    """Two bars with equal springs: λ = P l/k with λ² − 3 λ + 1 > 0 and λ < 2."""
+    found = reduced([condition(2 * k, ">", l * P), condition(k**2 + l**2 * P**2, ">", 3 * k * l * P)])
+    assert found is not None
+    [critical] = solved_for(found, [P])
+    assert (critical.lhs, critical.relation) == (P, "<")
+    assert sp.simplify(critical.rhs - (3 - sp.sqrt(5)) * k / (2 * l)) == 0
+    [linear] = solved_for([condition(c + k * l**2, ">", l * P)], [P])
+    assert (linear.lhs, linear.relation, linear.rhs) == (P, "<", c / l + k * l)
+
+
+def test_conditions_that_exclude_each_other() -> None:
+    assert reduced([condition(k, ">", m * g), condition(m * g, ">", 2 * k)]) is None
+    assert reduced([condition(k, ">", m + g), condition(m, ">", k + l)]) is None
+
+
+def test_what_is_known_is_not_repeated() -> None:
+    known = [condition(k * R, "≥", 2 * m * g)]
+    assert reduced([pulls], known) == ()
+    strict = condition(k * R, ">", 2 * m * g)
+    assert reduced([strict, pulls], known) == (strict,)
+    assert only_excludes_equality([strict], known)
+    assert not only_excludes_equality([condition(k * R, ">", 3 * m * g)], known)
