@@ -96,6 +96,8 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
     like = ", as that of a rod" if second else ", as that of a rod, or of a smooth circle or sphere"
     if reaction.constraint.by in (Keeper.ROD, Keeper.STRING):
         like = f", as that of a {reaction.constraint.by}"
+    elif reaction.constraint.side is not None:
+        like = ", as that of a string"
     elif reaction.on_body:
         like = ""
     beginning: list[Part] = [
@@ -127,6 +129,8 @@ def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
         words = f"The reaction of {called} on {body} is a force "
         along = (math(name), " along the unit vector", *unit)
     where = "" if unit else ", in the direction in which the left side less the right side increases"
+    if reaction.constraint.side is not None:
+        where = ", to the permitted side"
     end = f", and the opposite force acts on {the(single.opposite)}." if single.opposite else "."
     return prose(words, *along, where, end)
 

@@ -251,7 +251,7 @@ CONSTRAINT = Form(
         Key(
             "equation",
             "equation",
-            "The equation; a vector equation counts as its components.",
+            "The equation, or a one-sided constraint with <= or >=; a vector equation counts as its components.",
             required=True,
             example='"x^2 + y^2 = l^2"',
         ),
@@ -384,7 +384,7 @@ PROBLEM = Form(
             "constraints",
             _or_nothing(Named(AnyOf(("equation", "constraint")))),
             "Equations between coordinates, velocities and time. One with velocities is kinematic, one without is "
-            "geometric.",
+            "geometric. One-sided constraints have <= or >=.",
         ),
         Key("gravity", "vector", "The acceleration of gravity, a vector; it adds a weight to every mass."),
         Key("forces", _or_nothing(Named("force")), "What else acts."),

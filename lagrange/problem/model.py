@@ -105,6 +105,7 @@ class Constraint:
     `kinematic` is true where a velocity occurs. `reaction` is the name of its reaction, a force where it is a single
     one, otherwise the multiplier. `given` is the constraint of the file, where that is not linear in the velocities and
     f = 0 is equivalent; it may reduce to several constraints. `by` is what keeps it, where the file says so.
+    `side` is that of a one-sided constraint, +1 where f ≥ 0 is permitted and −1 where f ≤ 0 is; None if f = 0 always.
     """
 
     name: str
@@ -116,11 +117,17 @@ class Constraint:
     note: str = ""
     given: Given | None = None
     by: Keeper | None = None
+    side: int | None = None
 
     @property
     def function(self) -> sp.Expr:
         """f, whose vanishing is the constraint."""
         return self.lhs - self.rhs
+
+    @property
+    def relation(self) -> str:
+        """The relation between its sides in the file."""
+        return "=" if self.side is None else "≥" if self.side > 0 else "≤"
 
 
 @record
