@@ -206,7 +206,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
         else:
             blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
         if not isinstance(r.contact, Sign):
-            relation = ">" if r.contact == 1 else "<"
+            relation = ">" if r.sign_of_force == 1 else "<"
             blocks.append(prose("In contact ", math(r.reaction.force, ZERO, relation=relation), "."))
     return blocks
 

@@ -187,7 +187,12 @@ class Potential:
 
 @record
 class Friction:
-    """Coulomb friction μ|R| against the slip, R being the reaction of a constraint."""
+    """Coulomb friction μ|R| against the slip, R being the reaction of a constraint; at rest at most `static` |R|.
+
+    `at` is the point of a body that touches. `slip` is the sense of the slip along a coordinate, `toward` the direction
+    in which the touching point slips or is about to slip; a file gives one of them, or none. `static` is the coefficient
+    at rest, None where the file gives none.
+    """
 
     name: str
     coefficient: sp.Expr
@@ -197,6 +202,9 @@ class Friction:
     surface_velocity: Vector | None = None
     slip: int | None = None
     contact: int | None = None
+    at: Vector | None = None
+    toward: Vector | None = None
+    static: sp.Expr | None = None
 
 
 Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction

@@ -68,18 +68,17 @@ def explain_contacts(reactions: Reactions, newton: Newton, place: tuple[Part, ..
             continue
         state = "stays taut" if r.tension is not None else "stays in contact"
         words = f"{start} can only {verb}: it {state} as long as "
-        condition = _force(r)
-        blocks.append(prose(*first, words, *((math(condition, sp.S.Zero, relation="≥"), ", that is,") if condition is not None else ())))  # fmt: skip
+        blocks.append(prose(*first, words, math(_force(r), sp.S.Zero, relation="≥"), ", that is,"))
         blocks.append(display(Equation((value, sp.S.Zero), relation="≥", condition=_presumed(r)), detail=Detail.STEPS))
     if trivial:
         names = constraints_called(r.name for r in trivial)
-        forces = listed(math(f) for r in trivial if (f := _force(r)) is not None)
+        forces = listed(math(_force(r)) for r in trivial)
         words = f"Contact with {names} lasts, because "
         blocks.append(prose(words, *forces, f"{are(trivial)} positive."))
     return blocks
 
 
-def _force(r: Reaction) -> sp.Expr | None:
+def _force(r: Reaction) -> sp.Expr:
     """What must not be negative, as it is called."""
     if r.symbol is not None:
         return r.symbol
