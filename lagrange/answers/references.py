@@ -20,7 +20,7 @@ from lagrange.answers.force_names import other_readings
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
-from lagrange.core.symbols import prime, variation
+from lagrange.core.symbols import Sign, prime, variation
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -219,14 +219,14 @@ def _settled(solution: Solution) -> dict[sp.Expr, sp.Expr]:
     settled: dict[sp.Expr, sp.Expr] = {}
     for motion in (v.dynamics for v in solution.views):
         for r in motion.friction_forces if motion is not None else ():
-            if r.friction.contact is not None:
+            if not isinstance(r.contact, Sign):
                 multiplier = r.reaction.multiplier
-                for unknown in (multiplier, r.reaction.force):
-                    settled |= {sp.Abs(unknown): r.contact * unknown, sp.sign(unknown): r.contact}
+                for unknown, sign in ((multiplier, r.contact), (r.reaction.force, r.sign_of_force)):
+                    settled |= {sp.Abs(unknown): sign * unknown, sp.sign(unknown): sign}
                 value = motion.reactions.values.get(multiplier) if motion and motion.reactions else None
                 inside = sp.Abs(value).atoms(sp.Abs) if value is not None else set()
                 settled |= {a: r.contact * value * a / sp.Abs(value) for a in inside if len(inside) == 1}
-            if r.friction.slip is not None and r.speed is not None:
+            if (r.friction.slip or r.friction.toward) is not None and r.speed is not None:
                 settled |= {sp.Abs(r.speed): r.sense * r.speed, sp.sign(r.speed): r.sense}
     return settled
 

@@ -24,6 +24,7 @@ from lagrange.explain.constraint_systems import (
     explain_together,
     form_letter,
 )
+from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.nonlinear import explain_bending, explain_reduction, without_form
 from lagrange.explain.words import brief, capital, constraints_called, counted, in_words, joined, plural, spoken, the
 from lagrange.mechanics.constraints.classification import Classification
@@ -147,7 +148,8 @@ def explain_constraints(classification: Classification, built_in: bool = False) 
             note = f": {c.constraint.note}" if c.constraint.note else ""
             sides = (c.constraint.lhs, c.constraint.rhs)
             label = f"constraint-{c.row.name}"
-            lines.append(Equation(sides, label=label, condition=(f"({spoken(c.row.name)}{note})",)))
+            condition = (f"({spoken(c.row.name)}{note})",)
+            lines.append(Equation(sides, label=label, relation=c.constraint.relation, condition=condition))
         body += explain_reduction(given, len(members)) if given is not None else []
         body.append(display(*lines))
     sentences = []
@@ -165,6 +167,7 @@ def explain_constraints(classification: Classification, built_in: bool = False) 
         sentences.append(
             prose(plural(len(constraints), "Time does not appear in it.", "Time appears in none of them."))
         )
+    sentences += explain_in_contact(constraints)
     title = plural(len(constraints), "The constraint", "Constraints")
     return Step(Rule.CONSTRAINT, title, (*body, paragraph(*sentences)))
 
@@ -381,6 +384,7 @@ def explain_classification(classification: Classification, taken: Collection[str
     sentences = (
         prose(*words),
         _time(classification),
+        *explain_one_sided(constraints),
         *explain_redundant(classification, form_letter(taken)),
         *explain_losses(classification),
     )

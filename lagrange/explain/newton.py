@@ -128,6 +128,8 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
     by = reaction.constraint.by
     if by is not None and by in _LIKE:
         like = f", as that of {KEEPERS[by]}"
+    elif reaction.constraint.side is not None:
+        like = ", as that of a string"
     elif by is not None or reaction.on_body:
         like = ""
     beginning: list[Part] = [
@@ -159,6 +161,8 @@ def _along(reaction: Reaction, single: SingleForce, name: sp.Symbol) -> Prose:
         words = f"The reaction of {called} on {body} is a force "
         along = (math(name), " along the unit vector", *unit)
     where = "" if unit else ", in the direction in which the left side less the right side increases"
+    if reaction.constraint.side is not None:
+        where = ", to the permitted side"
     end = f", and the opposite force acts on {the(single.opposite)}." if single.opposite else "."
     return prose(words, *along, where, end)
 
@@ -234,7 +238,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
         else:
             blocks.append(prose(*first, ", ", math(r.magnitude), ", ", *second))
         if not isinstance(r.contact, Sign):
-            relation = ">" if r.contact == 1 else "<"
+            relation = ">" if r.sign_of_force == 1 else "<"
             blocks.append(prose("In contact ", math(r.reaction.force, ZERO, relation=relation), "."))
     return blocks
 

@@ -8,6 +8,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.explain.contact.one_sided import explain_contacts
 from lagrange.explain.words import are, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
@@ -62,6 +63,7 @@ def explain_reactions(
         body.append(prose(f"{reactions_of} {constraints_called(lost)} {verb} too long to be written out here."))
     body += _undetermined(reactions, newton)
     body += _signs(motion)
+    body += explain_contacts(reactions, newton)
     if first:
         body += explain_bounds(newton)
     title = title_in(plural(len(newton.reactions), "The reaction", "The reactions"), choice)
@@ -117,9 +119,10 @@ def _signs(motion: Motion) -> list[Block]:
 
 
 def explain_bounds(newton: Newton) -> list[Block]:
-    """The forces that rods, strings and surfaces can exert."""
+    """The forces that rods, strings and surfaces can exert, where the constraints do not tell."""
     blocks: list[Block] = []
-    pulling = [r for r in newton.reactions if r.tension is not None and r.constraint.by is not Keeper.ROD]
+    open_ = [r for r in newton.reactions if r.constraint.side is None]
+    pulling = [r for r in open_ if r.tension is not None and r.constraint.by is not Keeper.ROD]
     strings = [r for r in pulling if r.constraint.by is Keeper.STRING or r.rod is None]
     rods = [(r, r.rod) for r in pulling if r.rod is not None and r not in strings and not r.on_body]
     taut = listed(math(r.tension, sp.S.Zero, relation="≥") for r in strings if r.tension is not None)
@@ -150,7 +153,7 @@ def explain_bounds(newton: Newton) -> list[Block]:
                 prose(f"Where {bodies} touch, they can only push each other: contact from outside requires ", outside,
                       ", contact from inside ", inside, ". A string, which can only pull, requires ", inside, " too.")
             )  # fmt: skip
-    normal = [r for r in newton.reactions if r.is_normal and r.constraint.by is not Keeper.WIRE]
+    normal = [r for r in open_ if r.is_normal and r.constraint.by is not Keeper.WIRE]
     if normal:
         forces = listed(math(r.force) for r in normal)
         keep = plural(len(normal), " keeps its sign", " keep their signs")
@@ -183,6 +186,7 @@ def explain_reactions_at_rest(static: StaticReactions, newton: Newton) -> Step |
                 body.append(prose(*place, " it is" if len(lines) == 1 else " they are"))
             body.append(display(*lines, boxed=True, detail=Detail.BRIEF))
         body += _open(there, newton)
+        body += explain_contacts(there.reactions, newton, place if several else ())
     if not name:
         body += explain_bounds(newton)
     title = plural(len(newton.reactions), "The reaction at rest", "The reactions at rest")

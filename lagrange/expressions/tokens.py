@@ -196,10 +196,7 @@ class _Lexer:
     def _inequality(self, sign: str, start: int) -> ProblemError:
         help_ = "write an equation with `=`"
         if sign[0] in "<>≤≥⩽⩾":
-            help_ += (
-                "; a one-sided constraint allows displacements that cannot be reversed, and the principle of"
-                " virtual work needs reversible ones"
-            )
+            help_ += "; one-sided constraints are written with `<=` or `>=` under `constraints`"
         return self._error("inequality", f"`{sign}` is not an equation", start, self.at, help_)
 
     def _too_long(self, start: int) -> ProblemError:

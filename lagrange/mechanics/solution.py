@@ -438,15 +438,12 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
 
 
 def _refuse_what_is_not_covered(problem: Problem) -> None:
-    bodies = {b.name for b in problem.bodies}
     for force in (f for f in problem.forces if isinstance(f, Friction)):
         if Find.EQUILIBRIUM in problem.find:
             what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
-        if Find.MOTION in problem.find and force.on in bodies:  # the file does not give the point of contact
-            raise NotCoveredError(f"friction on a rigid body, `{force.name}`,", force.span)
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
     if Find.LINEARIZATION in problem.find and problem.unknowns:

@@ -4,6 +4,9 @@ A constraint may be written in differentials, `sin(theta)*d(x) - cos(theta)*d(y)
 velocities. A vector equation counts as its components, `no_slip.1`, `no_slip.2`, ... An equation that
 restricts nothing is refused, and so is a reaction whose name means something else.
 
+A one-sided constraint, r >= R, is read as the equation r = R with the side that it permits: it acts as long as there is
+contact, and then the equation holds.
+
 A constraint that is not linear in the velocities is reduced (`algebra.forms.nonlinear_constraints`): (x' − y')² = 0 is
 x' − y' = 0, and x'² + y'² = 0 is x' = 0 and y' = 0, two constraints. One that has several alternatives is refused: a
 system is one of them.
@@ -11,6 +14,7 @@ system is one of them.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Set
 from dataclasses import replace
 from functools import partial
@@ -27,7 +31,7 @@ from lagrange.algebra.forms.nonlinear_constraints import (
     is_affine,
 )
 from lagrange.algebra.fourier.vector_cleanup import tidied
-from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity, Span, nearest
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span, nearest
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.problem import keys
@@ -38,6 +42,8 @@ from lagrange.problem.sections import CONSTRAINT, Section, entries_of, scalar_of
 from lagrange.problem.yaml_nodes import MappingNode, Node, Scalar
 
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
+_SIDES = {">=": 1, "≥": 1, "⩾": 1, "<=": -1, "≤": -1, "⩽": -1}
+_INEQUALITY = re.compile("[<>]=?|[≤≥⩽⩾]")
 
 
 def read_constraints(node: Node | None, context: LoadContext) -> tuple[Constraint, ...]:
@@ -66,7 +72,17 @@ def _constraint(name: str, key: Scalar, node: Node, context: LoadContext) -> tup
     keeper = section.get("by")
     by = context.diagnostics.attempt(lambda: _keeper(scalar_of(keeper, "`by`"))) if keeper else None
     constraints = _equations(name, place, equation, section.text("note"), called, context)
+    if by is not None and keeper is not None and any(c.side is not None for c in constraints):
+        _check_one_sided_keeper(name, by, keeper.span)
     return tuple(replace(c, by=by) for c in constraints)
+
+
+def _check_one_sided_keeper(name: str, by: Keeper, span: Span) -> None:
+    """Refuse what keeps a constraint from both sides. Raises ProblemError."""
+    if by not in (Keeper.STRING, Keeper.SURFACE):
+        message = f"a {by} acts in both senses, and `{name}` is one-sided"
+        help_ = "write `by: string` or `by: surface`, or an equation with `=`"
+        raise ProblemError(Diagnostic("one-sided", message, span, help=help_))
 
 
 def _keeper(scalar: Scalar) -> Keeper:
@@ -85,7 +101,8 @@ def _equations(
     """The scalar constraints of an equation. `place` is blamed for the names of their reactions."""
     what = f"the constraint `{name}`"
     scalar = scalar_of(node, what)
-    equation = context.equation(scalar.fragment)
+    in_contact, side = _in_contact(name, scalar)
+    equation = context.equation(in_contact)
     context.check(equation, scalar.fragment, what, CONSTRAINT)
     lhs, rhs = equation.lhs, equation.rhs
     sides: list[tuple[str, sp.Expr, sp.Expr]]
@@ -97,15 +114,43 @@ def _equations(
         sides = [("", lhs, rhs)]
     if not sides:
         raise ProblemError(_restricts_nothing(name, scalar.span))
+    if side is not None and isinstance(lhs, Vector):
+        help_ = "write one scalar constraint for each direction that is barred"
+        raise ProblemError(Diagnostic("one-sided", f"`{name}` compares vectors", scalar.span, help=help_))
     constraints = []
     for suffix, a, b in sides:
         left, right, kinematic = _restricting(name + suffix, *_divided_by_dt(a, b, scalar, context), scalar, context)
+        if side is not None and kinematic:
+            message = f"the one-sided constraint `{name}` contains velocities"
+            help_ = "contact is a condition on positions: write it without velocities, or an equation with `=`"
+            raise ProblemError(Diagnostic("one-sided", message, scalar.span, help=help_))
         parts, given = _reduced(name + suffix, left, right, kinematic, scalar, context)
         for number, (f, g, moves) in enumerate(parts, start=1):
             part = suffix if len(parts) == 1 else f"{suffix}.{number}"
             symbol = _reaction(name, part, reaction, place, context)
-            constraints.append(Constraint(name + part, tidied(f), tidied(g), moves, symbol, scalar.span, note, given))
+            constraints.append(
+                Constraint(name + part, tidied(f), tidied(g), moves, symbol, scalar.span, note, given, side=side)
+            )
     return tuple(constraints)
+
+
+def _in_contact(name: str, scalar: Scalar) -> tuple[Fragment, int | None]:
+    """The equation that holds in contact, and the side that an inequality permits: +1 for left ≥ right, −1 for ≤."""
+    fragment = scalar.fragment
+    signs = [*_INEQUALITY.finditer(fragment.text)]
+    if not signs:
+        return fragment, None
+    first = signs[0]
+    place = fragment.span(first.start(), first.end())
+    if len(signs) > 1 or "=" in fragment.text[: first.start()] + fragment.text[first.end() :]:
+        help_ = "write each as a constraint of its own"
+        raise ProblemError(Diagnostic("inequality", f"`{name}` has several relations", place, help=help_))
+    if first[0] not in _SIDES:
+        message = f"`{first[0]}` excludes contact itself"
+        help_ = f"write `{first[0]}=`: while there is contact, the two sides are equal"
+        raise ProblemError(Diagnostic("inequality", message, place, help=help_))
+    text = f"{fragment.text[: first.start()]}{'=':<{len(first[0])}}{fragment.text[first.end() :]}"
+    return replace(fragment, text=text), _SIDES[first[0]]
 
 
 def _is_identity(lhs: sp.Expr, rhs: sp.Expr, context: LoadContext) -> bool:

@@ -154,6 +154,19 @@ class _Entry:
             raise ProblemError(())
         return point
 
+    def slip(self) -> int | Vector | None:
+        """The sense of the slip, +1 or −1, or a vector along it; None where the key is absent."""
+        node = self.section.get("slip")
+        if isinstance(node, Scalar):
+            name = canonical(node.text, self.context.scope.vectors)
+            if node.text in SENSES or (names_in(node.text) == (name,) and not self.context.is_known(name)):
+                return self.sense("slip")
+        along = self.optional_vector("slip", POSITION)
+        if along is not None and along.is_zero:
+            help_ = "give the direction in which the touching point slips, as `slip: -j`"
+            raise ProblemError(Diagnostic("friction-slip", f"`slip` of {self.what} is zero", self.span, help=help_))
+        return along
+
     def sense(self, key: str) -> int | None:
         """+1 for `positive`, -1 for `negative`; None where the key is absent."""
         node = self.section.get(key)
@@ -203,15 +216,18 @@ def _potential(f: _Entry) -> Force:
 
 def _friction(f: _Entry) -> Force:
     constraints = f.context.constraints.known()
-    coefficient, constraint, on, velocity, slip, contact = f.all_of(
+    coefficient, constraint, on, velocity, slip, contact, at, static = f.all_of(
         lambda: f.scalar("friction"),
         lambda: f.one_of("constraint", constraints, "a constraint", "constraints"),
         f.point,
         lambda: f.optional_vector("surface_velocity", RATE),
-        lambda: f.sense("slip"),
+        f.slip,
         lambda: f.sense("contact"),
+        lambda: f.optional_vector("at", POSITION),
+        lambda: f.scalar("static") if f.section.get("static") else None,
     )
-    return Friction(f.name, coefficient, constraint, on, f.span, velocity, slip, contact)
+    sense, toward = (slip, None) if isinstance(slip, int) else (None, slip)
+    return Friction(f.name, coefficient, constraint, on, f.span, velocity, sense, contact, at, toward, static)
 
 
 _READERS: dict[str, Callable[[_Entry], Force]] = {

@@ -251,7 +251,7 @@ CONSTRAINT = Form(
         Key(
             "equation",
             "equation",
-            "The equation; a vector equation counts as its components.",
+            "The equation, or a one-sided constraint with <= or >=; a vector equation counts as its components.",
             required=True,
             example='"x^2 + y^2 = l^2"',
         ),
@@ -305,8 +305,15 @@ FORCES = {
             Key("friction", "expression", "Coulomb friction: its coefficient.", required=True, example="mu"),
             Key("constraint", "name", "The constraint whose reaction presses.", required=True, example="surface"),
             _ON,
+            Key("static", "expression", "The coefficient at rest: there friction takes any value up to static*N."),
+            Key("at", "vector", "On a body: the point that touches."),
             Key("surface_velocity", "vector", "The velocity of the surface."),
-            Key("slip", "sense", "The sense of the slip along the coordinate, when known."),
+            Key(
+                "slip",
+                "slip",
+                "The sense of the slip along the coordinate, or a vector in the direction in which the touching point "
+                "slips or is about to slip.",
+            ),
             Key("contact", "sense", "The sign of the reaction, when known."),
         ),
     ),
@@ -384,7 +391,7 @@ PROBLEM = Form(
             "constraints",
             _or_nothing(Named(AnyOf(("equation", "constraint")))),
             "Equations between coordinates, velocities and time. One with velocities is kinematic, one without is "
-            "geometric.",
+            "geometric. One-sided constraints have <= or >=.",
         ),
         Key("gravity", "vector", "The acceleration of gravity, a vector; it adds a weight to every mass."),
         Key("forces", _or_nothing(Named("force")), "What else acts."),
@@ -410,6 +417,7 @@ PARTS: dict[str, Kind] = {
     "equations": _or_nothing(_one_or_list("equation")),
     "alternatives": AnyOf((_one_or_list("expression"), ListOf(ListOf("expression")))),
     "sense": Words(tuple(SENSES)),
+    "slip": AnyOf((Words(tuple(SENSES)), "vector")),
     "parameter": _or_nothing(Words(tuple(a.value for a in Assumption)), PARAMETER),
     "coordinate": AnyOf(("text", COORDINATE)),
     "frame": _or_nothing(FRAME),

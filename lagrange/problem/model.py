@@ -105,6 +105,7 @@ class Constraint:
     `kinematic` is true where a velocity occurs. `reaction` is the name of its reaction, a force where it is a single
     one, otherwise the multiplier. `given` is the constraint of the file, where that is not linear in the velocities and
     f = 0 is equivalent; it may reduce to several constraints. `by` is what keeps it, where the file says so.
+    `side` is that of a one-sided constraint, +1 where f ≥ 0 is permitted and −1 where f ≤ 0 is; None if f = 0 always.
     """
 
     name: str
@@ -116,11 +117,17 @@ class Constraint:
     note: str = ""
     given: Given | None = None
     by: Keeper | None = None
+    side: int | None = None
 
     @property
     def function(self) -> sp.Expr:
         """f, whose vanishing is the constraint."""
         return self.lhs - self.rhs
+
+    @property
+    def relation(self) -> str:
+        """The relation between its sides in the file."""
+        return "=" if self.side is None else "≥" if self.side > 0 else "≤"
 
 
 @record
@@ -180,7 +187,12 @@ class Potential:
 
 @record
 class Friction:
-    """Coulomb friction μ|R| against the slip, R being the reaction of a constraint."""
+    """Coulomb friction μ|R| against the slip, R being the reaction of a constraint; at rest at most `static` |R|.
+
+    `at` is the point of a body that touches. `slip` is the sense of the slip along a coordinate, `toward` the direction
+    in which the touching point slips or is about to slip; a file gives one of them, or none. `static` is the coefficient
+    at rest, None where the file gives none.
+    """
 
     name: str
     coefficient: sp.Expr
@@ -190,6 +202,9 @@ class Friction:
     surface_velocity: Vector | None = None
     slip: int | None = None
     contact: int | None = None
+    at: Vector | None = None
+    toward: Vector | None = None
+    static: sp.Expr | None = None
 
 
 Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction

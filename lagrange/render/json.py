@@ -128,6 +128,8 @@ def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str
         "equation": f"{write(constraint.function)} = 0",
         "kind": "kinematic" if constraint.kinematic else "geometric",
     }
+    if constraint.side is not None:
+        result["one_sided"] = f"{write(constraint.function)} {'>=' if constraint.side > 0 else '<='} 0"
     if constraint.given is not None:
         result["given"] = f"{write(constraint.given.lhs)} = {write(constraint.given.rhs)}"
     if c.pfaffian:
@@ -229,16 +231,17 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
 def _single(name: str, reactions: Reactions, write: Write) -> dict[str, str]:
     """A reaction that is a single force: `force`, with the unit vector along which it acts on the first body of `on`.
 
-    `tension` repeats the force where it is one.
+    `tension` repeats the force where it is one; `contact` says how long a one-sided constraint acts.
     """
+    contact = {"contact": f"{write(reactions.contacts[name])} >= 0"} if name in reactions.contacts else {}
     if name not in reactions.sizes:
-        return {}
+        return contact
     size = write(reactions.sizes[name])
     result = {"tension": size} if name in reactions.pulling else {}
     result["force"] = size
     if name in reactions.units:
         result["direction"] = write(_shown(reactions.units[name]))
-    return result
+    return result | contact
 
 
 def _reactions_at_rest(

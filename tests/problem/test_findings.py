@@ -14,7 +14,7 @@ parameters: {m: positiv, g: }
 coordinates: [x, 2y]
 let: {a: sin(x}
 particles: {P: {mass: x, position: x}}
-constraints: {rod: x >= 0}
+constraints: {rod: x > 0}
 gravity: g*z
 forces: {push: {on: Q, vector: g*i}}
 find: movement

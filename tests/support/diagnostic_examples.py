@@ -73,8 +73,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "theta + " * 300 + "x = 0"),
     "function-exponent": ("The inverse function is called asin, not sin^-1.", "sin^-1(x) = theta"),
     "indefinite-constant": ("Whether a constant is zero or not could not be settled; simplify it.", None),
-    "inequality": ("Constraints and answers are equations: an obstacle that holds from one side only makes displacements "
-        "that cannot be reversed.", problem("constraints: {floor: y >= 0}")),
+    "inequality": ("Answers are equations, and so are constraints that hold from both sides. A one-sided constraint has "
+        "one `<=` or `>=`: in contact, the two sides are equal.", problem("constraints: {floor: y > 0}")),
     "invisible-character": ("Delete the character; it was probably copied from a web page.", "theta''\u200b = 0"),
     "list-in-parentheses": ("A list of components is written in square brackets.", problem("gravity: '(0, g)'")),
     "misplaced-operator": ("An operator goes between two expressions.", "theta'' * / x = 0"),
@@ -184,6 +184,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "constraints: {belt: x = l*t}\nforces: {push: {on: P, vector: g*i}}\nfind: equilibrium")),
     "orientation": ("Say how the body is turned, in the way that fits its inertia.", problem(
         "bodies: {B: {mass: m, inertia: m*l^2, position: x*i}}")),
+    "one-sided": ("A one-sided constraint is a scalar condition on positions, kept by a surface or a string.",
+        problem("constraints: {wall: x' >= 0}")),
     "restricts-nothing": ("A constraint relates coordinates.", problem("constraints: {a: m = l}")),
     "not-allowed-here": ("Positions have no velocities, forces no accelerations, masses no coordinates.",
         problem("particles: {P: {mass: m, position: x'*i}}")),

@@ -123,7 +123,9 @@ def _of_force(f: Force, slots: Slots) -> tuple[sp.Expr, ...]:
         case Potential():
             return (f.energy, *(partial(f.energy, q) for q in slots.coordinates))
         case Friction():
-            return (f.coefficient, *(_components(f.surface_velocity) if f.surface_velocity is not None else ()))
+            vectors = [v for v in (f.surface_velocity, f.at, f.toward) if v is not None]
+            static = () if f.static is None else (f.static,)
+            return (f.coefficient, *static, *(c for v in vectors for c in _components(v)))
 
 
 def _vanishing_divisor(expressions: Iterable[sp.Expr], surface: Surface) -> sp.Expr | None:

@@ -5,8 +5,11 @@
 Friction is an applied force: it does virtual work. It needs |R| = |λ| |g|, which Newton's law gives. While that is
 solved, |λ| is written σ λ with σ = ±1 the sign of λ, so that the equations stay linear in λ even where λ depends on the
 friction. If the solution λ does not contain σ, it gives |λ| at once; otherwise σ remains, on the condition that it is
-the sign of λ. Where P slides along a line, v_s = s w with a speed s of either sign, and v_s/|v_s| = sign(s) w/|w|. The
-file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
+the sign of λ; a one-sided constraint settles it. Where P slides along a line, v_s = s w with a speed s of either sign,
+and v_s/|v_s| = sign(s) w/|w|. The file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
+
+On a rigid body P is the point that touches (`contact.touching`); there the force acts, so that it has a moment about the
+mass centre. What the other side of the contact belongs to, if it moves, takes the opposite force.
 """
 
 from __future__ import annotations
@@ -23,6 +26,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
+from lagrange.mechanics.dynamics.contact.touching import acts_at, centre_of, relative_partials, velocity_at
 from lagrange.mechanics.dynamics.named_forces import where_it_holds
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
@@ -39,7 +43,10 @@ class FrictionForce:
     speed        s, if the slip is along a line; otherwise None
     sense        the sign of s: ±1 if known, otherwise sign(s); 1 if there is no line
     along        the unit vector of the slip, w/|w| or v_s/|v_s|
-    contact      the sign of λ: ±1 if the file gives it, otherwise a `Sign`
+    contact      the sign of λ: ±1 if the file or a one-sided constraint gives it, otherwise a `Sign`
+    point        where it acts
+    moved        shape (n,): ∂r_P/∂q_k for the file's coordinates, relative to the other body
+    opposite     the particle or body on which the opposite force acts; empty if there is none
     """
 
     friction: Friction
@@ -51,11 +58,21 @@ class FrictionForce:
     sense: sp.Expr
     along: Vector
     contact: sp.Expr
+    point: Vector
+    moved: tuple[Vector, ...]
+    opposite: str = ""
 
-    def load(self, magnitude: sp.Expr, point: Vector) -> Load:
-        """The force, for a given |R|."""
+    def loads(self, magnitude: sp.Expr) -> list[Load]:
+        """The force and its opposite, for a given |R|."""
         size: sp.Expr = -self.coefficient * magnitude * self.sense
-        return Load(self.friction.name, self.friction.on, (self.along * size).map(textbook_form), point)
+        force = (self.along * size).map(textbook_form)
+        name = self.friction.name
+        loads = [Load(name, self.friction.on, force, self.point)]
+        return loads if not self.opposite else [*loads, Load(name, self.opposite, -force, self.point)]
+
+    def generalized(self, force: Vector) -> list[sp.Expr]:
+        """The generalized forces, for the file's coordinates, of a force on it and of its opposite, shape (n,)."""
+        return [force.dot(moved) for moved in self.moved]
 
     @property
     def share(self) -> Vector:
@@ -68,7 +85,13 @@ class FrictionForce:
     def magnitude(self) -> sp.Expr:
         """|R|: |N|, or |g| |λ| where the file has no name N for the force; ±N or |g| ±λ if the sign is known."""
         unknown, normal = self.reaction.force, sp.S.One if self.reaction.named else self.normal
-        return normal * (sp.Abs(unknown) if isinstance(self.contact, Sign) else self.contact * unknown)
+        return normal * (sp.Abs(unknown) if isinstance(self.contact, Sign) else self.sign_of_force * unknown)
+
+    @property
+    def sign_of_force(self) -> sp.Expr:
+        """The sign of the unknown in which the reaction is written, N or λ."""
+        side = self.reaction.constraint.side
+        return sp.S.One if self.reaction.named and side is not None else self.contact
 
 
 def friction_forces(
@@ -78,22 +101,23 @@ def friction_forces(
 
     Raises ProblemError if a constraint does not act on the particle of its friction.
     """
-    return tuple(_friction_force(f, newton, original, configuration) for f in frictions)
+    return tuple(_friction_force(f, frictions, newton, original, configuration) for f in frictions)
 
 
-def symbolic_loads(frictions: Sequence[FrictionForce], configuration: Configuration) -> tuple[Load, ...]:
+def symbolic_loads(frictions: Sequence[FrictionForce]) -> tuple[Load, ...]:
     """The forces in terms of |λ|."""
-    return tuple(f.load(f.magnitude, _point(configuration, f.friction.on).position) for f in frictions)
+    return tuple(load for f in frictions for load in f.loads(f.magnitude))
 
 
 def solved_loads(
-    frictions: Sequence[FrictionForce], reactions: Reactions, configuration: Configuration
+    frictions: Sequence[FrictionForce], reactions: Reactions
 ) -> tuple[tuple[Load, ...], dict[Sign, sp.Expr]]:
     """The forces with |λ| as a function of position and velocity, and the signs that remain, each with its λ.
 
     Raises NotCoveredError if λ is too large, ProblemError if it is not determined.
     """
-    loads, signs = [], {}
+    loads: list[Load] = []
+    signs = {}
     for f in frictions:
         name = f.reaction.name
         if name not in reactions.multipliers:
@@ -110,7 +134,7 @@ def solved_loads(
                 signs[f.contact] = value  # λ depends on its own sign, which only a state can decide
             else:
                 magnitude = _absolute(size)
-        loads.append(f.load(magnitude, _point(configuration, f.friction.on).position))
+        loads += f.loads(magnitude)
     return tuple(loads), signs
 
 
@@ -119,8 +143,71 @@ def _point(configuration: Configuration, name: str) -> MassPoint:
 
 
 def _friction_force(
-    friction: Friction, newton: Newton, original: Configuration, configuration: Configuration
+    friction: Friction,
+    frictions: Sequence[Friction],
+    newton: Newton,
+    original: Configuration,
+    configuration: Configuration,
 ) -> FrictionForce:
+    rule = configuration.substitution
+    reaction = rough_reaction(friction, newton, original)
+    opposite = other_side(friction, frictions, reaction, original)
+    place = place_of_contact(friction, reaction, opposite, original)
+    moved = tuple(p.xreplace(rule) for p in relative_partials(original, friction.on, opposite, place))
+    place = place.xreplace(rule)
+    direction = reaction.on(friction.on)
+    assert direction is not None
+    direction = direction.xreplace(rule)
+    slip = _slip(friction, reaction, direction, configuration, place, opposite)
+    speed, along, sense = _sense(friction, slip, direction, configuration)
+    along = _without_moduli(along, configuration)
+    side = reaction.constraint.side
+    contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
+    if side is not None:
+        contact = sp.Integer(side)
+    coefficient = friction.coefficient.xreplace(rule)
+    size = _size(direction, reaction, configuration)
+    return FrictionForce(
+        friction, reaction, coefficient, size, slip, speed, sense, along, contact, place, moved, opposite
+    )
+
+
+def _sense(
+    friction: Friction, slip: Vector, direction: Vector, configuration: Configuration
+) -> tuple[sp.Expr | None, Vector, sp.Expr]:
+    """s, w/|w| and the sign of s; s is None if there is no line."""
+    if friction.toward is not None:
+        along = unit_toward(friction, direction, configuration)
+        across = slip.fixed().cross(along).components
+        admitted = configuration.constrained.admitted_states
+        if any(c != 0 and admitted.is_zero(c) is False for c in across):
+            message = f"the point that touches does not slip along the `slip` of the friction `{friction.name}`"
+            help_ = "give the direction of its velocity, or leave `slip` out where it may slip in several directions"
+            raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
+        return textbook_form(slip.fixed().dot(along)), along, sp.S.One
+    speed, line = _line(slip, friction, configuration) or (None, None)
+    if line is not None:
+        return speed, line, sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
+    if friction.slip is not None:
+        message = f"`slip` of the friction `{friction.name}` is a sense along a line, and there is no line"
+        help_ = f"`{friction.on}` may slide in more directions than one; leave `slip` out"
+        raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
+    return None, slip / textbook_form(slip.norm()), sp.S.One
+
+
+def unit_toward(friction: Friction, direction: Vector, configuration: Configuration) -> Vector:
+    """The unit vector of `slip`, if that is a vector. Raises ProblemError if it leaves the surface."""
+    assert friction.toward is not None
+    toward = friction.toward.xreplace(configuration.substitution).fixed()
+    if configuration.surface.is_zero(toward.dot(direction.fixed())) is False:
+        message = f"`slip` of the friction `{friction.name}` is not along the surface"
+        help_ = f"what touches slips at right angles to the reaction of `{friction.constraint}`"
+        raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
+    return (toward / textbook_form(toward.norm())).map(textbook_form)
+
+
+def rough_reaction(friction: Friction, newton: Newton, original: Configuration) -> Reaction:
+    """The reaction that presses. Raises ProblemError if it is not one, or does not act on what is rubbed."""
     reactions = [r for r in newton.reactions if r.name == friction.constraint]
     if not reactions:
         message = f"`{friction.constraint}` is a vector equation, and the friction `{friction.name}` needs one reaction"
@@ -144,22 +231,57 @@ def _friction_force(
         )
         help_ = f"give `{friction.on}` all its coordinates, and write what keeps it there as a constraint"
         raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
-    direction = direction.xreplace(configuration.substitution)
-    slip = _slip(friction, reaction, direction, configuration)
-    speed, along = _line(slip, friction, configuration) or (None, None)
-    if along is None:
-        if friction.slip is not None:
-            message = f"`slip` of the friction `{friction.name}` is a sense along a line, and there is no line"
-            help_ = f"`{friction.on}` may slide in more directions than one; leave `slip` out"
-            raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
-        along, sense = slip / textbook_form(slip.norm()), sp.S.One
-    else:
-        sense = sp.sign(speed) if friction.slip is None else sp.Integer(friction.slip)
-    along = _without_moduli(along, configuration)
-    contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
-    coefficient = friction.coefficient.xreplace(configuration.substitution)
-    size = _size(direction, reaction, configuration)
-    return FrictionForce(friction, reaction, coefficient, size, slip, speed, sense, along, contact)
+    if friction.contact == -1 and reaction.constraint.side is not None:
+        message = f"`contact: negative` of the friction `{friction.name}` contradicts the one-sided `{reaction.name}`"
+        help_ = "its force is positive while contact lasts; leave `contact` out"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    return reaction
+
+
+def other_side(friction: Friction, frictions: Sequence[Friction], reaction: Reaction, original: Configuration) -> str:
+    """What takes the opposite friction; empty if it is at rest, or has a friction of its own in the file.
+
+    Between two particles each has its own. Raises ProblemError if more than two things touch.
+    """
+    others = [name for name in reaction.acts_on if name != friction.on]
+    if any(f.constraint == friction.constraint and f.on in others for f in frictions):
+        return ""
+    turning = {r.name for r in original.rotations}
+    if friction.static is None and not turning & {friction.on, *others}:
+        return ""
+    if len(others) > 1:
+        message = f"the reaction of `{reaction.name}` acts on {len(others) + 1} things, and friction is between two"
+        help_ = "write what touches as a constraint between two bodies"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    return others[0] if others else ""
+
+
+def place_of_contact(friction: Friction, reaction: Reaction, opposite: str, original: Configuration) -> Vector:
+    """The point that touches, in the file's coordinates.
+
+    Raises ProblemError if the file does not give it, or if the normal force does not act there.
+    """
+    centre = centre_of(original, friction.on)
+    if all(r.name != friction.on for r in original.rotations):
+        beside = () if friction.at is None else (friction.at - centre).fixed().components
+        if any(original.surface.is_zero(c) is False for c in beside):
+            message = f"`{friction.on}` is a particle, and the friction `{friction.name}` has another point `at`"
+            raise ProblemError(Diagnostic("friction-place", message, friction.span, help="leave `at` out"))
+        return centre
+    if friction.at is None:
+        message = f"the friction `{friction.name}` does not say which point of `{friction.on}` touches"
+        help_ = f"add `at:` with its position, as `at: r_{friction.on} - R*j`"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    others = [name for name in reaction.acts_on if name != friction.on]
+    there = acts_at(reaction, friction.on, opposite or next(iter(others), ""), friction.at, original)
+    if there is None:
+        what = f"the friction `{friction.name}`, of which it is undecided whether its reaction acts at the same point,"
+        raise NotCoveredError(what, friction.span)
+    if not there:
+        message = f"the reaction of `{reaction.name}` does not act at the `at` of the friction `{friction.name}`"
+        help_ = "give the point that the constraint keeps on the surface"
+        raise ProblemError(Diagnostic("friction-place", message, friction.span, help=help_))
+    return friction.at
 
 
 def _is_placed_freely(point: MassPoint) -> bool:
@@ -185,14 +307,23 @@ def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -
     return textbook_form(sp.sqrt(where_it_holds(square, reaction.row, configuration)))
 
 
-def _slip(friction: Friction, reaction: Reaction, direction: Vector, configuration: Configuration) -> Vector:
+def _slip(
+    friction: Friction,
+    reaction: Reaction,
+    direction: Vector,
+    configuration: Configuration,
+    place: Vector,
+    opposite: str,
+) -> Vector:
     """The velocity relative to the surface, after substituting the dependent velocities if that makes it shorter.
 
     A moving surface whose velocity is not given moves along its normal: the slip is the tangential velocity.
     """
     rule = configuration.substitution
-    velocity = _point(configuration, friction.on).velocity
-    if friction.surface_velocity is not None:
+    velocity = velocity_at(configuration, friction.on, place)
+    if opposite and friction.surface_velocity is None:
+        velocity = velocity - velocity_at(configuration, opposite, place)
+    elif friction.surface_velocity is not None:
         velocity = velocity - friction.surface_velocity.xreplace(rule)
     elif reaction.row.drift != 0:
         normal_speed = -reaction.row.drift.xreplace(rule) / textbook_form(direction.dot(direction))

@@ -20,7 +20,6 @@ import sympy as sp
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
-from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration, Load
 from lagrange.mechanics.dynamics.comparison import follow
@@ -210,7 +209,7 @@ def law_of_motion(
     if not law.frictions:
         return law
     # Friction needs the directions of the reactions, and Newton's law is to show friction: so it is set up twice.
-    friction = symbolic_loads(friction_forces(law.frictions, newton, configuration, configuration), configuration)
+    friction = symbolic_loads(friction_forces(law.frictions, newton, configuration, configuration))
     loaded = replace(configuration, loads=(*configuration.loads, *friction))
     return replace(law, newton=newton_equations(loaded, problem.constraints, rank, taken, rough=rough))
 
@@ -231,17 +230,17 @@ def motion(
         return Motion(equations, reactions, (), configuration, multipliers=multipliers)
     # |R| enters the applied forces, so the multipliers come first: as they are without friction, if friction does not
     # change them, otherwise from equations in which friction is proportional to λ.
-    dragging = [(f.reaction.multiplier, _generalized(law, configuration, f.share, f.friction.on)) for f in frictions]
+    dragging = [(f.reaction.multiplier, f.generalized(f.share)) for f in frictions]
     if not _is_unaffected(law, configuration, reactions, dragging):
         reactions = solved_reactions(law.system, law.newton, law.used, configuration, dragging)
-    loads, signs = solved_loads(frictions, reactions, configuration)
+    loads, signs = solved_loads(frictions, reactions)
     final = replace(configuration, loads=(*configuration.loads, *loads))
-    shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(frictions, configuration)))
+    shown = replace(configuration, loads=(*configuration.loads, *symbolic_loads(frictions)))
     long = any(reactions.multipliers[f.reaction.name].count_ops() > LONGEST_SUBSTITUTED for f in frictions)  # type: ignore[union-attr]
     equations = law.equations(final, elimination)
     return Motion(
         equations=equations,
-        reactions=_with_friction(law, configuration, reactions, loads),
+        reactions=_with_friction(law, configuration, reactions, frictions, loads),
         friction_forces=frictions,
         shown=shown,
         signs=signs,
@@ -272,13 +271,6 @@ def _is_left_out(law: NewtonLaw, configuration: Configuration) -> bool:
     return roots and len(law.used) > 1
 
 
-def _generalized(law: NewtonLaw, configuration: Configuration, force: Vector, on: str) -> list[sp.Expr]:
-    """The generalized forces, for the file's coordinates, of a force on a particle, shape (n,)."""
-    [point] = (p for p in law.configuration.points if p.name == on)
-    rule = configuration.substitution
-    return [force.dot(p.xreplace(rule)) for p in point.partials]
-
-
 def _is_unaffected(
     law: NewtonLaw, configuration: Configuration, reactions: Reactions, dragging: Sequence[Dragging]
 ) -> bool:
@@ -295,12 +287,17 @@ def _is_unaffected(
 
 
 def _with_friction(
-    law: NewtonLaw, configuration: Configuration, reactions: Reactions, loads: Sequence[Load]
+    law: NewtonLaw,
+    configuration: Configuration,
+    reactions: Reactions,
+    frictions: Sequence[FrictionForce],
+    loads: Sequence[Load],
 ) -> Reactions:
     """All reactions and accelerations with friction as a known force; the reactions that it needs are known already."""
     total = [sp.S.Zero] * len(law.configuration.slots.coordinates)
-    for load in loads:
-        total = [a + b for a, b in zip(total, _generalized(law, configuration, load.vector, load.on), strict=True)]
+    for f in frictions:
+        [force] = (load.vector for load in loads if (load.name, load.on) == (f.friction.name, f.friction.on))
+        total = [a + b for a, b in zip(total, f.generalized(force), strict=True)]
     solved = solved_reactions(law.system, law.newton, law.used, configuration, applied=total)
     needed = {r.name: r.multiplier for r in law.used if r.name in {f.constraint for f in law.frictions}}
 

@@ -17,8 +17,9 @@ because a string that passes over a pulley holds it up.
 
     R = N n ,      n = g/|g| ,      N = |g| λ .
 
-n points to where left minus right increases. |g| is written without the moduli of lengths and of single sines and
-cosines, as for ranges in which these are positive.
+n points to where left minus right increases; for a one-sided constraint to the permitted side, so that n = −g/|g| if
+f ≤ 0 is permitted. |g| is written without the moduli of lengths and of single sines and cosines, as for ranges in which
+these are positive.
 
 *Neither.* A moment, forces on several bodies, or coordinates that do not place the bodies: the name is the multiplier.
 """
@@ -59,6 +60,7 @@ class SingleForce:
     on         the particle or body that `direction` refers to; empty if the direction is not known
     direction  the unit vector of the force on it, where the force is positive
     opposite   the particle or body on which the opposite force acts, if there is one
+    presumed   what is taken to be positive in |g|
     """
 
     kind: ForceKind
@@ -66,6 +68,7 @@ class SingleForce:
     on: str = ""
     direction: Vector | None = None
     opposite: str = ""
+    presumed: tuple[sp.Expr, ...] = ()
 
 
 def tension_of_rod(rod: Rod) -> SingleForce:
@@ -75,31 +78,42 @@ def tension_of_rod(rod: Rod) -> SingleForce:
 
 
 def single_force(
-    row: Row, by: Keeper | None, acts: Forces | None, placed: Placed | None, configuration: Configuration
+    row: Row,
+    by: Keeper | None,
+    acts: Forces | None,
+    placed: Placed | None,
+    configuration: Configuration,
+    side: int | None = None,
 ) -> SingleForce | None:
     """The single force that a reaction is, if it is not that of a rod; None if it is none.
 
     acts  the forces and moments for λ = 1; None if they are not known
+    side  of a one-sided constraint: the force is positive where it pushes or pulls to that side
     """
     if by not in SURFACES and row.finite is not None:
         tension = _tension(row, by, acts, placed, configuration)
-        if tension is not None:
+        if tension is not None and (side is None or (side * tension.factor).is_positive):
             return tension
     if acts is None or placed is None or by is Keeper.GEAR:
         return None
-    return _along_unit_vector(row, acts, placed, configuration)
+    return _along_unit_vector(row, acts, placed, configuration, side or 1)
 
 
 # -- forces along a unit vector ----------------------------------------------------------------------------------------
 
 
-def _along_unit_vector(row: Row, acts: Forces, placed: Placed, configuration: Configuration) -> SingleForce | None:
+def _along_unit_vector(
+    row: Row, acts: Forces, placed: Placed, configuration: Configuration, side: int
+) -> SingleForce | None:
     ends = _ends(acts, placed, configuration)
     if ends is None:
         return None
     direction = acts.forces[ends[0]]
-    size = gradient_size(direction, row, configuration)
-    return SingleForce(ForceKind.ALONG, size, ends[0], direction.map(lambda c: textbook_form(c / size)), ends[1])
+    root = _root_of_square(direction, row, configuration)
+    size = side * _without_signs(root)
+    presumed = tuple(a.args[0] for a in sorted(root.atoms(sp.Abs), key=str) if not _without_signs(root).has(a))
+    unit = direction.map(lambda c: textbook_form(c / size))
+    return SingleForce(ForceKind.ALONG, size, ends[0], unit, ends[1], presumed)
 
 
 def _ends(acts: Forces, placed: Placed, configuration: Configuration) -> tuple[str, str] | None:
@@ -139,8 +153,15 @@ def _is_wrench(force: Vector, moment: Vector, turnings: Sequence[Vector], surfac
 
 def gradient_size(direction: Vector, row: Row, configuration: Configuration) -> sp.Expr:
     """|g|, without moduli of lengths and of single sines and cosines: 1/cos α for 1/|cos α|, but |R − r|."""
+    return _without_signs(_root_of_square(direction, row, configuration))
+
+
+def _root_of_square(direction: Vector, row: Row, configuration: Configuration) -> sp.Expr:
     square = textbook_form(direction.dot(direction))
-    root = textbook_form(sp.sqrt(where_it_holds(square, row, configuration)))
+    return textbook_form(sp.sqrt(where_it_holds(square, row, configuration)))
+
+
+def _without_signs(root: sp.Expr) -> sp.Expr:
     return root.replace(lambda e: isinstance(e, sp.Abs) and _has_a_sign(e.args[0]), lambda e: e.args[0])
 
 

@@ -354,13 +354,15 @@ def _reaction(
     rod = None
     if acts is not None and acts.forces and not others and not acts.moments:
         rod = recognised_rod(shown, configuration.points, dict(acts.forces), configuration.slots, configuration.states)
+    if rod is not None and constraint.side is not None:
+        is_surface = is_surface or not (constraint.side * rod.factor).is_positive
     if acts is not None and rod is not None:
         acts = Forces(_along(rod, acts.forces), acts.moments)
     by = constraint.by or (Keeper.SURFACE if is_surface else None)
     if rod is not None and not is_surface:
         single: SingleForce | None = tension_of_rod(rod)
     else:
-        single = None if others else single_force(shown, by, acts, placed, configuration)
+        single = None if others else single_force(shown, by, acts, placed, configuration, constraint.side)
     unnamed = Reaction(
         constraint=constraint,
         row=row,

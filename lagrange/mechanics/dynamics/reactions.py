@@ -67,6 +67,7 @@ class Reactions:
     units          the unit vectors of the single forces, where they are known
     directions     of the reaction of each constraint on each particle, for a multiplier of 1
     couples        likewise of its moment on each body, about the mass centre
+    sides          of the one-sided constraints, by name: ±1 where ±λ pushes or pulls to the permitted side
     accelerations  q'' of the file's coordinates
     values         the known multipliers and accelerations, by symbol
     combinations   of the multipliers that are not determined individually
@@ -83,6 +84,22 @@ class Reactions:
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
     combinations: tuple[Determined, ...] = ()
     tidy: Tidy = tidy_quotient
+    sides: Mapping[str, int] = field(default_factory=dict)
+
+    @cached_property
+    def contacts(self) -> Mapping[str, sp.Expr]:
+        """By name of each one-sided constraint what is not negative while contact lasts: its force, or ±λ.
+
+        Those whose reaction is not known are left out.
+        """
+        found = {}
+        for name, side in self.sides.items():
+            value = self.multipliers.get(name)
+            if name in self.sizes:
+                found[name] = self.sizes[name]
+            elif value is not None:
+                found[name] = side * value
+        return found
 
     @property
     def tensions(self) -> Mapping[str, sp.Expr]:
@@ -273,6 +290,7 @@ def reactions_at(
         values={s: v for s, v in values.items() if v is not None and s not in undetermined},
         combinations=tuple(c for c in combinations if len(c.terms) > 1),
         tidy=place.tidy,
+        sides={r.name: r.constraint.side for r in newton.reactions if r.constraint.side is not None},
     )
 
 

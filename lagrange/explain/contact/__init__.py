@@ -1,0 +1,1 @@
+"""The words on contact: one-sided constraints, and friction at rest."""

@@ -1,0 +1,1 @@
+"""Contact of bodies: the points that touch, and their displacements."""

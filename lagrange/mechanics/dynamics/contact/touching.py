@@ -1,0 +1,72 @@
+"""Where bodies touch: the point of contact as a point of each of the two, and the normal force there.
+
+A body touches at r_A; that point of the body has, with the arm s = r_A − r_G,
+
+    v_A = v_G + ω × s ,     δr_A = Σ (∂r_G/∂q_k + ω_k × s) δq_k .
+
+The normal force acts at r_A if and only if the reaction λ a_k of its constraint is the work of one force there, and of
+its opposite on the other body:
+
+    a_k = g·(∂r_A/∂q_k − ∂r_A'/∂q_k)     for every coordinate,
+
+A' being the point of the other body at the same place.
+"""
+
+from __future__ import annotations
+
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.free_bodies import without_root
+from lagrange.mechanics.dynamics.newton import Reaction
+
+
+def centre_of(configuration: Configuration, name: str) -> Vector:
+    """The position of a particle or mass centre."""
+    return next(p.position for p in configuration.points if p.name == name)
+
+
+def velocity_at(configuration: Configuration, name: str, place: Vector) -> Vector:
+    """The velocity of the point of a body at a place; of a particle its own."""
+    point = next(p for p in configuration.points if p.name == name)
+    rotation = next((r for r in configuration.rotations if r.name == name), None)
+    if rotation is None:
+        return point.velocity
+    return point.velocity + rotation.angular_velocity.cross(place - point.position)
+
+
+def partials_at(configuration: Configuration, name: str, place: Vector) -> list[Vector]:
+    """∂r_A/∂q_k, shape (n,), in i, j, k, of the point of a body at a place; of a particle its own."""
+    point = next(p for p in configuration.points if p.name == name)
+    rotation = next((r for r in configuration.rotations if r.name == name), None)
+    moved = [p.fixed() for p in point.partials]
+    if rotation is None:
+        return moved
+    arm = (place - point.position).fixed()
+    return [p + w.fixed().cross(arm) for p, w in zip(moved, rotation.partials, strict=True)]
+
+
+def relative_partials(configuration: Configuration, on: str, opposite: str, place: Vector) -> list[Vector]:
+    """The same for one body relative to the other; `opposite` is empty for what does not move."""
+    own = partials_at(configuration, on, place)
+    if not opposite:
+        return own
+    return [a - b for a, b in zip(own, partials_at(configuration, opposite, place), strict=True)]
+
+
+def acts_at(reaction: Reaction, on: str, opposite: str, place: Vector, original: Configuration) -> bool | None:
+    """Whether a reaction is one force at a place of one body, and its opposite on the other; None: undecided.
+
+    original  the file's coordinates
+    """
+    direction = reaction.on(on)
+    if direction is None:
+        return False
+    force = direction.fixed()
+    coefficients = without_root(reaction.row, original.slots).coefficients
+    undecided = False
+    for a, moved in zip(coefficients, relative_partials(original, on, opposite, place), strict=True):
+        same = original.states.is_zero(a - force.dot(moved))
+        if same is False:
+            return False
+        undecided = undecided or same is None
+    return None if undecided else True

@@ -1,0 +1,127 @@
+"""One-sided constraints: forces to the permitted side, as long as what contact lasts, against formulas by hand."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+
+import pytest
+import sympy as sp
+
+from lagrange.explain.report import report
+from lagrange.mechanics.solution import Solution, solve
+from lagrange.problem.model import Problem
+from lagrange.render import json as in_json
+from lagrange.render import terminal
+
+Read = Callable[[str], Problem]
+
+BEAD = """title: Bead
+parameters: [m, g, l, alpha]
+coordinates: [x, y]
+particles: {{P: {{mass: m, position: x*i + y*j}}}}
+constraints: {{c: {{equation: "{equation}"{more}}}}}
+gravity: -g*j
+"""
+PLACE = {"m": 2, "g": 10, "l": 5, "alpha": sp.pi / 3, "x": 3, "y": 4, "x'": 4, "y'": -3}
+
+
+def solved(problem: Read, equation: str, more: str = ", reaction: N") -> Solution:
+    solution = solve(problem(BEAD.format(equation=equation, more=more)))
+    assert [c.name for c in solution.checks if c.passed is not True] == []
+    return solution
+
+
+def number(e: sp.Expr, values: dict[str, object]) -> sp.Expr:
+    return sp.nsimplify(e.xreplace({s: sp.sympify(values[s.name]) for s in e.free_symbols}))
+
+
+# On the circle at (3, 4) with v² = 25, the force along the outward normal is m (g·4/5 − v²/l) = 2 (8 − 5) = 6.
+@pytest.mark.parametrize(
+    ("equation", "force", "direction", "pulls"),
+    [
+        ("x^2 + y^2 <= l^2", -6, (-0.6, -0.8), True),
+        ("l^2 >= x^2 + y^2", -6, (-0.6, -0.8), True),
+        ("sqrt(x^2 + y^2) <= l", -6, (-0.6, -0.8), True),
+        ("l ≥ sqrt(x^2 + y^2)", -6, (-0.6, -0.8), True),
+        ("l - norm(r_P) >= 0", -6, (-0.6, -0.8), True),
+        ("x^2 + y^2 >= l^2", 6, (0.6, 0.8), False),
+        ("l^2 ⩽ x^2 + y^2", 6, (0.6, 0.8), False),
+        ("l <= norm(r_P)", 6, (0.6, 0.8), False),
+        ("y >= 0", 20, (0, 1), False),
+        ("0 <= y", 20, (0, 1), False),
+        ("3*y >= 0", 20, (0, 1), False),
+        ("y <= 0", -20, (0, -1), False),
+        ("y >= x*tan(alpha)", 10, (-sp.sqrt(3) / 2, 0.5), False),
+        ("x*sin(alpha) - y*cos(alpha) <= 0", 10, (-sp.sqrt(3) / 2, 0.5), False),
+    ],
+)
+def test_the_force_points_to_the_permitted_side(
+    problem: Read, equation: str, force: int, direction: tuple[float, float], pulls: bool
+) -> None:
+    solution = solved(problem, equation)
+    assert solution.own.dynamics is not None
+    reactions = solution.own.dynamics.reactions
+    assert reactions is not None
+    assert number(reactions.sizes["c"], PLACE) == force
+    assert number(reactions.contacts["c"], PLACE) == force
+    assert ("c" in reactions.pulling) is pulls
+    for component, wanted in zip(reactions.units["c"].components, direction, strict=False):
+        assert abs(number(component, PLACE) - wanted) < 1e-12
+
+
+def test_without_a_name_the_multiplier_has_the_sign_of_the_side(problem: Read) -> None:
+    reactions = solved(problem, "y <= 0", "").own.dynamics.reactions
+    assert reactions.multipliers["c"] == -reactions.contacts["c"]
+    assert number(reactions.contacts["c"], PLACE) == -20
+
+
+def test_inside_a_bowl_it_is_a_surface(problem: Read) -> None:
+    reactions = solved(problem, "x^2 + y^2 <= l^2", ", reaction: N, by: surface").own.dynamics.reactions
+    assert number(reactions.contacts["c"], PLACE) == -6
+    assert not reactions.pulling
+
+
+def test_a_string_over_a_pulley(problem: Read) -> None:
+    solution = solve(
+        problem(
+            "title: Atwood\nparameters: [m, M, g, L]\ncoordinates: [a, b]\naxes: {j: down}\n"
+            "particles: {P: {mass: m, position: a*j}, Q: {mass: M, position: b*j}}\n"
+            "constraints: {s: {equation: a + b <= L, reaction: T}}\ngravity: g*j\n"
+        )
+    )
+    reactions = solution.own.dynamics.reactions
+    assert number(reactions.contacts["s"], {"m": 1, "M": 3, "g": 10}) == 15
+    assert reactions.pulling == {"s"}
+
+
+def test_what_is_written(problem: Read) -> None:
+    told = report(problem(BEAD.format(equation="x^2 + y^2 >= l^2", more=", reaction: N")))
+    page = terminal.text(told.derivation, told.notation, 120)
+    for words in (
+        "x² + y² ≥ l² (c)",
+        "(3) is one-sided. As long as there is contact, the two sides are equal, and the equation is used below.",
+        "The c constraint is an inequality, which in the strict sense is no holonomic constraint; it acts as one",
+        "The c constraint can only push: it stays in contact as long as N ≥ 0, that is,",
+    ):
+        assert words in " ".join(page.split())
+    written = in_json.as_object(told)
+    assert written["constraints"][0]["one_sided"] == "x^2 + y^2 - l^2 >= 0"
+    contact = written["reactions"]["c"]["contact"]
+    assert contact == f"{written['reactions']['c']['force']} >= 0"
+    assert json.dumps(written)
+
+
+@pytest.mark.parametrize(
+    ("equation", "words"),
+    [("y >= 0", "lasts, because N is positive"), ("y <= 0", "would have to do the opposite: there is no contact")],
+)
+def test_what_needs_no_condition(problem: Read, equation: str, words: str) -> None:
+    told = report(problem(BEAD.format(equation=equation, more=", reaction: N")))
+    assert words in terminal.text(told.derivation, told.notation, 120)
+
+
+def test_at_rest_each_equilibrium_has_its_condition(problem: Read) -> None:
+    told = report(problem(BEAD.format(equation="x^2 + y^2 <= l^2", more=", reaction: T") + "find: equilibrium\n"))
+    rest = in_json.as_object(told)["reactions"]["c"]["at_equilibrium"]
+    assert sorted(r["contact"] for r in rest) == ["-m*g >= 0", "m*g >= 0"]
