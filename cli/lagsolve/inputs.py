@@ -109,6 +109,11 @@ def answer_fragments(file: str | None, equations: Sequence[str]) -> tuple[Fragme
     return tuple(fragments)
 
 
+def settings_read(settings: Sequence[str]) -> tuple[Fragment, ...]:
+    """The texts NAME=VALUE of `--set`, each a source of its own for messages."""
+    return tuple(Fragment.of(text, "--set") for text in settings)
+
+
 def stated_answers(file: str, problem: Problem) -> Answers:
     """The answers in a YAML file with the keys of `answers`. Raises ProblemError."""
     from lagrange.problem.stated_answers import read_answers

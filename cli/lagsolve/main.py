@@ -35,6 +35,7 @@ METHODS = ("dalembert", "lagrange")
 VECTORS = ("bold", "underlined", "arrow")
 SECONDS = click.FloatRange(0, 86_400, min_open=True)
 MEGABYTES = click.IntRange(256)
+DIGITS = click.IntRange(1, 14)
 
 
 @click.group(
@@ -77,6 +78,8 @@ def main() -> None:
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
 @click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
 @click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
+@click.option("--digits", type=DIGITS, default=4, show_default=True, metavar="N", help="Of results in numbers.")
 @click.option("--watch", is_flag=True, help="Solve again whenever a file is saved, until Ctrl-C.")
 def solve(
     problems: tuple[str, ...],
@@ -87,11 +90,14 @@ def solve(
     method: str,
     choice: str | None,
     vectors: str | None,
+    settings: tuple[str, ...],
+    digits: int,
     watch: bool,
 ) -> None:
     """Derive and check the equations of each PROBLEM.
 
-    With --watch, solve again whenever one of the files is saved.
+    With --watch, solve again whenever one of the files is saved. --set 'l=30 cm' gives or replaces the value of a
+    parameter; where all parameters of a result have values, it is printed in numbers too.
 
     Exit status: 0 done, and every check held; 2 the command line or a file cannot be read, or contradicts itself; 3 not
     completed, undecided, or a check failed; 130 interrupted by Ctrl-C.
@@ -105,7 +111,7 @@ def solve(
         raise click.UsageError("standard input cannot be two problems")
     destination = Destination.of(format_, output, fragment, detail, vectors)
     destination.refuse_overwrite(problems)
-    task = Task(problems, choice, method, destination)
+    task = Task(problems, choice, method, destination, settings, digits)
     if watch:
         from lagsolve.solve_task import watch_for_ever
 
@@ -122,8 +128,15 @@ def solve(
     "--hint", type=click.IntRange(1, 3), help="How much to reveal about a wrong equation. Default: 3, everything."
 )
 @click.option("--reveal", is_flag=True, help="Print the derived equations too.")
+@click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
 def check(
-    problem: str, answer_file: str | None, equations: tuple[str, ...], format_: str, hint: int | None, reveal: bool
+    problem: str,
+    answer_file: str | None,
+    equations: tuple[str, ...],
+    format_: str,
+    hint: int | None,
+    reveal: bool,
+    settings: tuple[str, ...],
 ) -> None:
     """Compare equations of motion with the derived ones.
 
@@ -141,13 +154,13 @@ def check(
     with stage_shown() as on_stage:
         from lagrange.answers.examiner import Examiner
         from lagrange.problem.loader import read_problem
-        from lagsolve.inputs import problem_source
+        from lagsolve.inputs import problem_source, settings_read
         from lagsolve.output import write_verdict
         from lagsolve.solve_task import look_for_garbage_seldom
 
         look_for_garbage_seldom()
         on_stage("reading the problem")
-        asked = read_problem(problem_source(problem))
+        asked = read_problem(problem_source(problem), settings_read(settings))
         examiner = Examiner.of(asked, on_stage)
         on_stage("comparing answers")
         result = _checked(examiner, answer_file, equations)

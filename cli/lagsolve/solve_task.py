@@ -26,12 +26,18 @@ if TYPE_CHECKING:
 
 @record
 class Task:
-    """The problems to be solved, the method, and the destination of the result."""
+    """The problems to be solved, the method, and the destination of the result.
+
+    settings  texts NAME=VALUE, the values of parameters
+    digits    of results in numbers
+    """
 
     problems: tuple[str, ...]
     choice: str | None
     method: str
     destination: Destination
+    settings: tuple[str, ...] = ()
+    digits: int = 4
 
     def run(self) -> int:
         """Solves the problems, writes the reports and returns the exit status. Raises as `Destination.write`."""
@@ -62,13 +68,13 @@ class Task:
             from lagrange.explain.report import report
             from lagrange.mechanics.dynamics.motion import Method
             from lagrange.problem.loader import read_problem
-            from lagsolve.inputs import problem_source
+            from lagsolve.inputs import problem_source, settings_read
 
             look_for_garbage_seldom()
             on_stage("reading the problem")
-            problem = read_problem(problem_source(name))
+            problem = read_problem(problem_source(name), settings_read(self.settings))
             complete, method = self.destination.is_complete, Method(self.method)
-            return report(problem, self.choice, complete=complete, method=method, on_stage=on_stage)
+            return report(problem, self.choice, complete=complete, method=method, digits=self.digits, on_stage=on_stage)
 
 
 def look_for_garbage_seldom() -> None:

@@ -15,13 +15,13 @@ import sympy as sp
 
 from lagrange.answers.conventions import Convention
 from lagrange.answers.diagnosis import Diagnosis, Group
-from lagrange.answers.dimensions import Mismatch
 from lagrange.answers.slips import Slip, terms_of
 from lagrange.core.symbols import Slots
 from lagrange.core.units import written
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
 from lagrange.document.notation import Notation
+from lagrange.values.dimensions import Mismatch
 
 _GROUPS = {
     Group.INERTIA: "a term with an acceleration",

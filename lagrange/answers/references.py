@@ -15,7 +15,6 @@ from functools import cached_property
 
 import sympy as sp
 
-from lagrange.answers.dimensions import Mismatch, mismatch
 from lagrange.answers.force_names import other_readings
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.slips import terms_of
@@ -32,6 +31,7 @@ from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.solution import Solution, letters_of_oscillations, small_displacements
 from lagrange.problem.model import Problem
+from lagrange.values.dimensions import Mismatch, mismatch
 
 
 @record

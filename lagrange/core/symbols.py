@@ -59,6 +59,12 @@ class VectorSymbol(sp.Symbol):
     __slots__ = ()
 
 
+class UnitSymbol(sp.Symbol):
+    """A unit of measurement behind a number, `m/s^2`, for printing."""
+
+    __slots__ = ()
+
+
 class FormSymbol(sp.Symbol):
     """A named differential form ω_1, for printing combinations such as y ω_1 + ω_2."""
 

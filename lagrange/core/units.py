@@ -81,15 +81,23 @@ _WITHOUT_PREFIX = {
 
 _SUPERSCRIPTS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _TOKEN = re.compile(r"\s*(?:([A-Za-zΩ°%µμ]+|1(?![\d.]))|(\*\*|\^)\s*(-?\d+|\(\s*-?\d+\s*\))|([*/·⋅()]))")
-# The number is atomic, (?>...), so that the 1e3 of a bare number is not taken for 1 e3.
+# Numbers are atomic, (?>...), so that the 1e3 of a bare number is not taken for 1 e3, nor 2*pi for 2 and a unit.
+_NUMERAL = (
+    r"(?>(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|(?:pi(?![A-Za-z])|π)|(?:sqrt|√)?\([-+*/^.\d\s]*\d[-+*/^.\d\s]*\)|√\d+)"
+)
+_ARITHMETIC = (
+    rf"[-+−]?{_NUMERAL}(?>\s*(?:\*\*|[-+−*/·^])\s*[-+−]?{_NUMERAL}(?!\s*/\s*[A-Za-z(])|\s*(?:pi(?![A-Za-z])|π))*"
+)
 _NUMBER_AND_UNIT = re.compile(
-    r"\s*((?>[-+−]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?:\s*/\s*\d+)?))\s*((?:1\s*)?/\s*[A-Za-z(].*|[A-Za-z°%µμΩ].*)",
-    re.S,
+    rf"\s*((?>{_ARITHMETIC}))(?:\s*\*(?!\*))?\s*((?:1\s*)?/\s*[A-Za-z(].*|[A-Za-z°%µμΩ].*)", re.S
 )
 
 
 def split_number(text: str) -> tuple[str, str] | None:
-    """`9.81 m/s^2` as its number and its unit; None if there is no number with something after it."""
+    """`9.81 m/s^2` as its number and its unit; None if there is no number with something after it.
+
+    The number may be arithmetic, `2*pi rad/s`, and the unit a factor, `9.81*m/s^2`.
+    """
     match = _NUMBER_AND_UNIT.fullmatch(text)
     return (match[1].replace("−", "-"), match[2].strip()) if match else None
 
@@ -177,6 +185,15 @@ def written(dimension: Dimension) -> str:
     if not below:
         return " ".join(above) or "1"
     return f"{' '.join(above) or '1'}/{below[0] if len(below) == 1 else '(' + ' '.join(below) + ')'}"
+
+
+def unit_called(dimension: Dimension, is_angle: bool = False) -> str:
+    """The unit of SI with a dimension, `N m` or `s^-1`; rad for an angle, and empty for a number."""
+    called = in_si(Unit(sp.S.One, dimension, is_angle))
+    if called == "1":
+        return ""
+    inverse = re.fullmatch(r"1/(\w+)(?:\^(\d+))?", called)
+    return f"{inverse[1]}^-{inverse[2] or 1}" if inverse else called
 
 
 _NAMED = {u.dimension: name for name in ("W", "N m", "N s/m", "N/m", "N") if (u := unit_of(name)) is not None}

@@ -17,7 +17,16 @@ from itertools import pairwise
 
 import sympy as sp
 
-from lagrange.core.symbols import DotProduct, Partial, TimeDerivative, UnitVector, Unspecified, VectorSymbol, Wedge
+from lagrange.core.symbols import (
+    DotProduct,
+    Partial,
+    TimeDerivative,
+    UnitSymbol,
+    UnitVector,
+    Unspecified,
+    VectorSymbol,
+    Wedge,
+)
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import Mathematics
 from lagrange.document.limits import LONGEST_LIST
@@ -117,6 +126,8 @@ class Writer:
 
     def _symbol(self, symbol: sp.Symbol) -> Piece:
         name = symbol.name
+        if isinstance(symbol, UnitSymbol):
+            return self.style.unit(name)
         if isinstance(symbol, UnitVector) and self.notation.shadows_unit_vectors:
             name = {"i": "e_x", "j": "e_y", "k": "e_z"}.get(name, name)
         return self.style.name(name, isinstance(symbol, UnitVector | VectorSymbol))

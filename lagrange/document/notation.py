@@ -13,7 +13,7 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.core.records import record
-from lagrange.core.symbols import FormSymbol, Sign, UnitVector, VectorSymbol, counting
+from lagrange.core.symbols import FormSymbol, Sign, UnitSymbol, UnitVector, VectorSymbol, counting
 from lagrange.document.names import GREEK, WrittenName
 
 SortPlace = tuple[int, str, tuple[str, ...]]  # declared order, then alphabetic
@@ -72,6 +72,8 @@ class Notation:
             return SymbolKind.DIFFERENTIAL
         if isinstance(symbol, UnitVector | VectorSymbol):
             return SymbolKind.VECTOR
+        if isinstance(symbol, UnitSymbol):
+            return SymbolKind.PARAMETER
         name = symbol.name
         if name in self._declared:
             return self._declared[name]

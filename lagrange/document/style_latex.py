@@ -14,7 +14,7 @@ import sympy as sp
 
 from lagrange.document.limits import LONG_LATEX
 from lagrange.document.names import BREAK, END, START, Piece, Precedence, WrittenName, brackets, latex_name, plain
-from lagrange.document.styles import FUNCTIONS, Unicode
+from lagrange.document.styles import FUNCTIONS, Unicode, figures
 
 _SLOPE = re.compile(r"\\frac\{(\\partial (?:[^{}]|\{\w+\})+)\}\{(\\partial (?:[^{}]|\{\w+\})+)\}")
 _SET_OFF = (r"\mathrm{d}", r"\delta ", r"\mathbf{e}", r"\mathbf{i}", r"\mathbf{j}", r"\mathbf{k}")
@@ -42,9 +42,16 @@ class Latex(Unicode):
     def number(self, number: sp.Number) -> Piece:
         """A positive integer or float."""
         if isinstance(number, sp.Float):
-            digits, _, exponent = f"{float(number):.6g}".partition("e")
-            return Piece(digits + (rf" \cdot 10^{{{int(exponent)}}}" if exponent else ""), tight=True)
+            digits, exponent = figures(number)
+            return Piece(digits + ("" if exponent is None else rf" \cdot 10^{{{exponent}}}"), tight=True)
         return Piece(str(int(number)), tight=True)
+
+    def unit(self, name: str) -> Piece:
+        r"""A unit of measurement behind a number: `\,\mathrm{m/s^{2}}`."""
+        if name == "°":
+            return Piece(r"^\circ")
+        raised = re.sub(r"\^(-?\d+)", r"^{\1}", name).replace(" ", r"\,")
+        return Piece(rf"\,\mathrm{{{raised}}}")
 
     def coefficient(self, numerator: Piece, denominator: Piece) -> Piece:
         """A small fraction."""

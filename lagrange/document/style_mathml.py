@@ -16,7 +16,7 @@ import sympy as sp
 
 from lagrange.document.limits import LONG_MATHML
 from lagrange.document.names import BREAK, END, GREEK, START, Piece, Precedence, WrittenName, plain
-from lagrange.document.styles import FUNCTIONS, Unicode
+from lagrange.document.styles import FUNCTIONS, Unicode, figures
 
 THIN = '<mspace width="0.17em"/>'
 _TIMES = "<mo>\u2062</mo>"
@@ -67,10 +67,15 @@ class MathML(Unicode):
     def number(self, number: sp.Number) -> Piece:
         """A positive integer or float."""
         if isinstance(number, sp.Float):
-            digits, _, exponent = f"{float(number):.6g}".partition("e")
-            power = f"<mo>·</mo><msup><mn>10</mn>{_integer(int(exponent))}</msup>" if exponent else ""
+            digits, exponent = figures(number)
+            power = "" if exponent is None else f"<mo>·</mo><msup><mn>10</mn>{_integer(exponent)}</msup>"
             return Piece(f"<mn>{digits}</mn>{power}", tight=True)
         return Piece(f"<mn>{int(number)}</mn>", tight=True)
+
+    def unit(self, name: str) -> Piece:
+        """A unit of measurement behind a number."""
+        gap = "" if name == "°" else '<mspace width="0.25em"/>'
+        return Piece(f"{gap}<mtext>{escape(super().unit(name).code.strip())}</mtext>")
 
     def coefficient(self, numerator: Piece, denominator: Piece) -> Piece:
         """A small fraction."""

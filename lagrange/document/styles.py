@@ -7,10 +7,13 @@ their own.
 
 from __future__ import annotations
 
+import re
+import sys
 from collections.abc import Mapping, Sequence
 from typing import ClassVar
 
 import sympy as sp
+from mpmath.libmp import prec_to_dps
 
 from lagrange.document.limits import LONGEST_RATE
 from lagrange.document.names import (
@@ -64,6 +67,29 @@ RELATIONS: dict[str, tuple[str, str, str]] = {
 SAME = {"!=": "≠", "<=": "≤", ">=": "≥", "==": "≡", "->": "→"}
 
 
+USUAL_DIGITS = 6
+"""Significant digits of a float that is not rounded already: one with the precision of a float or more."""
+FIXED = range(-4, 6)
+"""The powers of ten in front of which a number is written out: 0.0001234, 123400."""
+
+
+def figures(number: sp.Float) -> tuple[str, int | None]:
+    """The digits of a positive number, and its power of ten if it is very large or small.
+
+    A number that was rounded has the precision of its digits, and shows all of them: 2.000.
+    """
+    if number._prec >= sys.float_info.mant_dig:
+        digits, _, exponent = f"{float(number):.{USUAL_DIGITS}g}".partition("e")
+        return digits, int(exponent) if exponent else None
+    shown = prec_to_dps(number._prec)
+    rounded = f"{float(number):.{shown - 1}e}"
+    digits, _, exponent = rounded.partition("e")
+    power = int(exponent)
+    if power not in FIXED:
+        return digits, power
+    return f"{float(rounded):.{max(0, shown - 1 - power)}f}", None
+
+
 class Text:
     """The language of problem files: `2*x*d(x)`, `l*theta'' + g*sin(theta)`."""
 
@@ -93,7 +119,14 @@ class Text:
 
     def number(self, number: sp.Number) -> Piece:
         """A positive integer or float."""
-        return Piece(f"{float(number):.6g}" if isinstance(number, sp.Float) else str(int(number)))
+        if not isinstance(number, sp.Float):
+            return Piece(str(int(number)))
+        digits, exponent = figures(number)
+        return Piece(digits if exponent is None else f"{digits}e{exponent:+03d}")
+
+    def unit(self, name: str) -> Piece:
+        """A unit of measurement, with the space between it and the number before it."""
+        return Piece(name if name == "°" else f" {name}")
 
     def coefficient(self, numerator: Piece, denominator: Piece) -> Piece:
         """A number such as 1/2 in front of a product."""
@@ -101,6 +134,8 @@ class Text:
 
     def between(self, before: Piece, after: Piece) -> str:
         """The code between two factors."""
+        if after.code[0] in " °":  # a unit
+            return ""
         numbers = before.code[-1].isdigit() and after.code[0].isdigit()
         return self.between_numbers if numbers or before.code == "0" else self.times
 
@@ -196,10 +231,14 @@ class Unicode(Text):
     def number(self, number: sp.Number) -> Piece:
         """A positive integer or float."""
         if isinstance(number, sp.Float):
-            digits, _, exponent = f"{float(number):.6g}".partition("e")
-            power = "·10" + str(int(exponent)).translate(SUPERSCRIPTS) if exponent else ""
+            digits, exponent = figures(number)
+            power = "" if exponent is None else "·10" + str(exponent).translate(SUPERSCRIPTS)
             return Piece(digits + power, tight=True)
         return Piece(str(int(number)), tight=True)
+
+    def unit(self, name: str) -> Piece:
+        """A unit of measurement, with the space between it and the number before it: m/s²."""
+        return Piece(re.sub(r"\^(-?\d+)", lambda power: power[1].translate(SUPERSCRIPTS), super().unit(name).code))
 
     def coefficient(self, numerator: Piece, denominator: Piece) -> Piece:
         """½, or (5/12)."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 import sympy as sp
@@ -41,23 +41,32 @@ from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
 from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
 from lagrange.mechanics.solution import OnStage, Solution, letters_of_oscillations, silent, small_displacements, solve
 from lagrange.problem.model import Find, Problem
+from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
     from lagrange.explain.energies import LagrangeExposition
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+    from lagrange.values.quantities import Values
+
+DIGITS = 4
+"""The significant digits of results in numbers, where no other number is asked for."""
 
 
 @record
 class Report:
-    """One problem, solved and explained."""
+    """One problem, solved and explained.
+
+    values  of its parameters; None where there are none
+    """
 
     solution: Solution
     answers: tuple[AnswerVerdict, ...]
     derivation: Derivation
     notation: Notation
     remarks: tuple[Diagnostic, ...] = ()
+    values: Values | None = None
 
     @property
     def notes(self) -> tuple[Diagnostic, ...]:
@@ -81,24 +90,35 @@ def report(
     *,
     complete: bool = True,
     method: Method = Method.DALEMBERT,
+    digits: int = DIGITS,
     on_stage: OnStage = silent,
 ) -> Report:
-    """Solves a problem and explains the solution. Arguments are those of `solve`; raises what `solve` raises."""
+    """Solves a problem and explains the solution. Arguments are those of `solve`; raises what `solve` raises.
+
+    digits  the significant digits of results in numbers
+    """
     with explained_failures(problem):
-        return _reported(problem, choice, complete, method, on_stage)
+        return _reported(problem, choice, complete, method, digits, on_stage)
 
 
-def _reported(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Report:
+def _reported(
+    problem: Problem, choice: str | None, complete: bool, method: Method, digits: int, on_stage: OnStage
+) -> Report:
     solution = solve(problem, choice, complete=complete, method=method, on_stage=on_stage)
     on_stage("comparing answers")
     answers = tuple(compared_answers(solution))
     on_stage("explanations and pictures")
     notation = notation_of(solution)
-    shown = (step for step in _steps(solution, answers, complete) if step is not None)
+    shown: Iterable[Step] = (step for step in _steps(solution, answers, complete) if step is not None)
+    values = values_of(solution.problem)
+    if values is not None:
+        from lagrange.explain.numbers import with_numbers
+
+        shown = with_numbers(shown, solution, values, digits)
     steps = tuple(illustrated(shown, solution, notation))
     derivation = Derivation(problem.title, problem.source, steps)
     remarks = (*_remarks(problem, method), *not_compared(solution, answers))
-    return Report(solution, answers, derivation, notation, remarks)
+    return Report(solution, answers, derivation, notation, remarks, values)
 
 
 def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:

@@ -46,10 +46,12 @@ from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
 from lagrange.problem.model import Choice, Find, Friction, Problem
+from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
@@ -78,6 +80,7 @@ class InCoordinates:
     in_speeds          the velocities, and the equations of motion, in the quasi-velocities of the file
     conserved          the conserved quantities
     linearization      small oscillations
+    in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
 
     A result that is not requested, or is given in another set of coordinates, is None.
     """
@@ -93,6 +96,7 @@ class InCoordinates:
     in_speeds: QuasiVelocityForm | None = None
     conserved: Conserved | None = None
     linearization: Linearization | None = None
+    in_numbers: EquilibriaInNumbers | None = None
 
     @property
     def name(self) -> str:
@@ -188,7 +192,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_linearization(solution, on_stage)
     if Find.EQUILIBRIUM in problem.find:
         solution = _with_equilibrium(solution, on_stage)
-    return solution
+    return _with_numbers(solution)
 
 
 def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solution:
@@ -401,6 +405,24 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         choices=tuple(views[1:]),
         checks=tuple(checks),
     )
+
+
+def _with_numbers(solution: Solution) -> Solution:
+    """The solution with the equilibria in numbers, where the problem has values."""
+    values = values_of(solution.problem)
+    if values is None or all(v.equilibrium is None and v.linearization is None for v in solution.views):
+        return solution
+    from lagrange.mechanics.equilibrium.in_numbers import equilibria_in_numbers, oscillations_in_numbers
+
+    def in_numbers(view: InCoordinates) -> InCoordinates:
+        found = None
+        if view.linearization is not None:
+            found = oscillations_in_numbers(view.linearization, values)
+        elif view.equilibrium is not None:
+            found = equilibria_in_numbers(view.equilibrium, view.stability, values)
+        return view if found is None else replace(view, in_numbers=found)
+
+    return replace(solution, own=in_numbers(solution.own), choices=tuple(map(in_numbers, solution.choices)))
 
 
 def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:

@@ -21,12 +21,12 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, nearest
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, Unspecified
-from lagrange.core.units import Unit, in_si, split_number, unit_of
-from lagrange.expressions.reader import FunctionDeclaration, Scope, read_scalar
+from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.declared_names import DeclaredNames, canonical, names_in
 from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
 from lagrange.problem.model import Coordinate, Parameter, Problem
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
+from lagrange.problem.values import read_number_with_unit
 from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
 
 T = TypeVar("T")
@@ -117,11 +117,16 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
     known = attempt(lambda: _assumption(scalar_of(assumed, "`assume`"))) if assumed else Assumption.POSITIVE
     assume = known or Assumption.POSITIVE
     symbol = parameter_symbol(name, assume)
-    meaning, unit, exact = section.text("meaning"), section.text("unit"), None
-    if number is not None:
-        stated = Fragment(unit, declared.span) if unit and (declared := section.get("unit")) else None
-        exact, unit = attempt(lambda: _value(scalar_of(number, "`value`"), stated, known)) or (None, unit)
-    return Parameter(symbol, assume, unit, meaning, exact)
+    parameter = Parameter(symbol, assume, section.text("unit"), section.text("meaning"))
+    parameter = replace(parameter, stated_unit=parameter.unit)
+    if number is None:
+        return parameter
+    unit = section.get("unit")
+    stated = Fragment(parameter.unit, unit.span) if parameter.unit and unit else None
+    read = attempt(lambda: read_number_with_unit(scalar_of(number, "`value`").fragment, stated, known))
+    if read is None:
+        return parameter
+    return replace(parameter, unit=read.unit, value=read.number, value_span=read.span, measured=read.measured)
 
 
 def parameter_symbol(name: str, assume: Assumption) -> sp.Symbol:
@@ -147,74 +152,6 @@ def _assumption(scalar: Scalar) -> Assumption:
     if scalar.text == "negative":
         help_ = "name its positive size, and write a minus where it is used; or write `real`"
     raise ProblemError(Diagnostic("unknown-assumption", message, scalar.span, help=help_))
-
-
-def _value(scalar: Scalar, stated: Fragment | None, assume: Assumption | None) -> tuple[sp.Expr, str]:
-    """A value in units of SI, and its unit.
-
-    The value's own unit, 30 cm, comes before the one `stated` apart from it, whose dimension it must have.
-    """
-    parts = split_number(scalar.text)
-    if parts is None:
-        number = _number(scalar.fragment, assume)
-        if stated is None:
-            return number, ""
-        unit, text = _known_unit(stated), stated.text
-    else:
-        text = parts[1]
-        unit = _known_unit(Fragment(text, scalar.span))
-        number = _number(Fragment(parts[0], scalar.span), assume)
-        expected = unit if stated is None else _known_unit(stated)
-        if stated is not None and unit.dimension != expected.dimension:
-            message = f"`{text}` does not fit the unit `{stated.text}`"
-            help_ = f"one is {in_si(unit)} in units of SI, the other {in_si(expected)}"
-            raise ProblemError(Diagnostic("unit-mismatch", message, scalar.span, help=help_))
-    return number * unit.factor, text if unit.factor == 1 else in_si(unit)
-
-
-def _known_unit(fragment: Fragment) -> Unit:
-    unit = unit_of(fragment.text)
-    if unit is None:
-        message = f"`{fragment.text}` is not a known unit"
-        help_ = (
-            "units are products of `kg`, `m`, `s`, `N`, `deg`, `rpm`, `ft`, `lb` and the like: `kg m^2/s`, `J/(kg K)`"
-        )
-        raise ProblemError(Diagnostic("unknown-unit", message, fragment.whole, help=help_))
-    return unit
-
-
-def _number(fragment: Fragment, assume: Assumption | None) -> sp.Rational:
-    help_ = "write a number such as `9.81`, `1e-3` or `2/3`, and its unit after it: `30 cm`"
-    try:
-        number = read_scalar(fragment, Scope())
-    except ProblemError as error:
-        if error.diagnostics[0].code not in _NO_NUMBER:
-            raise
-        number = None
-    if number is None or not number.is_Rational:
-        message = f"`{fragment.text}` is not a rational number"
-        raise ProblemError(Diagnostic("not-a-number", message, fragment.whole, help=help_))
-    wrong = {
-        Assumption.POSITIVE: number <= 0,
-        Assumption.NONNEGATIVE: number < 0,
-        Assumption.REAL: False,
-        Assumption.SIGN: abs(number) != 1,
-    }
-    if assume is not None and wrong[assume]:
-        message = f"the value {fragment.text} contradicts that the parameter is {_IN_WORDS[assume]}"
-        help_ = "change the value, or say `assume: real`"
-        raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
-    return number
-
-
-_NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "missing-operator", "vector-for-scalar")
-"""Errors of a text that was not meant as an expression: `12:30`, `~`, `3 m`."""
-
-_IN_WORDS = {
-    Assumption.POSITIVE: "positive",
-    Assumption.NONNEGATIVE: "not negative",
-    Assumption.SIGN: "a sign, +1 or -1",
-}
 
 
 def _coordinate(key: Scalar, value: Node | None, names: DeclaredNames) -> Coordinate | None:

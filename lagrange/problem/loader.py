@@ -8,14 +8,14 @@ and reading goes on; the diagnostics are shown together in file order.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, ProblemError, Source, suggestion
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, suggestion
 from lagrange.core.symbols import CONSTANT
 from lagrange.expressions.reader import Scope
 from lagrange.problem.constraints import read_constraints
@@ -38,30 +38,34 @@ from lagrange.problem.model import Choice, Constraint, Problem, Speed
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
+from lagrange.problem.values import check_dimensions, with_settings
 from lagrange.problem.yaml_composer import parse
 from lagrange.problem.yaml_nodes import Node, Scalar
 
 
-def load(path: str | Path) -> Problem:
-    """The problem of a file.
+def load(path: str | Path, settings: Sequence[Fragment] = ()) -> Problem:
+    """The problem of a file, with `settings` as those of `read_problem`.
 
     Raises ProblemError with all its mistakes, or where there is no such file.
     """
-    return read_problem(read_source(Path(path)))
+    return read_problem(read_source(Path(path)), settings)
 
 
-def read_problem(source: Source) -> Problem:
-    """The problem that a text states. Raises ProblemError with all its mistakes."""
+def read_problem(source: Source, settings: Sequence[Fragment] = ()) -> Problem:
+    """The problem that a text states. Raises ProblemError with all its mistakes.
+
+    settings  texts NAME=VALUE that give or replace values of parameters
+    """
     diagnostics = Diagnostics()
     problem = None
     with suppress(EnoughError):
-        problem = diagnostics.attempt(lambda: _problem(source, diagnostics))
+        problem = diagnostics.attempt(lambda: _problem(source, diagnostics, settings))
     diagnostics.stop_if_any()
     assert problem is not None  # otherwise a diagnostic was raised
     return with_standard_arguments(replace(problem, notes=diagnostics.notes()))
 
 
-def _problem(source: Source, diagnostics: Diagnostics) -> Problem:
+def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragment]) -> Problem:
     """All sections, in the order in which they can refer to one another."""
     node = parse(source, diagnostics)
     root = Section(node, "the problem", PROBLEM, diagnostics)
@@ -71,6 +75,9 @@ def _problem(source: Source, diagnostics: Diagnostics) -> Problem:
     parameters = read_parameters(root.section("parameters"), context.names)
     listed = diagnostics.attempt(lambda: root.required("coordinates", node.span))
     coordinates = read_coordinates(listed, context.names)
+    if settings:
+        given = parameters
+        parameters = diagnostics.attempt(lambda: with_settings(given, coordinates, settings)) or given
     functions = read_functions(root.section("functions"), context.names)
     context.unknowns = read_unknowns(root.section("unknowns"), context.names)
     context.values = {p.symbol: p.value for p in parameters if p.value is not None}
@@ -179,6 +186,7 @@ def _scope_of_answers(
 
 def _check_whole(problem: Problem, root: Section, diagnostics: Diagnostics) -> None:
     """Reports contradictions between sections."""
+    diagnostics.attempt(lambda: check_dimensions(problem))
     if problem.equations and (problem.particles or problem.bodies):
         message = "the equations are given outright, and there are masses to derive them from"
         help_ = "keep `equations` (to check answers against) or the particles and bodies (to derive them)"

@@ -28,13 +28,21 @@ from lagrange.problem.keys import Keeper as Keeper
 
 @record
 class Parameter:
-    """A constant of the problem; where the file gives a value, `value` is its exact number in units of SI."""
+    """A constant of the problem; where the file gives a value, `value` is its exact number in units of SI.
+
+    value_span   the place of the value
+    measured     whether the value has a unit
+    stated_unit  what the file has under `unit`; `unit` is the one of the value, in SI
+    """
 
     symbol: sp.Symbol
     assume: Assumption = Assumption.POSITIVE
     unit: str = ""
     meaning: str = ""
     value: sp.Expr | None = None
+    value_span: Span | None = None
+    measured: bool = False
+    stated_unit: str = ""
 
 
 @record

@@ -32,6 +32,7 @@ from lagrange.document.derivation import (
 from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
+from lagrange.render.json_numbers import add_oscillations, equations_in_numbers, position, quantity
 
 if TYPE_CHECKING:
     from lagrange.explain.report import Report
@@ -44,10 +45,12 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.reactions import Reactions
     from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.mechanics.solution import InCoordinates, Solution
+    from lagrange.values.quantities import Values
 
 VERSION = 1
 Write = Callable[[Any], str]
@@ -84,21 +87,22 @@ def as_object(report: Report) -> dict[str, Any]:
             f"{write(possible_displacement(r, problem.slots))} = 0" for r in classification.rows
         ],
         "virtual_displacements": [f"{write(virtual_displacement(r, problem.slots))} = 0" for r in classification.rows],
-        "choices": [_choice(c, write) for c in solution.choices],
+        "choices": [_choice(c, report.values, write) for c in solution.choices],
     }
     if own.equilibrium is not None:
-        found |= _statics(own.equilibrium, own.stability, write)
+        found |= _statics(own.equilibrium, own.stability, own.in_numbers, write)
     if solution.law is not None:
         found |= _newton(solution.law.newton, write, counted=own.motion is not None or not problem.unknowns)
     if own.dynamics is not None and isinstance(own.dynamics.written, LagrangeMotion):
         found["method"] = "lagrange"
-    found |= _motion(own, write)
+    found |= _motion(own, report.values, write)
     if own.dynamics is not None and own.dynamics.reactions is not None:
-        found |= _reactions(solution, own.dynamics.reactions, write)
+        found |= _reactions(solution, own.dynamics.reactions, report.values, write)
     if own.conserved is not None:
         found["conserved"] = integrals(own.conserved, write)
     if own.reactions_at_rest is not None:
-        found |= _reactions_at_rest(own.reactions_at_rest, solution.works, found.get("reactions", {}), write)
+        moving = found.get("reactions", {})
+        found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
     first = next((s for s in spots if s is not None), None)
@@ -143,7 +147,7 @@ def _constraint(c: ConstraintAnalysis, report: Report, write: Write) -> dict[str
     return result | {"depends_on_time": c.depends_on_time, "catastatic": c.catastatic}
 
 
-def _choice(c: InCoordinates, write: Write) -> dict[str, Any]:
+def _choice(c: InCoordinates, values: Values | None, write: Write) -> dict[str, Any]:
     coordinates = c.coordinates
     found: dict[str, Any] = {
         "name": c.name,
@@ -152,38 +156,41 @@ def _choice(c: InCoordinates, write: Write) -> dict[str, Any]:
         "branches": coordinates.branches,
     }
     if c.equilibrium is not None:
-        found |= _statics(c.equilibrium, c.stability, write)
+        found |= _statics(c.equilibrium, c.stability, c.in_numbers, write)
     if c.dynamics is not None:
         slots = coordinates.configuration.slots
         forces = zip(slots.coordinates, c.dynamics.written.principle.forces, strict=True)
         found["generalized_forces"] = {q.name: write(f) for q, f in forces}
-    found |= _motion(c, write)
+    found |= _motion(c, values, write)
     if c.dynamics is not None and c.dynamics.reactions is not None and c.dynamics.reactions.multipliers:
         reactions = c.dynamics.reactions
         found["reactions"] = {
-            name: {"multiplier": None if value is None else write(value)} | _single(name, reactions, write)
+            name: {"multiplier": None if value is None else write(value)} | _single(name, reactions, values, write)
             for name, value in reactions.multipliers.items()
         }
     if c.conserved is not None:
         found["conserved"] = integrals(c.conserved, write)
     if c.reactions_at_rest is not None:
-        found |= _reactions_at_rest(c.reactions_at_rest, (), found.get("reactions", {}), write)
+        found |= _reactions_at_rest(c.reactions_at_rest, (), found.get("reactions", {}), values, write)
     if c.spot is not None:
         found["spot"] = _spot(c.spot, write)
     return found
 
 
-def _motion(view: InCoordinates, write: Write) -> dict[str, Any]:
+def _motion(view: InCoordinates, values: Values | None, write: Write) -> dict[str, Any]:
     """The equations of motion in one set of coordinates, in every form in which they were found."""
     found: dict[str, Any] = {}
     if view.dynamics is not None:
         found |= motion(view.dynamics, write)
+        found |= equations_in_numbers(view.dynamics.written, values, write)
         found |= by_lagrange(view.dynamics.written, write)
         found |= matrices(view.dynamics, write)
     if view.in_speeds is not None:
         found["speeds"] = speeds(view.in_speeds, write)
     if view.linearization is not None:
         found["linearization"] = linearized(view.linearization, write)
+        if view.in_numbers is not None:
+            add_oscillations(found["linearization"], view.in_numbers)
     return found
 
 
@@ -197,7 +204,7 @@ def _newton(newton: Newton, write: Write, counted: bool) -> dict[str, Any]:
     return equations | ({"unknowns": counts} if counted else {})
 
 
-def _reactions(solution: Solution, reactions: Reactions, write: Write) -> dict[str, Any]:
+def _reactions(solution: Solution, reactions: Reactions, values: Values | None, write: Write) -> dict[str, Any]:
     """The reactions; left out where they are too large, or not determined.
 
     A reaction that is too large in the file's coordinates is given in those of a choice, which is named.
@@ -206,18 +213,20 @@ def _reactions(solution: Solution, reactions: Reactions, write: Write) -> dict[s
     if solution.works:
         there = [("", reactions)]
         there += [(c.name, c.dynamics.reactions) for c in solution.choices if c.dynamics and c.dynamics.reactions]
-        found["reactions"] = {w.reaction.name: _reaction(w, there, write) for w in solution.works}
+        found["reactions"] = {w.reaction.name: _reaction(w, there, values, write) for w in solution.works}
     return found
 
 
-def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], write: Write) -> dict[str, Any]:
+def _reaction(
+    work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], values: Values | None, write: Write
+) -> dict[str, Any]:
     name = work.reaction.name
     found: dict[str, Any] = {}
     choice, reactions = next(((c, r) for c, r in there if r.multipliers.get(name) is not None), there[0])
     value = reactions.multipliers.get(name)
     if value is not None:
         found["multiplier"] = write(value)
-    found |= _single(name, reactions, write)
+    found |= _single(name, reactions, values, write)
     if name in reactions.forces:
         found["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
     if name in reactions.moments:
@@ -228,24 +237,29 @@ def _reaction(work: WorkOfReaction, there: Sequence[tuple[str, Reactions]], writ
     return found | {"virtual_work": work_done, "possible_work": write(work.possible)}
 
 
-def _single(name: str, reactions: Reactions, write: Write) -> dict[str, str]:
+def _single(name: str, reactions: Reactions, values: Values | None, write: Write) -> dict[str, Any]:
     """A reaction that is a single force: `force`, with the unit vector along which it acts on the first body of `on`.
 
-    `tension` repeats the force where it is one; `contact` says how long a one-sided constraint acts.
+    `tension` repeats the force where it is one; `contact` says how long a one-sided constraint acts. `number` is the force,
+    or the multiplier, with the values.
     """
     contact = {"contact": f"{write(reactions.contacts[name])} >= 0"} if name in reactions.contacts else {}
     if name not in reactions.sizes:
-        return contact
+        return contact | quantity(reactions.multipliers.get(name), values, write)
     size = write(reactions.sizes[name])
-    result = {"tension": size} if name in reactions.pulling else {}
+    result: dict[str, Any] = {"tension": size} if name in reactions.pulling else {}
     result["force"] = size
     if name in reactions.units:
         result["direction"] = write(_shown(reactions.units[name]))
-    return result | contact
+    return result | contact | quantity(reactions.sizes[name], values, write)
 
 
 def _reactions_at_rest(
-    static: StaticReactions, works: Sequence[WorkOfReaction], moving: dict[str, Any], write: Write
+    static: StaticReactions,
+    works: Sequence[WorkOfReaction],
+    moving: dict[str, Any],
+    values: Values | None,
+    write: Write,
 ) -> dict[str, Any]:
     """The reactions: `at_equilibrium` has an entry for each alternative of `equilibrium`.
 
@@ -257,7 +271,7 @@ def _reactions_at_rest(
     ]
     reactions: dict[str, Any] = {}
     for name in names:
-        at_rest = [r and _at_rest(name, r, write) for r in static.at]
+        at_rest = [r and _at_rest(name, r, values, write) for r in static.at]
         reactions[name] = dict(moving.get(name, (len(at_rest) == 1 and at_rest[0]) or {}))
         if name not in moving:
             reactions[name] |= next(
@@ -275,18 +289,23 @@ def _reactions_at_rest(
     return {"reactions": reactions} | ({"reactions_determined": determined} if any(determined) else {})
 
 
-def _at_rest(name: str, at_rest: ReactionsAtRest, write: Write) -> dict[str, Any]:
+def _at_rest(name: str, at_rest: ReactionsAtRest, values: Values | None, write: Write) -> dict[str, Any]:
     """One reaction at one equilibrium; what is not determined is left out."""
     reactions = at_rest.reactions
     value = reactions.multipliers.get(name)
     result: dict[str, Any] = {} if value is None else {"multiplier": write(value)}
-    result |= _single(name, reactions, write)
+    result |= _single(name, reactions, values, write)
     if name in reactions.forces:
         result["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
     return result
 
 
-def _statics(equilibrium: Equilibrium, stability: SecondVariation | None, write: Write) -> dict[str, Any]:
+def _statics(
+    equilibrium: Equilibrium,
+    stability: SecondVariation | None,
+    in_numbers: EquilibriaInNumbers | None,
+    write: Write,
+) -> dict[str, Any]:
     """Generalized forces and equilibria: one system of equations for each alternative, with its conditions."""
     coordinates = equilibrium.configuration.slots.coordinates
     result: dict[str, Any] = {
@@ -299,6 +318,8 @@ def _statics(equilibrium: Equilibrium, stability: SecondVariation | None, write:
     }
     if stability is not None:
         result["stability"] = [s.verdict.value for s in stability.verdicts]
+    if in_numbers is not None:
+        result["equilibrium_in_numbers"] = [position(p) for p in in_numbers.positions]
     return result
 
 

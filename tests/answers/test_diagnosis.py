@@ -14,7 +14,6 @@ import sympy as sp
 from click.testing import CliRunner
 
 from lagrange.answers.diagnosis import Group, diagnosed
-from lagrange.answers.dimensions import mismatch
 from lagrange.answers.equations import Verdict, check_equations
 from lagrange.answers.examiner import check_answer, reference
 from lagrange.answers.readings import read_answer
@@ -22,6 +21,7 @@ from lagrange.answers.references import Reference
 from lagrange.answers.slips import Slip
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.problem.loader import read_problem
+from lagrange.values.dimensions import mismatch
 from lagsolve.main import main
 from tests.answers.test_equations import GIVEN
 

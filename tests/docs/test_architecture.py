@@ -25,6 +25,7 @@ PACKAGES = [
     "algebra.fourier",
     "algebra.forms",
     "algebra.closed_forms",
+    "values",
     "problem",
     "mechanics.constraints",
     "mechanics.dynamics",

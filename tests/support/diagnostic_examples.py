@@ -211,8 +211,12 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         PARTICLE + "forces: {s: {spring: m, between: [P, '[0, 0]'], length: l, sense: positive}}")),
     "unknown-sequence": ("One of the twelve sequences of rotations.", problem(
         "bodies: {B: {mass: m, inertia: [m, m, m], position: x*i, orientation: {axes: 311, angles: [x, y, x]}}}")),
-    "unit-mismatch": ("The unit of a value has another dimension than the parameter's `unit`.",
+    "unit-mismatch": ("The unit of a value has another dimension than the parameter's `unit`, or than its place in the "
+        "problem: a mass is in kg, a force in N.",
         problem("", parameters="{l: {value: 30 cm, unit: kg}}")),
+    "bad-setting": ("`--set` gives a parameter its value.", Command(("ex11", "--set", "l"))),
+    "unknown-parameter": ("`--set` names something that is no parameter of the problem.", Command(
+        ("ex11", "--set", "L=30 cm"))),
     "unknown-unit": ("A value has a unit that is not known, or ambiguous as `J/kg K` is.",
         problem("", parameters="{l: {value: 3 furlong}}")),
     "value-against-assumption": ("Change the value or the assumption.",

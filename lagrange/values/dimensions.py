@@ -34,6 +34,95 @@ class _Unknown(Exception):  # noqa: N818 - nothing is wrong
     """The dimension is not known."""
 
 
+def dimension(expression: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension | None:
+    """The dimension of an expression; None if it is not known, or the terms disagree."""
+    try:
+        return _dimension(expression, {t: _SECOND, **known})
+    except (_Unknown, _Mismatched):
+        return None
+
+
+def dimensions_needed(
+    stated: Sequence[tuple[sp.Expr, Dimension]], known: Mapping[sp.Symbol, Dimension]
+) -> dict[sp.Symbol, Dimension] | None:
+    """The dimensions that symbols need for each expression to have the dimension stated with it; None if none fit.
+
+    Dimensions of products are linear in those of their factors: a term c a^p b^q with the dimension D gives
+    p [a] + q [b] = D. A number in front may hide a unit (10 m for m g), and its term is passed over unless the number
+    is small; so are terms that are no products of powers.
+    """
+    symbols: dict[sp.Symbol, int] = {}
+    rows: list[tuple[dict[int, sp.Rational], Dimension]] = []
+    for expression, expected in stated:
+        for term in sp.Add.make_args(sp.expand(expression)):
+            powers = _powers(term)
+            if powers is None:
+                continue
+            row: dict[int, sp.Rational] = {}
+            rest = list(expected)
+            for symbol, power in powers.items():
+                q = base(symbol)
+                order = len(symbol.name) - len(q.name)
+                rest = [n + power * order * (unit == "s") for n, unit in zip(rest, BASE, strict=True)]
+                if q in known:
+                    rest = [n - power * k for n, k in zip(rest, known[q], strict=True)]
+                else:
+                    at = symbols.setdefault(q, len(symbols))
+                    row[at] = row.get(at, sp.S.Zero) + power
+            rows.append((row, tuple(rest)))
+    return _solved(rows, tuple(symbols))
+
+
+LARGEST_COEFFICIENT = 9
+"""A larger number in front of a term may stand for a quantity with a unit: 10 m for a weight."""
+
+
+def _powers(term: sp.Expr) -> dict[sp.Symbol, sp.Rational] | None:
+    """The powers of the symbols in a product; None if it is none, or a number may hide a unit."""
+    powers: dict[sp.Symbol, sp.Rational] = {}
+    for factor in sp.Mul.make_args(term):
+        b, exponent = factor.as_base_exp()
+        if factor.is_Rational and abs(factor.p) <= LARGEST_COEFFICIENT:
+            continue
+        if isinstance(factor, sp.sin | sp.cos | sp.tan) or factor == sp.pi:
+            continue
+        if isinstance(b, sp.sin | sp.cos | sp.tan) or (b.is_Integer and abs(b) <= LARGEST_COEFFICIENT):
+            continue
+        if not b.is_Symbol or not exponent.is_Rational:
+            return None
+        powers[b] = powers.get(b, sp.S.Zero) + exponent
+    return powers or None
+
+
+def _solved(
+    rows: Sequence[tuple[dict[int, sp.Rational], Dimension]], symbols: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, Dimension] | None:
+    """The symbols whose dimension is determined; None if the equations contradict one another."""
+    width, height = len(symbols), len(rows)
+    if not rows:
+        return {}
+    table = [[row.get(n, sp.S.Zero) for n in range(width)] + list(rest) for row, rest in rows]
+    pivots: list[int] = []
+    for column in range(width):
+        at = next((k for k in range(len(pivots), height) if table[k][column] != 0), None)
+        if at is None:
+            continue
+        top = len(pivots)
+        table[top], table[at] = table[at], table[top]
+        table[top] = [x / table[top][column] for x in table[top]]
+        for k in range(height):
+            if k != top and table[k][column] != 0:
+                table[k] = [x - table[k][column] * y for x, y in zip(table[k], table[top], strict=True)]
+        pivots.append(column)
+    if any(any(x != 0 for x in row[width:]) for row in table[len(pivots) :]):
+        return None
+    return {
+        symbols[column]: tuple(row[width:])
+        for column, row in zip(pivots, table, strict=False)
+        if all(x == 0 for n, x in enumerate(row[:width]) if n != column)
+    }
+
+
 class _Mismatched(Exception):  # noqa: N818 - it brings a result
     def __init__(self, mismatch: Mismatch) -> None:
         super().__init__()
@@ -93,6 +182,8 @@ def _dimension(e: sp.Expr, known: Mapping[sp.Symbol, Dimension]) -> Dimension:
         return _dimension(e.args[0], known)
     if isinstance(e, sp.sin | sp.cos | sp.tan | sp.exp | sp.log | sp.sinh | sp.cosh | sp.tanh):
         _argument(e.args[0], known)
+        return NO_DIMENSION
+    if isinstance(e, sp.asin | sp.acos | sp.atan | sp.sign):
         return NO_DIMENSION
     raise _Unknown
 

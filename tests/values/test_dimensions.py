@@ -6,13 +6,13 @@ from functools import cache
 
 import pytest
 
-from lagrange.answers.dimensions import dimension_of_unit
 from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import reference
 from lagrange.answers.references import Reference
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.core.units import written
 from lagrange.problem.loader import read_problem
+from lagrange.values.dimensions import dimension_of_unit
 from tests.answers.test_diagnosis import SYSTEMS
 
 

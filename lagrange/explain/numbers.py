@@ -1,0 +1,140 @@
+"""Results in numbers, after each result in letters whose parameters all have values."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
+from lagrange.explain.words import plural, suffix_of, title_in
+from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
+from lagrange.mechanics.equilibrium.linear_stability import Ground
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.solution import InCoordinates, Solution
+from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
+
+RESULTS = (Rule.EQUATIONS_OF_MOTION, Rule.QUASI_VELOCITIES, Rule.SOLVED_REACTIONS, Rule.EQUILIBRIUM, Rule.LINEARIZATION)
+"""The steps whose boxed equations are results."""
+
+
+def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digits: int) -> Iterator[Step]:
+    """The steps with results in numbers."""
+    positions = {title: view for view in solution.views for title in _titles(view)}
+    for step in steps:
+        view = positions.get((step.rule, step.title))
+        if step.rule not in RESULTS:
+            yield step
+        elif view is not None and view.in_numbers is not None:
+            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits)))
+        elif view is not None and not _determines_forces(view):
+            yield step
+        else:
+            yield replace(step, body=tuple(_blocks(step, values, digits)))
+
+
+def _titles(view: InCoordinates) -> Iterator[tuple[Rule, str]]:
+    """The steps in which the equilibria of a view are stated."""
+    if view.linearization is not None:
+        yield Rule.LINEARIZATION, title_in("Small oscillations", view.name)
+    elif view.equilibrium is not None:
+        title = title_in("Equilibrium", view.name) if view.name else "The principle of virtual work"
+        yield Rule.EQUILIBRIUM, title
+
+
+def _determines_forces(view: InCoordinates) -> bool:
+    return view.linearization is None and view.equilibrium is not None and view.equilibrium.given
+
+
+def _blocks(step: Step, values: Values, digits: int) -> Iterator[Block]:
+    for block in step.body:
+        yield block
+        if isinstance(block, Display) and block.boxed:
+            lines = [_in_numbers(e, values, digits) for e in block.equations]
+            shown = [e for e in lines if e is not None]
+            if shown and len(shown) == len(lines):
+                yield prose("With the given values, in units of SI:", detail=Detail.BRIEF)
+                yield display(*shown, detail=Detail.BRIEF)
+
+
+def _in_numbers(equation: Equation, values: Values, digits: int) -> Equation | None:
+    """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit."""
+    sides = [s for s in equation.sides if isinstance(s, sp.Expr)]
+    if len(sides) != len(equation.sides) or not any(s.free_symbols & values.parameters for s in sides):
+        return None
+    left, right = values.quantity(sides[0]), values.quantity(sides[-1])
+    if left is None or right is None:
+        return None
+    try:
+        if not right.is_number or not sides[0].is_Symbol:
+            return Equation((left.formula_shown(digits), right.formula_shown(digits)))
+        number, shown = right.formula_shown(digits), right.shown(digits)
+    except NotRealError:
+        return None
+    return Equation((sides[0], shown), relation="=" if is_exact(right.formula, number) else "≈")
+
+
+def measured(quantity: Quantity, digits: int) -> Math:
+    """A number with its unit in running text; an angle in degrees as well."""
+    if quantity.formula == 0:
+        return math(sp.S.Zero)
+    shown = quantity.shown(digits)
+    if quantity.unit != "rad":
+        return math(shown)
+    degrees = rounded(quantity.formula * 180 / sp.pi, digits)
+    return math(shown, with_unit(degrees, "°"))
+
+
+def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int) -> Iterator[Block]:
+    """A table of the equilibria: where they are, whether they are stable, how they oscillate."""
+    suffix = suffix_of(view.name)
+    start = "at-rest" if view.linearization is not None else "equilibrium"
+
+    def called(n: int) -> Ref:
+        return Ref(f"{start}{suffix}-{n + 1}")
+
+    if found.positions:
+        yield prose("With the given values, in units of SI:", detail=Detail.BRIEF)
+        yield _table(view, found, called, digits)
+    if found.absent:
+        one = plural(len(found.absent), " has no real position", " have no real positions")
+        yield prose(*listed(called(n) for n in found.absent), f"{one} with these values.", detail=Detail.BRIEF)
+
+
+def _table(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> Table:
+    unknowns = [u for u in found.unknowns if any(u in p.coordinates for p in found.positions)]
+    judged = any(p.stability is not None for p in found.positions)
+    most = max((len(p.oscillations) for p in found.positions), default=0)
+    omega = view.linearization.omega if view.linearization is not None else sp.Symbol("omega", real=True)
+    header: list[Part] = ["equilibrium", *(math(u) for u in unknowns)]
+    for k in range(most):
+        header += [math(omega if most == 1 else sp.Symbol(f"{omega.name}_{k + 1}", real=True)), "period"]
+    header += ["stability"] if judged else []
+    rows = []
+    for p in found.positions:
+        row: list[Part] = [called(p.branch) if p.branch is not None else "numerical"]
+        row += [measured(p.coordinates[u], digits) if u in p.coordinates else "any" for u in unknowns]
+        for k in range(most):
+            if k < len(p.oscillations):
+                o = p.oscillations[k]
+                row += [math(o.frequency.shown(digits)), math(o.period.shown(digits))]
+            else:
+                row += ["–", "–"]
+        row += [_judged(p, view)] if judged else []
+        rows.append(tuple(row))
+    return Table(tuple(header), tuple(rows), Detail.BRIEF)
+
+
+def _judged(p: Position, view: InCoordinates) -> str:
+    """The verdict in a word or three."""
+    if p.stability is None or p.stability in (StabilityVerdict.UNDECIDED, StabilityVerdict.CONDITIONAL):
+        return "undecided"
+    s = view.linearization.at[p.branch] if view.linearization is not None and p.branch is not None else None
+    if s is not None and p.stability is StabilityVerdict.STABLE:
+        if s.judgement.asymptotic:
+            return "asymptotically stable"
+        if s.judgement.ground not in (None, Ground.POTENTIAL, Ground.HURWITZ):
+            return "stable to first order"
+    return p.stability.value

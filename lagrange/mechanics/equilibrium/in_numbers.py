@@ -1,0 +1,250 @@
+"""Equilibria, their stability and their frequencies in numbers, where the parameters have values.
+
+A branch such as cos θ = g/(l ω²) is a set of points, and the values of all letters are known at each of them; so each
+point becomes a position by putting the values in, θ = ±1.047. One at which a coordinate is not real, or a condition of
+the branch fails, is absent with these values. What was concluded of stability for open signs is settled by their
+values; where a minor is too small to have a certain sign, nothing is said.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import mpmath
+import sympy as sp
+
+from lagrange.algebra.closed_forms.eigenmodes import Frequency
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.single_equation import Values as Letters
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.core.records import record
+from lagrange.core.units import unit_called
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
+from lagrange.values.limits import WORKING_DIGITS
+from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
+
+Evaluate = Callable[[sp.Expr], sp.Expr]
+"""An expression at a point, with the values put in."""
+
+CERTAIN = sp.Float(10) ** (10 - WORKING_DIGITS)
+"""A number that is smaller than this part of the others has no certain sign."""
+
+
+@record
+class Oscillation:
+    """A frequency ω in numbers, and the period 2π/ω; `root` is the index of the root that it belongs to."""
+
+    root: int
+    frequency: Quantity
+    period: Quantity
+
+
+@record
+class Position:
+    """An equilibrium in numbers.
+
+    branch        of the equilibria in closed form, by index; None where it was found numerically
+    coordinates   the coordinates and unknown forces that have one value there
+    stability     None where nothing was asked or can be said
+    oscillations  about it; empty where they are not asked, or it is not stable
+    """
+
+    branch: int | None
+    coordinates: Mapping[sp.Symbol, Quantity]
+    stability: StabilityVerdict | None = None
+    oscillations: tuple[Oscillation, ...] = ()
+
+
+@record
+class EquilibriaInNumbers:
+    """The equilibria of one set of coordinates in numbers.
+
+    unknowns  the coordinates and unknown forces, in their order
+    absent    the branches, by index, that have no point with these values
+    """
+
+    unknowns: tuple[sp.Symbol, ...]
+    angles: frozenset[sp.Symbol]
+    positions: tuple[Position, ...]
+    absent: tuple[int, ...] = ()
+
+
+def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values: Values) -> EquilibriaInNumbers | None:
+    """The equilibria in numbers; None where a parameter of theirs has no value, or only forces are to be found."""
+    if e.given or not e.conditions or not values.covers(*e.expressions):
+        return None
+    verdicts = second.verdicts if second is not None else (None,) * len(e.branches)
+    positions: list[Position] = []
+    absent: list[int] = []
+    for n, (b, stability) in enumerate(zip(e.branches, verdicts, strict=True)):
+        if b.left or b.special:
+            continue
+        there = [*_positions(n, b, stability, e, values)]
+        positions += there
+        absent += [] if there else [n]
+    return _ordered(e, positions, absent)
+
+
+def oscillations_in_numbers(linear: Linearization, values: Values) -> EquilibriaInNumbers | None:
+    """The equilibria of the equations of motion in numbers, with the frequencies about them."""
+    e = linear.equilibrium
+    used = [*e.expressions, *(x for s in linear.at if s is not None for x in s.equations)]
+    if not values.covers(*used):
+        return None
+    positions: list[Position] = []
+    absent: list[int] = []
+    for n, (b, s) in enumerate(zip(linear.branches, linear.at, strict=True)):
+        if b.left or b.special:
+            continue
+        stability = None if s is None else s.judgement.stability
+        there = [*_positions(n, b, stability, e, values, s)]
+        positions += there
+        absent += [] if there else [n]
+    return _ordered(e, positions, absent)
+
+
+def _ordered(e: Equilibrium, positions: Sequence[Position], absent: Sequence[int]) -> EquilibriaInNumbers | None:
+    if not positions and not absent:
+        return None
+    unknowns = (*e.configuration.slots.coordinates, *e.forces)
+    angles = frozenset(u for u in unknowns if u in e.solution.letters.angles)
+    return EquilibriaInNumbers(unknowns, angles, tuple(positions), tuple(absent))
+
+
+def _positions(
+    n: int,
+    b: Branch,
+    stability: Stability | None,
+    e: Equilibrium,
+    values: Values,
+    oscillations: SmallOscillations | None = None,
+) -> Iterator[Position]:
+    """The points of a branch that exist with the values."""
+    for point in b.points:
+
+        def at(x: sp.Expr, point: Letters = point) -> sp.Expr:
+            return values.put_in(e.solution.at(point, x))
+
+        try:
+            if not all(_holds(c, at) is not False for c in b.conditions):
+                continue
+            coordinates = _coordinates(b, e, values, at)
+            verdict = _verdict(stability, at)
+            found = () if oscillations is None else _oscillations(oscillations, at, values)
+        except (NotRealError, NotAlgebraicError, DivisionByZeroError, ZeroDivisionError):
+            continue
+        yield Position(n, coordinates, verdict, found if verdict is not StabilityVerdict.UNSTABLE else ())
+
+
+def _coordinates(b: Branch, e: Equilibrium, values: Values, at: Evaluate) -> dict[sp.Symbol, Quantity]:
+    """The coordinates and forces at a point. Raises NotRealError."""
+    found: dict[sp.Symbol, Quantity] = {}
+    for u in (*e.configuration.slots.coordinates, *e.forces):
+        angle = e.solution.letters.angles.get(u)
+        if angle is None:
+            value = at(u)
+            unit = _unit(u, b, values)
+        else:
+            cosine, sine = (at(f(angle.measure)) for f in (sp.cos, sp.sin))
+            if not cosine.is_number:
+                continue
+            value = sp.sympify(u / angle.measure, strict=True) * _angle(real_value(cosine), real_value(sine))
+            unit = "rad"
+        if value.is_number:
+            real_value(value)
+            found[u] = Quantity(value, unit)
+    return found
+
+
+def _unit(u: sp.Symbol, b: Branch, values: Values) -> str:
+    """The unit of a coordinate: the one that the file gives, or that of the expression for it."""
+    if u in values.units:
+        return unit_called(values.units[u])
+    stated = next((r.rhs for r in b.relations if r.lhs == u), None)
+    return "" if stated is None else values.unit_of(stated)
+
+
+def _angle(cosine: sp.Float, sine: sp.Float) -> sp.Expr:
+    """The angle in (−π, π]."""
+    if sine.is_zero:
+        return sp.S.Zero if cosine > 0 else sp.pi
+    if cosine.is_zero:
+        return sp.pi / 2 if sine > 0 else -sp.pi / 2
+    with mpmath.workdps(WORKING_DIGITS):
+        return sp.Float(mpmath.atan2(mpmath.mpf(str(sine)), mpmath.mpf(str(cosine))), WORKING_DIGITS)
+
+
+def _holds(c: SignCondition, at: Evaluate) -> bool | None:
+    """Whether a condition holds; None where it has open symbols, or the sides are too close."""
+    difference = at(c.lhs) - at(c.rhs)
+    if not difference.is_number:
+        return None
+    value = real_value(difference)
+    if value.is_zero:
+        return c.relation in ("≥", "≤")
+    if abs(value) < CERTAIN:
+        return None
+    return c.relation == "≠" or bool(value > 0) is (c.relation in ("≥", ">"))
+
+
+def _verdict(stability: Stability | None, at: Evaluate) -> StabilityVerdict | None:
+    """The verdict with the values."""
+    if stability is None:
+        return None
+    if all(_holds(c, at) for c in stability.presupposed):
+        if stability.verdict in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE):
+            return stability.verdict
+    elif stability.verdict is not StabilityVerdict.CONDITIONAL:
+        return StabilityVerdict.UNDECIDED
+    if stability.verdict is StabilityVerdict.CONDITIONAL:
+        held = [_holds(c, at) for c in stability.conditions]
+        if all(held):
+            return StabilityVerdict.STABLE
+        if stability.order == 2 and any(_is_negative(m, at) for m in stability.minors):
+            return StabilityVerdict.UNSTABLE
+        return StabilityVerdict.UNDECIDED
+    if any(_holds(c, at) for c in stability.unstable):
+        return StabilityVerdict.UNSTABLE
+    return StabilityVerdict.UNDECIDED
+
+
+def _is_negative(minor: sp.Expr, at: Evaluate) -> bool:
+    value = at(minor)
+    return bool(value.is_number and real_value(value) < -CERTAIN)
+
+
+def _oscillations(s: SmallOscillations, at: Evaluate, values: Values) -> tuple[Oscillation, ...]:
+    """The frequencies at a point, each as often as it occurs."""
+    if not s.oscillates:
+        return ()
+    squares = [(w, k) for k, f in enumerate(s.frequencies) for w in [*_squares(f, at)] * f.multiplicity]
+    known = bool(values.units)
+    found = []
+    for w, k in sorted(squares):
+        if w > CERTAIN:
+            omega = sp.sqrt(w)
+            period = Quantity(2 * sp.pi / omega, "s" if known else "")
+            found.append(Oscillation(k, Quantity(omega, "rad/s" if known else ""), period))
+    return tuple(found)
+
+
+def _squares(f: Frequency, at: Evaluate) -> Iterator[sp.Expr]:
+    """The values of ω², in closed form or as roots of a polynomial with numbers as coefficients."""
+    if f.square is not None:
+        value = at(f.square)
+        if value.is_number:
+            yield real_value(value)
+        return
+    coefficients = [at(c) for c in sp.Poly(f.factor, f.letter).all_coeffs()]
+    if any(not c.is_number for c in coefficients):
+        return
+    with mpmath.workdps(2 * WORKING_DIGITS):
+        numbers = [mpmath.mpf(str(real_value(c, 2 * WORKING_DIGITS))) for c in coefficients]
+        roots = mpmath.polyroots(numbers, maxsteps=200, extraprec=400)
+        yield from (
+            sp.Float(r.real, WORKING_DIGITS) for r in roots if abs(r.imag) < mpmath.mpf(10) ** -WORKING_DIGITS * abs(r)
+        )

@@ -1,0 +1,245 @@
+"""Values of parameters: numbers with units, converted to units of SI; on the command line, `--set l=30cm`.
+
+A value's own unit must have the dimension of the `unit` stated apart from it, and the dimension that its parameter has
+in the problem: a mass is in kg, a position in m, a force in N. That dimension follows from the places where the
+parameter is used, as far as these determine it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span, suggestion
+from lagrange.core.records import record
+from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_number, unit_of
+from lagrange.core.vectors import Vector
+from lagrange.expressions.reader import Scope, canonical_name, read_scalar
+from lagrange.problem.keys import Assumption
+from lagrange.problem.model import (
+    AppliedForce,
+    AppliedMoment,
+    Coordinate,
+    Damper,
+    Friction,
+    Parameter,
+    Potential,
+    Problem,
+    Spring,
+)
+
+if TYPE_CHECKING:
+    from lagrange.values.quantities import Values
+
+IN_WORDS = {
+    Assumption.POSITIVE: "positive",
+    Assumption.NONNEGATIVE: "not negative",
+    Assumption.SIGN: "a sign, +1 or -1",
+}
+
+
+@record
+class ValueRead:
+    """A value in units of SI, its unit there, and where it stands. `measured`: whether the file gives it a unit."""
+
+    number: sp.Expr
+    unit: str
+    span: Span
+    measured: bool
+
+
+def read_number_with_unit(fragment: Fragment, stated: Fragment | None, assume: Assumption | None) -> ValueRead:
+    """`30 cm`, or 30 with the unit `stated` apart. The value's own unit must have the dimension of the one stated."""
+    parts = split_number(fragment.text)
+    if parts is None:
+        number = _number(fragment, fragment.text, assume)
+        if stated is None:
+            return ValueRead(number, "", fragment.whole, False)
+        unit, text = _known_unit(stated), stated.text
+    else:
+        text = parts[1]
+        unit = _known_unit(replace(fragment, text=text))
+        number = _number(fragment, parts[0], assume)
+        expected = unit if stated is None else _known_unit(stated)
+        if stated is not None and unit.dimension != expected.dimension:
+            message = f"`{text}` does not fit the unit `{stated.text}`"
+            help_ = f"one is {in_si(unit)} in units of SI, the other {in_si(expected)}"
+            raise ProblemError(Diagnostic("unit-mismatch", message, fragment.whole, help=help_))
+    return ValueRead(number * unit.factor, text if unit.factor == 1 else in_si(unit), fragment.whole, True)
+
+
+def _known_unit(fragment: Fragment) -> Unit:
+    unit = unit_of(fragment.text)
+    if unit is None:
+        message = f"`{fragment.text}` is not a known unit"
+        help_ = (
+            "units are products of `kg`, `m`, `s`, `N`, `deg`, `rpm`, `ft`, `lb` and the like: `kg m^2/s`, `J/(kg K)`"
+        )
+        raise ProblemError(Diagnostic("unknown-unit", message, fragment.whole, help=help_))
+    return unit
+
+
+def _number(fragment: Fragment, text: str, assume: Assumption | None) -> sp.Expr:
+    """The number that a part of a fragment says, exactly: 9.81, 2/3, 2*pi."""
+    help_ = "write a number such as `9.81`, `1e-3`, `2/3` or `2*pi`, and its unit after it: `30 cm`"
+    try:
+        number = read_scalar(replace(fragment, text=text, start=None), Scope())
+    except ProblemError as error:
+        if error.diagnostics[0].code not in _NO_NUMBER:
+            raise
+        number = None
+    if number is None or not number.is_number or not (number.is_Rational or number.is_real):
+        message = f"`{fragment.text}` is not a number"
+        raise ProblemError(Diagnostic("not-a-number", message, fragment.whole, help=help_))
+    wrong = {
+        Assumption.POSITIVE: not number.is_positive,
+        Assumption.NONNEGATIVE: number.is_negative,
+        Assumption.REAL: False,
+        Assumption.SIGN: number not in (1, -1),
+    }
+    if assume is not None and wrong[assume]:
+        message = f"the value {fragment.text} contradicts that the parameter is {IN_WORDS[assume]}"
+        help_ = "change the value, or say `assume: real`"
+        raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
+    return number
+
+
+_NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "missing-operator", "vector-for-scalar")
+"""Errors of a text that was not meant as an expression: `12:30`, `~`, `3 m`."""
+
+
+def values_of(problem: Problem) -> Values | None:
+    """The values of a problem; None where it has none, so that nothing is loaded for them."""
+    numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    if not numbers:
+        return None
+    from lagrange.values.quantities import Values
+
+    units = {p.symbol: p.unit for p in problem.parameters} | {q.symbol: q.unit for q in problem.coordinates}
+    return Values.of(numbers, frozenset(p.symbol for p in problem.parameters), units)
+
+
+# -- the command line --------------------------------------------------------------------------------------------------
+
+
+def with_settings(
+    parameters: Sequence[Parameter], coordinates: Sequence[Coordinate], settings: Sequence[Fragment]
+) -> tuple[Parameter, ...]:
+    """The parameters with the values that `NAME=VALUE` gives them; of two for one name the later counts.
+
+    Raises ProblemError with everything that is wrong with the settings.
+    """
+    by_name = {p.symbol.name: p for p in parameters}
+    errors: list[Diagnostic] = []
+    for setting in settings:
+        try:
+            name, value = _setting(setting, by_name, [q.symbol.name for q in coordinates])
+            p = by_name[name]
+            unit = p.unit if split_number(value.text) else p.stated_unit  # a bare number is in the file's unit
+            stated = Fragment(unit, setting.whole) if unit and unit_of(unit) else None
+            read = read_number_with_unit(value, stated, p.assume)
+            by_name[name] = replace(
+                p, value=read.number, unit=read.unit or p.unit, value_span=read.span, measured=read.measured
+            )
+        except ProblemError as error:
+            errors += error.diagnostics
+    if errors:
+        raise ProblemError(errors)
+    return tuple(by_name.values())
+
+
+def _setting(setting: Fragment, known: Mapping[str, Parameter], coordinates: Sequence[str]) -> tuple[str, Fragment]:
+    """The name and the text of the value."""
+    written, equals, value = setting.text.partition("=")
+    help_ = "write the name of a parameter and its value: `--set l=0.3`, `--set 'l=30 cm'`"
+    if not equals or not written.strip() or not value.strip():
+        raise ProblemError(Diagnostic("bad-setting", f"`{setting.text}` gives no value", setting.whole, help=help_))
+    name = canonical_name(written) or written.strip()
+    at = len(setting.text) - len(value.lstrip())
+    text = value.strip()
+    if name not in known:
+        what = "a coordinate, not a parameter," if name in coordinates else "not a parameter"
+        message = f"`{name}` is {what} of this problem".replace(", of", " of")
+        help_ = suggestion(name, list(known), "parameters")
+        raise ProblemError(Diagnostic("unknown-parameter", message, setting.span(0, len(written)), help=help_))
+    return name, Fragment(text, setting.span(at, at + len(text)), at)
+
+
+# -- the dimensions that the problem needs -----------------------------------------------------------------------------
+
+
+def _dimension(unit: str) -> Dimension:
+    known = unit_of(unit)
+    return NO_DIMENSION if known is None else known.dimension
+
+
+def check_dimensions(problem: Problem) -> None:
+    """Raises ProblemError where the unit of a value does not fit the place of its parameter in the problem."""
+    measured = [p for p in problem.parameters if p.measured and p.value_span is not None]
+    if not measured:
+        return
+    from lagrange.values.dimensions import dimensions_needed
+
+    stated = [(e, _dimension(unit)) for e, unit in _places(problem) if e.count_ops() <= LONGEST_PLACE]
+    if dimensions_needed(stated, _known(problem)) is not None:
+        return
+    for p in measured:
+        needed = dimensions_needed(stated, _known(problem, p.symbol))
+        if needed is None or p.symbol not in needed:
+            continue
+        expected = in_si(Unit(sp.S.One, needed[p.symbol]))
+        if expected == "1":
+            expected = "a number or an angle"
+        message = f"the unit of `{p.symbol}` does not fit its place in the problem"
+        given = unit_of(p.unit)
+        help_ = f"`{p.symbol}` has to be {expected} in units of SI, and this is {in_si(given) if given else p.unit}"
+        if given == unit_of("N") and expected == "kg":
+            help_ += "; `lb` is a force, the mass is in `slug`"
+        raise ProblemError(Diagnostic("unit-mismatch", message, p.value_span, help=help_))
+
+
+LONGEST_PLACE = 100
+"""Operations of an expression whose dimension is looked at: longer ones are multiplied out too slowly."""
+
+
+def _known(problem: Problem, but: sp.Symbol | None = None) -> dict[sp.Symbol, Dimension]:
+    """The dimensions of the symbols whose unit the file gives."""
+    units = {p.symbol: p.unit for p in problem.parameters} | {q.symbol: q.unit for q in problem.coordinates}
+    known = {s: unit.dimension for s, text in units.items() if text and (unit := unit_of(text)) is not None}
+    return {symbol: dimension for symbol, dimension in known.items() if symbol != but}
+
+
+def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
+    """Expressions, each with the unit of SI of what it stands for."""
+    for body in problem.masses:
+        yield body.mass, "kg"
+        yield from _components(body.position, "m")
+    for body in problem.bodies:
+        yield from ((moment, "kg m^2") for moment in body.inertia)
+        yield from ((angle, "1") for angle in (body.angle, *body.angles) if angle is not None)
+    yield from _components(problem.gravity, "m/s^2")
+    for f in problem.forces:
+        match f:
+            case AppliedForce():
+                yield from _components(f.vector, "N")
+                yield from _components(f.at, "m")
+            case AppliedMoment():
+                yield from _components(f.moment, "N m")
+            case Spring():
+                yield f.stiffness, "N/m"
+                yield f.length, "m"
+                yield from (place for end in f.ends for place in _components(end, "m"))
+            case Damper():
+                yield f.coefficient, "N s/m"
+            case Potential():
+                yield f.energy, "N m"
+            case Friction():
+                yield f.coefficient, "1"
+
+
+def _components(vector: Vector | None, unit: str) -> Iterator[tuple[sp.Expr, str]]:
+    if vector is not None:
+        yield from ((c, unit) for c in vector.components if c != 0)

@@ -1,0 +1,82 @@
+"""Results in numbers, in JSON: `number` and `unit` beside the results in letters.
+
+A number is as accurate as a float is; where coordinates are left in a result, `number` is a text in the language of
+problem files, with the values in it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Oscillation, Position
+    from lagrange.values.quantities import Quantity, Values
+
+Write = Callable[[Any], str]
+JSON_DIGITS = 10
+"""Significant digits of the numbers in an expression."""
+
+
+def position(p: Position) -> dict[str, Any]:
+    """An equilibrium in numbers; `branch` is the place of its equations in `equilibrium`, counted from 0."""
+    found: dict[str, Any] = {} if p.branch is None else {"branch": p.branch}
+    found["coordinates"] = {u.name: _measured(q) for u, q in p.coordinates.items()}
+    if p.stability is not None:
+        found["stability"] = p.stability.value
+    if p.oscillations:
+        found["frequencies"] = [_oscillation(o) for o in p.oscillations]
+    return found
+
+
+def _oscillation(o: Oscillation) -> dict[str, Any]:
+    return _measured(o.frequency) | {"period": _measured(o.period)}
+
+
+def _measured(quantity: Quantity) -> dict[str, Any]:
+    """`number`, and `unit` where it is known."""
+    return {"number": quantity.number} | ({"unit": quantity.unit} if quantity.unit else {})
+
+
+def quantity(expression: sp.Expr | None, values: Values | None, write: Write) -> dict[str, Any]:
+    """An expression with the values: `number`, a text where coordinates are left in it, and `unit`."""
+    if expression is None or values is None or not expression.free_symbols & values.parameters:
+        return {}
+    quantity = values.quantity(expression)
+    if quantity is None:
+        return {}
+    if quantity.is_number:
+        return _measured(quantity)
+    shown = {"number": write(quantity.shown(JSON_DIGITS))}
+    return shown | ({"unit": quantity.unit} if quantity.unit else {})
+
+
+def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write: Write) -> dict[str, Any]:
+    """The equations of motion with the values; empty where a parameter has none."""
+    if values is None:
+        return {}
+    expressions = [e.expression for e in motion.final]
+    quantities = [values.quantity(e) for e in expressions if e.free_symbols & values.parameters]
+    if not quantities or len(quantities) < len(expressions) or None in quantities:
+        return {}
+    return {"equations_in_numbers": [f"{write(q.shown(JSON_DIGITS))} = 0" for q in quantities if q is not None]}
+
+
+def add_oscillations(entries: list[dict[str, Any]], in_numbers: EquilibriaInNumbers) -> None:
+    """Adds `in_numbers` to each equilibrium, and `number`, `unit` and `period` to what has one value there."""
+    for n, entry in enumerate(entries):
+        there = [p for p in in_numbers.positions if p.branch == n]
+        entry["in_numbers"] = [position(p) for p in there]
+        for k, frequency in enumerate(entry.get("frequencies", ())):
+            found = {_text(_oscillation(o)) for p in there for o in p.oscillations if o.root == k}
+            if len(found) == 1:
+                frequency |= json.loads(found.pop())
+
+
+def _text(value: dict[str, Any]) -> str:
+    """A text of a value, so that equal ones can be found."""
+    return json.dumps(value, sort_keys=True)

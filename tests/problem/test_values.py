@@ -1,0 +1,114 @@
+"""Values of parameters: on the command line, and whether their units fit the problem."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.diagnostics import Fragment, ProblemError, Source
+from lagrange.problem.loader import read_problem
+from lagrange.problem.model import Problem
+from tests.support.problem_texts import places, read
+
+PENDULUM = """title: T
+parameters: {m: {value: 2 kg}, l: {unit: cm}, g: {value: 9.81 m/s^2}, s: sign}
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+constraints: {rod: x^2 + y^2 = l^2}
+gravity: g*j
+"""
+
+
+def with_settings(*settings: str) -> Problem:
+    return read_problem(Source("problem.yaml", PENDULUM), [Fragment.of(s, "--set") for s in settings])
+
+
+def values(problem: Problem) -> dict[str, sp.Expr | None]:
+    return {p.symbol.name: p.value for p in problem.parameters}
+
+
+@pytest.mark.parametrize(
+    ("written", "value", "unit"),
+    [
+        ('"2*pi rad/s"', 2 * sp.pi, "rad/s"),
+        ("1/2 m", sp.Rational(1, 2), "m"),
+        ("2 sqrt(3) kN", None, ""),
+        ("2*sqrt(3) kN", 2000 * sp.sqrt(3), "N"),
+        ("9.81*m/s^2", sp.Rational(981, 100), "m/s^2"),
+        ("pi/4", sp.pi / 4, ""),
+        ("(1 + 2)/4 ft", sp.Rational(3, 4) * sp.Rational("0.3048"), "m"),
+        ("1 slug", sp.Rational("0.45359237") * sp.Rational("9.80665") / sp.Rational("0.3048"), "kg"),
+    ],
+)
+def test_values_may_be_exact_arithmetic(written: str, value: sp.Expr | None, unit: str) -> None:
+    text = f"title: T\ncoordinates: [x]\nparameters: {{l: {{value: {written}}}}}\n"
+    if value is None:
+        assert [code for code, *_ in places(text)] == ["unknown-unit"]
+        return
+    [parameter] = read(text).parameters
+    assert parameter.value is not None
+    assert sp.expand(parameter.value - value) == 0
+    assert parameter.unit == unit
+
+
+def test_settings_give_and_replace_values() -> None:
+    found = values(with_settings("l=30", "m = 500 g", "m=250 g", "s=-1"))
+    assert found == {"m": sp.Rational(1, 4), "l": sp.Rational(3, 10), "g": sp.Rational(981, 100), "s": -1}
+    assert values(with_settings("l=0.3 m"))["l"] == sp.Rational(3, 10)
+
+
+@pytest.mark.parametrize(
+    ("setting", "code"),
+    [
+        ("l", "bad-setting"), ("l=", "bad-setting"), ("=3", "bad-setting"), ("q=3", "unknown-parameter"),
+        ("x=3", "unknown-parameter"), ("l=3 kg", "unit-mismatch"), ("m=3 furlong", "unknown-unit"),
+        ("m=-1", "value-against-assumption"), ("m=abc", "not-a-number"), ("m=1/0", "division-by-zero"),
+        ("s=2", "value-against-assumption"), ("m=inf", "not-a-number"),
+    ],
+)  # fmt: skip
+def test_settings_that_cannot_be_used(setting: str, code: str) -> None:
+    with pytest.raises(ProblemError) as caught:
+        with_settings(setting)
+    [finding] = caught.value.diagnostics
+    assert finding.code == code
+    assert finding.span is not None
+    assert finding.span.source.name == "--set"
+
+
+HANGING = "coordinates: [x, theta]\naxes: {j: down}\n"
+
+
+@pytest.mark.parametrize(
+    ("parameters", "rest", "fits"),
+    [
+        ("m: {value: 3 s}", "particles: {P: {mass: m, position: x*i}}", False),
+        ("m: {value: 3 kg}", "particles: {P: {mass: m, position: x*i}}", True),
+        ("m: {value: 3 lb}", "particles: {P: {mass: m, position: x*i}}", False),
+        ("m: {value: 3 slug}", "particles: {P: {mass: m, position: x*i}}", True),
+        ("m: {value: 3 s}", "particles: {P: {mass: 10*m, position: x*i}}", True),  # 10 may have a unit
+        ("l: {value: 3 kg}", "particles: {P: {mass: 1, position: l*sin(theta)*i}}", False),
+        ("l: {value: 30 deg}", "particles: {P: {mass: 1, position: l*sin(theta)*i}}", False),
+        ("l: {value: 3 ft}", "particles: {P: {mass: 1, position: (l/2 + x)*sin(theta)*i}}", True),
+        ("g: {value: 9.81 m/s}", "gravity: g*j\nparticles: {P: {mass: 1, position: x*i}}", False),
+        ("m: {value: 1 kg}, l: {value: 1 m}", "bodies: {B: {mass: m, inertia: m*l^2/12, position: x*i, angle: theta}}", True),
+        ("m: {value: 1 kg}, l: {value: 1 s}", "bodies: {B: {mass: m, inertia: m*l^2/12, position: x*i, angle: theta}}", False),
+        ("k: {value: 5 N}", "particles: {P: {mass: 1, position: x*i}}\n"
+         "forces: {s: {spring: k, between: [P, 0*i]}}", False),
+        ("F: {value: 5 N}, a: {value: 2 1/s}", "particles: {P: {mass: 1, position: x*i}}\n"
+         "forces: {s: {on: P, vector: F*cos(a*t)*i}}", True),
+        ("F: {value: 5 N m}", "particles: {P: {mass: 1, position: x*i}}\nforces: {s: {on: P, vector: F*i}}", False),
+        ("mu: {value: 5 N}", "coordinates: [x, y]\nparticles: {P: {mass: 1, position: x*i + y*j}}\n"
+         "constraints: {c: y = 0}\nforces: {s: {friction: mu, constraint: c, on: P}}", False),
+        ("k: {value: 5 N/m}", "particles: {P: {mass: 1, position: x*i}}\nforces: {s: {potential: k*x^2/2}}", True),
+        ("k: {value: 5 N}", "particles: {P: {mass: 1, position: x*i}}\nforces: {s: {potential: k*x^2/2}}", False),
+        ("c: {value: 5 m/s}, m: {value: 1}", "particles: {P: {mass: m, position: x*i}}", True),
+    ],
+)  # fmt: skip
+def test_a_unit_fits_the_place_of_its_parameter(parameters: str, rest: str, fits: bool) -> None:
+    head = "" if rest.startswith("coordinates") else HANGING
+    text = f"title: T\nparameters: {{{parameters}}}\n{head}{rest}\n"
+    if fits:
+        read(text)
+        return
+    [(code, line, _)] = places(text)
+    assert (code, line) == ("unit-mismatch", 2)
