@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
+    from lagrange.mechanics.questions.results import Asked
     from lagrange.mechanics.solution import InCoordinates, Solution
 
 VERSION = 1
@@ -99,6 +100,8 @@ def as_object(report: Report) -> dict[str, Any]:
         found["conserved"] = integrals(own.conserved, write)
     if own.reactions_at_rest is not None:
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, found.get("reactions", {}), write)
+    if solution.asked:
+        found["asked"] = [_asked(a, write) for a in solution.asked]
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
     first = next((s for s in spots if s is not None), None)
@@ -461,6 +464,31 @@ def integrals(conserved: Conserved, write: Write) -> list[dict[str, Any]]:
         expression = write(conserved.energy.expression)
         entries.append({"kind": "energy", "expression": expression, "rate": None if rate is None else write(rate)})
     return entries
+
+
+def _asked(asked: Asked, write: Write) -> dict[str, Any]:
+    """The answer to one question; several branches that may all be meant are joined by `or` in `value`."""
+    question = asked.question
+    stated = [
+        write(b.rhs) if b.lhs == question.quantity else f"{write(b.lhs)} = {write(b.rhs)}" for b in asked.branches
+    ]
+    conditions = dict.fromkeys(
+        f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for b in asked.branches for c in b.conditions
+    )
+    found: dict[str, Any] = {
+        "name": question.name,
+        "quantity": write(question.quantity),
+        "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
+    }
+    found |= {"by": question.by.name} if question.by is not None else {}
+    found |= {"value": " or ".join(stated) or None, "number": None, "unit": None}
+    found |= {"how": None if asked.how is None else asked.how.value, "conditions": list(conditions)}
+    if len(stated) > 1:
+        found["branches"] = [
+            {"value": s, "conditions": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions]}
+            for s, b in zip(stated, asked.branches, strict=True)
+        ]
+    return found | ({"choice": asked.choice} if asked.choice else {})
 
 
 def _block(block: Block, write: Write) -> dict[str, Any]:

@@ -29,6 +29,7 @@ PACKAGES = [
     "mechanics.constraints",
     "mechanics.dynamics",
     "mechanics.equilibrium",
+    "mechanics.questions",
     "mechanics",
     "answers",
     "pictures",
