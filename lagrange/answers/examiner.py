@@ -85,6 +85,10 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
         yield check_frequencies(answers.frequencies, linearizations, reference_of_solution(solution))
     if answers.reactions and (of_reactions := _reactions(solution, answers.reactions)) is not None:
         yield of_reactions
+    if answers.ask:
+        from lagrange.answers.questions.asked_quantities import check_asked
+
+        yield check_asked(answers.ask, solution)
 
 
 def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
@@ -271,7 +275,7 @@ def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...]
 def _nothing_to_compare(answers: Answers) -> Iterator[AnswerVerdict]:
     """The answers to questions that equations given outright do not settle: undecided."""
     why = "the problem gives its equations and no more: there is nothing to compare this with"
-    for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions"):
+    for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions", "ask"):
         if getattr(answers, name) not in (None, (), {}):
             yield AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=why)
 

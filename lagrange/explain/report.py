@@ -166,6 +166,10 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
         yield _reactions(solution, c.dynamics, c.name)
         yield _conserved(c.conserved, problem, c.name)
         yield _small_oscillations(c.linearization)
+    if solution.asked:
+        from lagrange.explain.questions import explain_questions
+
+        yield from explain_questions(solution)
     stated = (e for a in answers if a.name == "reactions" for e in a.equations)
     remarks = [(e.text.partition(":")[0], remark) for e in stated for remark in e.remarks]
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], remarks)
@@ -300,6 +304,9 @@ def _shortcomings(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Ite
             where = f" ({check.choice})" if check.choice else ""
             outcome = "could not be decided" if check.passed is None else "did not hold"
             yield Diagnostic("check-failed", f"a check {outcome}: {check.name}{where}")
+    for asked in solution.asked:
+        if not asked.answered:
+            yield Diagnostic("undecided", f"the question `{asked.question.name}` could not be answered")
     for answer in answers:
         if answer.verdict is not Verdict.EQUIVALENT:
             yield Diagnostic("answer-differs", f"among the file's answers, `{answer.name}` is {answer.verdict}")

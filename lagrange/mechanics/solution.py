@@ -55,6 +55,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+    from lagrange.mechanics.questions.results import Asked
 
 
 OnStage = Callable[[str], None]
@@ -129,6 +130,7 @@ class Solution:
     normals          gradients of the geometric constraints on one particle, unless the motion is requested
     law              Newton's law in the file's coordinates, if the motion or the reactions at rest are requested
     works            the work of the reactions
+    asked            the answers to the questions of the file
     """
 
     problem: Problem
@@ -140,6 +142,7 @@ class Solution:
     law: NewtonLaw | None = None
     works: tuple[WorkOfReaction, ...] = ()
     checks: tuple[Check, ...] = ()
+    asked: tuple[Asked, ...] = ()
 
     @property
     def views(self) -> tuple[InCoordinates, ...]:
@@ -177,7 +180,8 @@ def solve(
 
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     _refuse_what_is_not_covered(problem)
-    if Find.LINEARIZATION in problem.find and Find.MOTION not in problem.find:
+    needs_motion = Find.LINEARIZATION in problem.find or problem.questions
+    if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     solution = _kinematics(problem, choice, on_stage)
     if Find.EQUILIBRIUM in problem.find:
@@ -192,6 +196,8 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_linearization(solution, on_stage)
     if Find.EQUILIBRIUM in problem.find:
         solution = _with_equilibrium(solution, on_stage)
+    if problem.questions:
+        solution = _with_questions(solution, on_stage)
     return _with_numbers(solution)
 
 
@@ -423,6 +429,28 @@ def _with_numbers(solution: Solution) -> Solution:
         return view if found is None else replace(view, in_numbers=found)
 
     return replace(solution, own=in_numbers(solution.own), choices=tuple(map(in_numbers, solution.choices)))
+
+
+def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the answers to the questions of the file."""
+    from lagrange.mechanics.questions.questions import answers_to_questions
+    from lagrange.mechanics.questions.states import Place
+
+    on_stage("questions")
+    law = solution.law
+    assert law is not None  # questions need the motion
+    frictions = {f.name for f in law.frictions}
+    places = []
+    for view in sorted(solution.views, key=lambda v: (v.is_own, bool(v.signs))):
+        if view.dynamics is None:
+            continue
+        integrals = view.conserved or conserved(view.dynamics, law.newton.multipliers_by_name, frictions)
+        dynamics = view.dynamics
+        if dynamics.reactions is None and law.used:
+            dynamics = motion(law, view.coordinates.configuration, view.elimination)
+        places.append(Place(dynamics, integrals, law))
+    asked = answers_to_questions(solution.problem, places, [v.configuration for v in solution.views])
+    return replace(solution, asked=asked)
 
 
 def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:

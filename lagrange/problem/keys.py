@@ -334,6 +334,15 @@ CHOICE = Form(
     ),
 )
 
+QUESTION = Form(
+    "a question",
+    (
+        Key("quantity", "expression", "What is asked for: an expression.", required=True, example="theta"),
+        Key("when", _one_or_list("equation"), "The state it is asked for: an equation, or a list of them."),
+        Key("by", "name", "Instead: a coordinate, or t, of which it is wanted as a function."),
+    ),
+)
+
 ANSWERS = Form(
     "answers",
     (
@@ -352,6 +361,7 @@ ANSWERS = Form(
             "alternatives",
             "Of small oscillations; lists in a list are those of several equilibria.",
         ),
+        Key("ask", Named(AnyOf(("expression", "equation")), new=False), "Of the questions, by their names."),
     ),
 )
 
@@ -406,6 +416,8 @@ PROBLEM = Form(
             _or_nothing(Named("choice")),
             "Choices of generalized coordinates, any number of them; each is verified.",
         ),
+        Key("initial", _or_nothing(Named("expression", new=False)), "The state at t = 0: {theta: 0, theta': 0}."),
+        Key("ask", _or_nothing(Named("question")), "Questions about the motion, by names of your own."),
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
         Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
@@ -426,12 +438,13 @@ PARTS: dict[str, Kind] = {
     "constraint": CONSTRAINT,
     "force": AnyOf(tuple(FORCES.values())),
     "choice": CHOICE,
+    "question": QUESTION,
     "answers": _or_nothing(ANSWERS),
 }
 """Kinds with a name of their own."""
 
 FORMS = (
     *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, CONSTRAINT),
-    *(*FORCES.values(), CHOICE, ANSWERS),
+    *(*FORCES.values(), CHOICE, QUESTION, ANSWERS),
 )
 """All forms, in the order in which the documentation has them."""

@@ -62,3 +62,5 @@ MOST_REDUCED = 150
 
 Factoring one of 149 parts, a product of four forms written out, takes 1 s. The largest in the shipped files has 15.
 """
+# Questions of a file: each is solved for, which may take seconds.
+MOST_QUESTIONS = 20

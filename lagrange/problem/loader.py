@@ -35,6 +35,7 @@ from lagrange.problem.keys import AXES, PROBLEM, Find
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import Choice, Constraint, Problem, Speed
+from lagrange.problem.questions import read_initial, read_questions, scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
@@ -89,8 +90,11 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     forces = read_forces(root.section("forces"), context)
     speeds = read_speeds(root.section("speeds"), context)
     choices = read_choices(root.section("generalized_coordinates"), context)
+    asking = scope_of_questions(context.scope, constraints, choices)
+    initial = read_initial(root.section("initial"), context, asking)
+    questions = read_questions(root.section("ask"), context, asking)
     scope = _scope_of_answers(context.scope, constraints, choices, speeds)
-    answers = AnswerReader(context, constraints, choices, scope)
+    answers = AnswerReader(context, constraints, choices, scope, questions)
     problem = Problem(
         title=diagnostics.attempt(lambda: _title(root)) or "",
         source=root.text("source"),
@@ -112,6 +116,8 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         unknowns=context.unknowns,
         speeds=speeds,
         choices=choices,
+        initial=initial,
+        questions=questions,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
     )

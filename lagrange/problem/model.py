@@ -241,6 +241,50 @@ class Choice:
     span: Span | None = None
 
 
+KINETIC_ENERGY = sp.Symbol("T_kinetic", real=True)
+"""The kinetic energy, in questions."""
+ENERGY = sp.Symbol("energy", real=True)
+"""The total energy T + V, in questions."""
+
+
+@record
+class InitialValue:
+    """The value of a coordinate or velocity at t = 0."""
+
+    symbol: sp.Symbol
+    value: sp.Expr
+    span: Span
+
+
+@record
+class Condition:
+    """An equation lhs = rhs that holds at the state that is asked about."""
+
+    lhs: sp.Expr
+    rhs: sp.Expr
+    span: Span
+
+    @property
+    def function(self) -> sp.Expr:
+        """The left side minus the right side."""
+        return self.lhs - self.rhs
+
+
+@record
+class Question:
+    """What is `quantity` when all of `when` hold; with `by`, as a function of that coordinate or of t.
+
+    written  the quantity as the file has it
+    """
+
+    name: str
+    quantity: sp.Expr
+    written: Fragment
+    when: tuple[Condition, ...]
+    by: sp.Symbol | None
+    span: Span
+
+
 @record
 class Answers:
     """The textbook's answers. Expressions stay text: they are read like anybody's answer."""
@@ -252,6 +296,7 @@ class Answers:
     equilibrium: tuple[tuple[Fragment, ...], ...] = ()
     reactions: Mapping[str, Fragment] = field(default_factory=dict)
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
+    ask: Mapping[str, Fragment] = field(default_factory=dict)
 
 
 @record
@@ -282,6 +327,8 @@ class Problem:
     unknowns: tuple[sp.Symbol, ...] = ()
     speeds: tuple[Speed, ...] = ()
     choices: tuple[Choice, ...] = ()
+    initial: tuple[InitialValue, ...] = ()
+    questions: tuple[Question, ...] = ()
     equations: tuple[Fragment, ...] = ()
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None

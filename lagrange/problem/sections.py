@@ -13,8 +13,9 @@ Which quantities may occur where: no velocity in a position, nothing variable in
     a quasi-velocity                parameters, time, coordinates, velocities
     a constraint                    the same, and differentials d(x)
     a force                         parameters, time, coordinates, velocities, unknown forces
+    a question, its condition       the same, and accelerations and reactions
 
-No acceleration may occur in any of them. Prescribed motions u, u', u'' belong to time.
+No acceleration may occur in any of the others. Prescribed motions u, u', u'' belong to time.
 """
 
 from __future__ import annotations
@@ -68,6 +69,10 @@ RATE = Allowed(frozenset({_T, _Q, _V}), "it depends on coordinates, velocities a
 CONSTRAINT = Allowed(frozenset({_T, _Q, _V, _D}), "a constraint relates coordinates, velocities and time")
 FORCE = Allowed(frozenset({_T, _Q, _V, _P}), "forces depend on coordinates, velocities and time")
 SUBSTITUTION = Allowed(frozenset({_T, _Q}), "it depends on coordinates and time; velocities follow by differentiation")
+STATE = Allowed(
+    frozenset(AllowedQuantity) - {AllowedQuantity.DIFFERENTIAL, AllowedQuantity.VARIATION},
+    "it is made of coordinates, velocities, accelerations, `t`, parameters and names of reactions",
+)
 ANYTHING = Allowed(frozenset(AllowedQuantity), "")
 
 

@@ -30,7 +30,8 @@ from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.keys import ANSWERS, CLASSES
 from lagrange.problem.limits import MOST_SIGNS
 from lagrange.problem.load_context import LoadContext, Reader
-from lagrange.problem.model import Answers, Choice, Constraint, Problem
+from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question
+from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
 from lagrange.problem.yaml_composer import parse
 from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
@@ -52,6 +53,7 @@ class AnswerReader:
         constraints: tuple[Constraint, ...],
         choices: tuple[Choice, ...],
         scope: Scope,
+        questions: tuple[Question, ...] = (),
         *,
         tries: bool = True,
     ) -> None:
@@ -62,6 +64,8 @@ class AnswerReader:
             self.components.setdefault(_vector_equation(c.name), []).append(c.name)
         self.tries = tries
         self.scope = _scope_of_answers(scope, choices)
+        self.questions = {q.name: q for q in questions}
+        self.asking = scope_of_questions(self.scope, constraints, choices)
 
     def answers(self, node: Node | None) -> Answers | None:
         """The section `answers`; None where there is none."""
@@ -80,6 +84,7 @@ class AnswerReader:
             equilibrium=self._equilibrium(section.get("equilibrium")),
             reactions=self._of_constraints(section.get("reactions"), "reactions", "rod: m*g", self._reaction),
             frequencies=self._frequencies(section.get("frequencies")),
+            ask=self._asked(section.get("ask")),
         )
 
     def equations(self, node: Node | None, what: str) -> tuple[Fragment, ...]:
@@ -98,6 +103,31 @@ class AnswerReader:
         fragment = scalar_of(node, f"an entry of {what}").fragment
         self._try(read_equation, fragment)
         return fragment
+
+    def _asked(self, node: Node | None) -> Mapping[str, Fragment]:
+        """name of a question -> its answer, an expression for the quantity or an equation."""
+        if node is None:
+            return {}
+        answers: dict[str, Fragment] = {}
+        entries = self.diagnostics.attempt(lambda: entries_of(node, "`ask`", 'ask: {leaves: "cos(theta) = 2/3"}'))
+        for key, value in entries or ():
+            scalar = self.diagnostics.attempt(partial(scalar_of, value, "an answer"))
+            name = canonical(key.text, self.questions)
+            if name not in self.questions:
+                message = f"`{key.text}` is not a question of this file"
+                help_ = suggestion(name, list(self.questions), "questions")
+                self.diagnostics.report(Diagnostic("unknown-name", message, key.span, help=help_))
+            elif scalar is not None:
+                self._try_asked(scalar.fragment)
+                answers[name] = scalar.fragment
+        return answers
+
+    def _try_asked(self, fragment: Fragment) -> None:
+        """Reads an answer to a question to find its mistakes; the name of the question may be its left side."""
+        if self.tries and "=" not in fragment.text:
+            self.diagnostics.attempt(
+                lambda: self.context.read_quietly(partial(read_value, latex=True), fragment, self.asking, [])
+            )
 
     def _reaction(self, node: Node) -> Fragment:
         """A reaction as an expression, or as an equation `T = ...`."""
@@ -270,7 +300,9 @@ def read_answers(source: Source, problem: Problem) -> Answers:
 
 def _answers(source: Source, problem: Problem, diagnostics: Diagnostics) -> Answers | None:
     root = parse(source, diagnostics, what="an answer file", needs=f"the keys are those of `answers`: `{EXAMPLE}`")
-    reader = AnswerReader(LoadContext(diagnostics), problem.constraints, problem.choices, problem.scope, tries=False)
+    context = LoadContext(diagnostics)
+    questions = problem.questions
+    reader = AnswerReader(context, problem.constraints, problem.choices, problem.scope, questions, tries=False)
     return reader.answers(_inside(root))
 
 

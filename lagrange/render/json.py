@@ -49,6 +49,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
+    from lagrange.mechanics.questions.results import Asked
     from lagrange.mechanics.solution import InCoordinates, Solution
     from lagrange.values.quantities import Values
 
@@ -103,6 +104,8 @@ def as_object(report: Report) -> dict[str, Any]:
     if own.reactions_at_rest is not None:
         moving = found.get("reactions", {})
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
+    if solution.asked:
+        found["asked"] = [_asked(a, write) for a in solution.asked]
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
     first = next((s for s in spots if s is not None), None)
@@ -240,8 +243,8 @@ def _reaction(
 def _single(name: str, reactions: Reactions, values: Values | None, write: Write) -> dict[str, Any]:
     """A reaction that is a single force: `force`, with the unit vector along which it acts on the first body of `on`.
 
-    `tension` repeats the force where it is one; `contact` says how long a one-sided constraint acts. `number` is the force,
-    or the multiplier, with the values.
+    `tension` repeats the force where it is one; `contact` says how long a one-sided constraint acts. `number` is the
+    force, or the multiplier, with the values.
     """
     contact = {"contact": f"{write(reactions.contacts[name])} >= 0"} if name in reactions.contacts else {}
     if name not in reactions.sizes:
@@ -485,6 +488,31 @@ def integrals(conserved: Conserved, write: Write) -> list[dict[str, Any]]:
         expression = write(conserved.energy.expression)
         entries.append({"kind": "energy", "expression": expression, "rate": None if rate is None else write(rate)})
     return entries
+
+
+def _asked(asked: Asked, write: Write) -> dict[str, Any]:
+    """The answer to one question; several branches that may all be meant are joined by `or` in `value`."""
+    question = asked.question
+    stated = [
+        write(b.rhs) if b.lhs == question.quantity else f"{write(b.lhs)} = {write(b.rhs)}" for b in asked.branches
+    ]
+    conditions = dict.fromkeys(
+        f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for b in asked.branches for c in b.conditions
+    )
+    found: dict[str, Any] = {
+        "name": question.name,
+        "quantity": write(question.quantity),
+        "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
+    }
+    found |= {"by": question.by.name} if question.by is not None else {}
+    found |= {"value": " or ".join(stated) or None, "number": None, "unit": None}
+    found |= {"how": None if asked.how is None else asked.how.value, "conditions": list(conditions)}
+    if len(stated) > 1:
+        found["branches"] = [
+            {"value": s, "conditions": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions]}
+            for s, b in zip(stated, asked.branches, strict=True)
+        ]
+    return found | ({"choice": asked.choice} if asked.choice else {})
 
 
 def _block(block: Block, write: Write) -> dict[str, Any]:

@@ -30,6 +30,7 @@ PACKAGES = [
     "mechanics.constraints",
     "mechanics.dynamics",
     "mechanics.equilibrium",
+    "mechanics.questions",
     "mechanics",
     "answers",
     "pictures",

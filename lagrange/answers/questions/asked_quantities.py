@@ -1,0 +1,216 @@
+"""Is the stated answer to a question right?
+
+An answer is an expression for the quantity, or an equation: `2/3*R`, `cos(theta) = 2/3`, `leaves = acos(2/3)`. An
+expression must equal the derived value, exactly; angles count modulo 2π. An equation must hold at the derived state,
+and have no other solutions for the quantity. Where the initial state leaves the sense of the motion open, one of two
+opposite values is enough; a velocity may be given as a speed, without its sign; the name of a reaction may stand for
+the opposite force or for the multiplier. A remark says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.force_names import meanings
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.symbols import base
+from lagrange.core.vectors import Vector
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.reader import Scope, read_equation, read_value
+from lagrange.mechanics.questions.elimination import eliminated
+from lagrange.mechanics.questions.results import Asked, How
+from lagrange.mechanics.solution import Solution
+from lagrange.problem.questions import scope_of_questions
+
+_ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
+_SIDES = "one of two opposite values: the sense of the motion is left open by the initial state"
+_SPEED = "it is taken as a speed, without the sign that the velocity has here"
+_SIGN = "it leaves the sign open"
+_OTHER = "it has other solutions as well"
+_ONE_OF_SEVERAL = "there are other values as well"
+_NOT_ANSWERED = "the derivation did not find an answer to compare with"
+_SAYS_NOTHING = "it says nothing about the quantity that is asked for"
+
+
+def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:
+    """The verdict on the answers to all questions together."""
+    reference = reference_of_solution(solution)
+    asked = {a.question.name: a for a in solution.asked}
+    parts: list[EquationVerdict] = []
+    errors: list[Diagnostic] = []
+    for name, fragment in stated.items():
+        text = f"{name}: {fragment.text}"
+        if name not in asked:
+            parts.append(EquationVerdict(text, Verdict.UNDECIDED, _NOT_ANSWERED))
+            continue
+        try:
+            verdict, remark = _Claim(fragment, asked[name], solution, reference).verdict()
+        except ProblemError as error:
+            errors += error.diagnostics
+            verdict, remark = Verdict.UNREADABLE, error.diagnostics[0].message if error.diagnostics else ""
+        except DivisionByZeroError:
+            verdict, remark = Verdict.UNREADABLE, DIVIDES_BY_ZERO
+        right = verdict is Verdict.EQUIVALENT
+        parts.append(EquationVerdict(text, verdict, "" if right else remark, (remark,) if right and remark else ()))
+    together = next((v for v in _ORDER if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
+    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="ask")
+
+
+class _Claim:
+    """A stated answer to one question."""
+
+    def __init__(self, fragment: Fragment, asked: Asked, solution: Solution, reference: Reference) -> None:
+        self.asked = asked
+        self.solution = solution
+        self.values = dict(reference.values)
+        self.scope = scope_of_questions(reference.scope, (), ())
+        self.expression, self.equation = _read(fragment, self.scope, asked.question.name)
+        self.quantity = asked.question.quantity
+
+    def verdict(self) -> tuple[Verdict, str]:
+        """The verdict, with a remark or a diagnosis. Raises DivisionByZeroError."""
+        if not self.asked.answered or self.asked.how is How.NUMERICAL:
+            return Verdict.UNDECIDED, _NOT_ANSWERED
+        if self.expression is not None:
+            return self._of_expression(self.expression)
+        assert self.equation is not None
+        return self._of_equation(self.equation)
+
+    def _derived(self) -> list[sp.Expr]:
+        return list(dict.fromkeys(v for b in self.asked.branches for v in b.values))
+
+    def _same(self, claim: sp.Expr, value: sp.Expr) -> bool | None:
+        """Whether two values are equal, those of an angle modulo 2π."""
+        difference = (claim - value).xreplace(self.values)
+        same = is_zero(difference)
+        if same is False and self._is_angle():
+            both = [is_zero(sp.cos(difference) - 1), is_zero(sp.sin(difference))]
+            return False if False in both else None if None in both else True
+        return same
+
+    def _is_angle(self) -> bool:
+        return self.quantity.is_Symbol and any(
+            b.lhs.has(*CIRCULAR) or any((v / sp.pi).is_Rational for v in b.values) for b in self.asked.branches
+        )
+
+    def _of_expression(self, claim: sp.Expr) -> tuple[Verdict, str]:
+        derived = self._derived()
+        same = [self._same(claim, v) for v in derived]
+        if True in same:
+            alike = len(derived) == 1 or all(s is True for s in same)
+            if alike:
+                return Verdict.EQUIVALENT, ""
+            if len(self.asked.branches) == 1 or self.asked.mirrored:
+                return Verdict.EQUIVALENT, _SIDES
+            return Verdict.INCOMPLETE, _ONE_OF_SEVERAL
+        if None in same:
+            return Verdict.UNDECIDED, UNDECIDED
+        for ratio, remark in self._ratios():
+            if any(self._same(claim, ratio * v) for v in derived):
+                return Verdict.EQUIVALENT, remark
+        return Verdict.WRONG, ""
+
+    def _ratios(self) -> Iterator[tuple[sp.Expr, str]]:
+        """What a value may be multiplied by, with the remark that says so."""
+        velocities = {
+            s: -s for s in self.quantity.free_symbols if s.name.endswith("'") and base(s).name + "'" == s.name
+        }
+        if velocities and sp.expand(self.quantity.xreplace(velocities) + self.quantity) == 0:
+            yield sp.S.NegativeOne, _SPEED
+        law = self.solution.law
+        for r in law.newton.reactions if law is not None else ():
+            if r.given == self.quantity:
+                yield from ((m.ratio, m.remark) for m in meanings(r)[1:] if not _moves(m.ratio))
+
+    def _of_equation(self, claim: sp.Expr) -> tuple[Verdict, str]:
+        if is_zero(claim.xreplace(self.values)) is True:
+            return Verdict.TRIVIAL, "it is an identity"
+        if claim.free_symbols.isdisjoint(self.quantity.free_symbols):
+            return Verdict.WRONG, _SAYS_NOTHING
+        holds: list[bool | None] = []
+        for b in self.asked.branches:
+            for state in self._states(b.values, b.states):
+                residual = claim.xreplace(state).xreplace(self.values)
+                holds.append(None if self._is_open(residual) else is_zero(residual))
+        if not holds or None in holds:
+            return Verdict.UNDECIDED, UNDECIDED
+        if not any(holds):
+            opposite = self._stated_value(claim)
+            return self._of_expression(opposite) if opposite is not None else (Verdict.WRONG, "")
+        if not all(holds):
+            if self.asked.mirrored or len(self.asked.branches) == 1:
+                return Verdict.EQUIVALENT, _SIDES
+            return Verdict.INCOMPLETE, _ONE_OF_SEVERAL
+        return self._alone(claim)
+
+    def _stated_value(self, claim: sp.Expr) -> sp.Expr | None:
+        """v where the equation is quantity = v."""
+        for sign in (1, -1):
+            value = sp.expand(self.quantity - sign * claim)
+            if value.free_symbols.isdisjoint(self.quantity.free_symbols):
+                return value
+        return None
+
+    def _states(
+        self, values: Sequence[sp.Expr], states: Sequence[Mapping[sp.Symbol, sp.Expr]]
+    ) -> list[dict[sp.Symbol, sp.Expr]]:
+        if self.quantity.is_Symbol:
+            shared = dict(states[0]) if len(states) == 1 and len(values) == 1 else {}
+            return [{**shared, self.quantity: v} for v in values]
+        return [dict(s) for s in states]
+
+    def _is_open(self, e: sp.Expr) -> bool:
+        """Whether an expression contains coordinates, velocities or reactions that have no value here."""
+        by = self.asked.question.by
+        return any(
+            (base(s) in self.scope.slots.coordinates and s != by) or (s == sp.Symbol("t", real=True) and s != by)
+            for s in e.free_symbols
+        )
+
+    def _alone(self, claim: sp.Expr) -> tuple[Verdict, str]:
+        """The verdict on an equation that holds: whether it has other solutions for the quantity."""
+        if not self.quantity.is_Symbol:
+            return Verdict.EQUIVALENT, ""
+        found = eliminated([claim], self.quantity, [self.quantity], [], self.quantity)
+        if not found.solved or found.free:
+            return Verdict.EQUIVALENT, ""
+        derived = self._derived()
+        for value in (v for b in found.branches for v in b.values):
+            same = [self._same(value, d) for d in derived]
+            if True in same:
+                continue
+            if any(self._same(-value, d) is True for d in derived):
+                return Verdict.EQUIVALENT, _SIGN
+            if None not in same:
+                return Verdict.INCOMPLETE, _OTHER
+        return Verdict.EQUIVALENT, ""
+
+
+def _moves(e: sp.Expr) -> bool:
+    return bool(e.free_symbols) and not all(s.is_positive for s in e.free_symbols)
+
+
+def _read(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:
+    """An expression, or an equation as an expression that is zero; the name of the question may be its left side."""
+    text = fragment.text
+    if "=" in text:
+        left, _, _ = text.partition("=")
+        if left.strip() == name and name not in scope.names():
+            start = text.index("=") + 1
+            fragment = Fragment(text[start:], fragment.span(start, len(text)), (fragment.start or 0) + start)
+        else:
+            equation = read_equation(fragment, scope, [], MAX_ANSWER_CHARACTERS, latex=True)
+            lhs, rhs = equation.lhs, equation.rhs
+            if isinstance(lhs, Vector) or isinstance(rhs, Vector):
+                raise ProblemError(Diagnostic("vector-for-scalar", "an equation between vectors", fragment.whole))
+            return None, lhs - rhs
+    value = read_value(fragment, scope, [], latex=True)
+    if isinstance(value, Vector):
+        raise ProblemError(Diagnostic("vector-for-scalar", "a quantity is a number, not a vector", fragment.whole))
+    return value, None

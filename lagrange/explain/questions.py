@@ -1,0 +1,205 @@
+"""Questions about the motion: which integrals and conditions answer them, and which branch comes first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from lagrange.core.symbols import t
+from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.explain.words import plural, sign_conditions, spoken, suffix_of
+from lagrange.mechanics.questions.results import (
+    AnswerBranch,
+    Asked,
+    Because,
+    How,
+    IntegralKind,
+    Route,
+    UsedIntegral,
+)
+from lagrange.mechanics.solution import Solution
+from lagrange.problem.model import InitialValue, Question
+
+
+def explain_questions(solution: Solution) -> Iterator[Step]:
+    """A step for each question."""
+    shown = {v.name for v in solution.views if v.conserved is not None}
+    for asked in solution.asked:
+        body = tuple(_body(asked, solution.problem.initial, asked.choice in shown))
+        yield Step(Rule.QUESTION, f"Question: {spoken(asked.question.name)}", body)
+
+
+def _body(asked: Asked, initial: Sequence[InitialValue], conserved_shown: bool) -> Iterator[Block]:
+    yield prose(*_asked(asked.question), detail=Detail.BRIEF)
+    if asked.used:
+        yield prose("In terms of ", _terms_of(asked), ", ", detail=Detail.STEPS)
+        yield display(*(Equation((u.symbol, u.value)) for u in asked.used))
+    if asked.route in (Route.INTEGRALS, Route.QUADRATURE) and asked.integrals:
+        yield from _integrals(asked, initial, conserved_shown)
+    if asked.solutions:
+        yield from _solutions(asked, initial)
+    yield from _condition(asked)
+    if not asked.answered:
+        yield prose(*_unanswered(asked), detail=Detail.BRIEF)
+        return
+    yield from _answer(asked)
+
+
+def _asked(question: Question) -> tuple[Part, ...]:
+    """`Asked for: θ when N = 0.`"""
+    words: list[Part] = ["Asked for: ", math(question.quantity)]
+    if question.by is not None:
+        words += [" as a function of ", math(question.by)]
+    if question.when:
+        words += [" when ", *listed(math(c.lhs, c.rhs) for c in question.when)]
+    return (*words, ".")
+
+
+def _terms_of(asked: Asked) -> Part:
+    return "position and velocity" if any(_moves(u.value) for u in asked.used) else "the position"
+
+
+def _moves(e: sp.Expr) -> bool:
+    return any(s.name.endswith("'") for s in e.free_symbols)
+
+
+def _initial(initial: Sequence[InitialValue]) -> tuple[Part, ...]:
+    """`At t = 0, θ = 0 and θ̇ = 0`."""
+    return listed(math(v.symbol, v.value) for v in initial)
+
+
+def _integrals(asked: Asked, initial: Sequence[InitialValue], conserved_shown: bool) -> Iterator[Block]:
+    """The integrals with their values at t = 0."""
+    suffix = suffix_of(asked.choice)
+    own = [i for i in asked.integrals if i.kind is IntegralKind.CONSERVED]
+    for i in asked.integrals:
+        if i.kind is not IntegralKind.CONSERVED:
+            yield from _found(i)
+    references: list[Part] = [Ref(f"conserved{suffix}-{(i.number or 0) + 1}") for i in own] if conserved_shown else []
+    what: tuple[Part, ...]
+    if references and len(own) == len(asked.integrals):
+        what = (*listed(references), plural(len(own), " has the value", " have the values"))
+    else:
+        several = len(asked.integrals) > 1
+        what = ("these integrals have the values" if several else "this integral has the value",)
+    had = plural(len(asked.integrals), " that it has at ", " that they have at ")
+    at_start = (had, math(t, sp.S.Zero), ", where ", *_initial(initial), ":") if initial else (":",)
+    yield prose("Throughout the motion ", *what, *at_start)
+    yield display(*(Equation((i.expression, i.value), label=_label(asked, "integral", n))
+                    for n, i in enumerate(asked.integrals, start=1)))  # fmt: skip
+
+
+def _label(asked: Asked, what: str, number: int) -> str:
+    return f"asked-{asked.question.name}-{what}-{number}"
+
+
+def _found(i: UsedIntegral) -> Iterator[Block]:
+    """How an integral of one equation of motion is found."""
+    assert i.coordinate is not None
+    q, v = i.coordinate, sp.Symbol(f"{i.coordinate.name}'", real=True)
+    a = sp.Symbol(f"{i.coordinate.name}''", real=True)
+    yield prose("The equation of motion ", math(a, i.equation), " contains no other coordinate.", *_multiplied(i, q, v))
+
+
+def _multiplied(i: UsedIntegral, q: sp.Symbol, v: sp.Symbol) -> tuple[Part, ...]:
+    if i.kind is IntegralKind.IMPULSE:
+        return (" Since ", math(v), " is the rate of ", math(q), ", it can be integrated over time.")
+    if i.factor == 1:
+        return (" Multiplied by ", math(v), " it can be integrated: the theorem of work and energy.")
+    return (" It is linear in ", math(v**2), " as a function of ", math(q), ": multiplied by ", math(v),
+            " and the integrating factor ", math(i.factor), " it can be integrated.")  # fmt: skip
+
+
+def _solutions(asked: Asked, initial: Sequence[InitialValue]) -> Iterator[Block]:
+    """Coordinates as functions of time."""
+    one = len(asked.solutions) == 1
+    start = (", where ", *_initial(initial)) if initial else ()
+    what = "The solution of the equation of motion that begins at " if one else (
+        "The solutions of the equations of motion that begin at ")  # fmt: skip
+    yield prose(what, math(t, sp.S.Zero), *start, ", is" if one else ", are", ", as substitution shows,")
+    yield display(
+        *(
+            Equation((q, e), label=_label(asked, "solution", n))
+            for n, (q, e) in enumerate(asked.solutions.items(), start=1)
+        )
+    )
+
+
+def _condition(asked: Asked) -> Iterator[Block]:
+    """The conditions after substitution, where they changed."""
+    changed = [
+        (a, b) for c, (a, b) in zip(asked.question.when, asked.conditions, strict=False) if (a, b) != (c.lhs, c.rhs)
+    ]
+    if changed:
+        yield prose(plural(len(changed), "The condition becomes", "The conditions become"))
+        yield display(
+            *(Equation(sides, label=_label(asked, "condition", n)) for n, sides in enumerate(changed, start=1))
+        )
+
+
+def _answer(asked: Asked) -> Iterator[Block]:
+    several = len(asked.branches) > 1
+    yield prose(*_how(asked), detail=Detail.BRIEF)
+    lines = [
+        Equation((b.lhs, b.rhs), label=_label(asked, "answer", n), condition=_where(b))
+        for n, b in enumerate(asked.branches, start=1)
+    ]
+    yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if asked.mirrored:
+        yield prose("The initial state is an equilibrium, from which the motion may start in either direction: "
+                    "one value belongs to each.")  # fmt: skip
+    elif several:
+        yield prose("Which of these comes first depends on more than was decided here.")
+    for b, because in asked.dropped:
+        yield prose(*_dropped(b, because))
+
+
+def _where(b: AnswerBranch) -> tuple[Part, ...]:
+    return ("where ", *sign_conditions(b.conditions)) if b.conditions else ()
+
+
+def _how(asked: Asked) -> tuple[Part, ...]:
+    if asked.how is How.NUMERICAL:
+        return ("Integrating the equations of motion numerically gives, for the first time that this holds,",)
+    if asked.question.by is not None:
+        return ("Eliminating the velocities gives",) if asked.route is Route.INTEGRALS else ("Therefore",)
+    if asked.route is Route.STATE and not asked.question.when:
+        return ("Therefore",)
+    if asked.route is Route.STATE:
+        return ("In this state",)
+    if asked.route is Route.QUADRATURE:
+        return ("With the velocity from this integral, the time is an integral over the coordinate, which gives",)
+    return ("Together these give",)
+
+
+def _dropped(b: AnswerBranch, because: Because) -> tuple[Part, ...]:
+    equation = math(b.lhs, b.rhs)
+    match because:
+        case Because.INITIAL:
+            return ("The solution ", equation, " is the initial state itself.")
+        case Because.ARRIVAL:
+            return ("The solution ", equation, " has the wrong sense: a coordinate that reaches a value for the first "
+                    "time moves towards it.")  # fmt: skip
+        case Because.TURNING:
+            return ("The solution ", equation, " lies on the other side: the motion begins in the opposite direction, "
+                    "and keeps it up to the first turning point.")  # fmt: skip
+        case Because.PAST:
+            return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
+        case Because.LATER:
+            return ("The solution ", equation, " comes later.")
+
+
+def _unanswered(asked: Asked) -> tuple[Part, ...]:
+    """What is known, and what is missing."""
+    why: tuple[Part, ...] = ("The integrals that are known do not determine this in closed form.",)
+    if not asked.integrals:
+        why = ("No integral of the motion with a known value was found that would determine this.",)
+    if asked.missing:
+        needed = series((math(s),) for s in asked.missing)
+        why = (*why, " Another integral would need the initial values of ", *needed, ", which are not given.")
+    if asked.needs:
+        extra = f"install lagsolve with the extra `{asked.needs}`"
+        why = (*why, f" All values are given, so that it can be found numerically: {extra}.")
+    return why

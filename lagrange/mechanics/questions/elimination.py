@@ -1,0 +1,323 @@
+"""A quantity determined by equations: integrals with their values, constraints, and the conditions of a question.
+
+The equations are solved for the state in closed form, branch by branch (`algebra.closed_forms`), and the quantity is
+taken at the points of each branch. A velocity that occurs in even powers only is eliminated as its square w, which
+must not be negative; both signs of the velocity are then points. Values that conditions give outright (θ = π) are
+substituted first, so that an angle keeps its number of turns.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
+from lagrange.algebra.closed_forms.signs import SignCondition, not_negative
+from lagrange.algebra.closed_forms.single_equation import Relation, Values
+from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, shortest_form
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.records import record
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION, MOST_POINTS, MOST_UNKNOWNS
+from lagrange.mechanics.questions.results import AnswerBranch
+
+State = Mapping[sp.Symbol, sp.Expr]
+
+
+@record
+class Eliminated:
+    """The branches of a quantity.
+
+    branches  those that were found
+    never     whether the equations have no solution for generic parameters
+    free      unknowns on which the quantity depends although the equations leave them open
+    solved    whether all branches are in closed form
+    verified  whether all points satisfy the equations, exactly; None: undecided
+    """
+
+    branches: tuple[AnswerBranch, ...] = ()
+    never: bool = False
+    free: frozenset[sp.Symbol] = frozenset()
+    solved: bool = False
+    verified: bool | None = True
+
+
+def eliminated(
+    equations: Sequence[sp.Expr],
+    quantity: sp.Expr,
+    unknowns: Sequence[sp.Symbol],
+    velocities: Sequence[sp.Symbol],
+    called: sp.Expr,
+) -> Eliminated:
+    """The quantity where all equations, each zero, hold; `called` is what stands on the left of its values."""
+    given, equations = _substituted(equations, unknowns)
+    if any(is_zero(e) is False for e in equations if e.free_symbols.isdisjoint(unknowns) and not _may_vanish(e)):
+        return Eliminated(never=True, solved=True)
+    wanted = quantity.xreplace(given)
+    equations = [e for e in equations if not e.free_symbols.isdisjoint(unknowns)]
+    equations = _related(equations, wanted, unknowns)
+    squares = {v: sp.Symbol(f"{v.name}^2", real=True) for v in velocities if _is_even(v, equations)}
+    rule = {v**n: w ** (n // 2) for v, w in squares.items() for n in (2, 4, 6, 8)}
+    equations = [sp.expand(e).xreplace(rule) if squares else e for e in equations]
+    used = set().union(*(e.free_symbols for e in equations), wanted.free_symbols)
+    sought = [squares.get(u, u) for u in unknowns if squares.get(u, u) in used or u in used]
+    if len(sought) > MOST_UNKNOWNS or any(e.count_ops() > LONGEST_EQUATION for e in equations):
+        return Eliminated()
+    if not equations:
+        return _outright(wanted, given, unknowns, called)
+    equations = _linear_squares(equations, [*squares.values()])
+    try:
+        solved = solutions(equations, sought, first=tuple(squares.values()), beside=(wanted,))
+    except (NotAlgebraicError, DivisionByZeroError):
+        return Eliminated()
+    return _of_branches(solved, wanted, given, unknowns, squares, called)
+
+
+def _may_vanish(e: sp.Expr) -> bool:
+    """Whether an equation between parameters may hold for some."""
+    return bool(e.free_symbols)
+
+
+def _outright(wanted: sp.Expr, given: State, unknowns: Sequence[sp.Symbol], called: sp.Expr) -> Eliminated:
+    free = wanted.free_symbols & {*unknowns}
+    if free:
+        return Eliminated(free=frozenset(free), solved=True)
+    value = shortest_form(wanted)
+    return Eliminated((AnswerBranch(called, value, (value,), (given,)),), solved=True)
+
+
+def _substituted(
+    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol]
+) -> tuple[dict[sp.Symbol, sp.Expr], list[sp.Expr]]:
+    """Values that equations give outright, u − a = 0 with a free of unknowns, and the other equations with them."""
+    given: dict[sp.Symbol, sp.Expr] = {}
+    waiting = list(equations)
+    for _ in range(len(waiting)):
+        for e in waiting:
+            outright = _value(e, unknowns)
+            if outright is None:
+                continue
+            symbol, value = outright
+            given[symbol] = value
+            waiting = [f.xreplace({symbol: value}) for f in waiting if f is not e]
+            break
+        else:
+            break
+    return given, waiting
+
+
+def _value(e: sp.Expr, unknowns: Sequence[sp.Symbol]) -> tuple[sp.Symbol, sp.Expr] | None:
+    found = [u for u in unknowns if u in e.free_symbols]
+    if len(found) != 1:
+        return None
+    [u] = found
+    slope = e.diff(u)
+    if u in slope.free_symbols or (not slope.is_number and not slope.is_positive):
+        return None
+    return (u, sp.cancel(-e.xreplace({u: sp.S.Zero}) / slope)) if slope != 0 else None
+
+
+def _related(equations: Sequence[sp.Expr], wanted: sp.Expr, unknowns: Sequence[sp.Symbol]) -> list[sp.Expr]:
+    """The equations that are connected with the quantity through unknowns; all, where one has none of these."""
+    reached = wanted.free_symbols & {*unknowns}
+    kept: list[sp.Expr] = []
+    waiting = list(equations)
+    while True:
+        more = [e for e in waiting if e.free_symbols & reached]
+        if not more:
+            return kept if kept else list(equations)
+        kept += more
+        waiting = [e for e in waiting if e not in more]
+        reached |= set().union(*(e.free_symbols & {*unknowns} for e in more))
+
+
+def _is_even(v: sp.Symbol, equations: Iterable[sp.Expr]) -> bool:
+    """Whether a velocity occurs in the equations, and there in even powers only."""
+    occurring = [sp.expand(e) for e in equations if v in e.free_symbols]
+    if not occurring or not all(e.is_polynomial(v) for e in occurring):
+        return False
+    return all(n % 2 == 0 and n <= 8 for e in occurring for (n,), _ in sp.Poly(e, v).terms())
+
+
+def _linear_squares(equations: Sequence[sp.Expr], squares: Sequence[sp.Symbol]) -> list[sp.Expr]:
+    """The equations with squares of velocities eliminated where an equation has one alone, with a definite factor."""
+    equations = list(equations)
+    for w in squares:
+        for e in equations:
+            slope = sp.factor_terms(sp.expand(e).coeff(w, 1))
+            if slope == 0 or any(x in e.free_symbols for x in squares if x != w):
+                continue
+            if sp.expand(e).coeff(w, 2) != 0 or not _is_definite(slope):
+                continue
+            value = (
+                sp.cancel(-sp.expand(e).coeff(w, 0) / slope)
+                if not slope.is_number
+                else -sp.expand(e).coeff(w, 0) / slope
+            )
+            equations = [w - value, *(f.xreplace({w: value}) for f in equations if f is not e)]
+            break
+    return equations
+
+
+def _is_definite(slope: sp.Expr) -> bool:
+    from lagrange.algebra.closed_forms.signs import sign_of
+
+    return sign_of(slope) in (1, -1)
+
+
+def _of_branches(
+    solved: SolutionSet,
+    wanted: sp.Expr,
+    given: State,
+    unknowns: Sequence[sp.Symbol],
+    squares: Mapping[sp.Symbol, sp.Symbol],
+    called: sp.Expr,
+) -> Eliminated:
+    branches: list[AnswerBranch] = []
+    free: set[sp.Symbol] = set()
+    regular = [b for b in solved.branches if not b.special]
+    complete = solved.solved
+    for b in regular:
+        if b.left:
+            continue
+        for conditions, states in _states(b, solved, given, unknowns, squares).items():
+            if conditions is None:
+                complete = False
+                continue
+            pairs: list[tuple[sp.Expr, State]] = []
+            for state in states:
+                value = _at(wanted, state, solved)
+                if value is None:
+                    complete = False
+                    continue
+                open_ = value.free_symbols & {*unknowns}
+                free |= open_
+                if not open_:
+                    pairs.append((value, state))
+            branches += _stated(b, called, pairs, conditions)
+    never = not branches and not free and complete and solved.verified is True
+    return Eliminated(tuple(_without_repetitions(branches)), never, frozenset(free), complete, solved.verified)
+
+
+def _states(
+    b: Branch, solved: SolutionSet, given: State, unknowns: Sequence[sp.Symbol], squares: Mapping[sp.Symbol, sp.Symbol]
+) -> dict[tuple[SignCondition, ...] | None, list[dict[sp.Symbol, sp.Expr]]]:
+    """The states of a branch, both signs of the velocities among them, grouped by their conditions."""
+    groups: dict[tuple[SignCondition, ...] | None, list[dict[sp.Symbol, sp.Expr]]] = {}
+    for point in b.points[:MOST_POINTS]:
+        conditions = list(b.conditions)
+        signed: list[tuple[sp.Symbol, tuple[sp.Expr, ...]]] = []
+        state: dict[sp.Symbol, sp.Expr] = dict(given)
+        possible = True
+        for v, w in squares.items():
+            try:
+                value = factored_quotient(solved.at(point, w))
+            except NotAlgebraicError:
+                groups.setdefault(None, [])
+                return groups
+            if value.free_symbols & {*unknowns, *squares.values()}:
+                continue
+            allowed = not_negative(value)
+            if allowed is None:
+                possible = False
+                break
+            conditions += [c for c in allowed if c not in conditions]
+            root = sp.S.Zero if value == 0 else square_root(value)
+            signed.append((v, (root, -root) if root != 0 else (root,)))
+        if not possible:
+            continue
+        for u in unknowns:
+            if u in given or u in squares:
+                continue
+            found = _coordinate(u, b, point, solved)
+            if found is not None:
+                state[u] = found
+        state |= {s: point[s] for s in point if s not in squares.values()}
+        for roots in product(*(roots for _, roots in signed)):
+            whole = {**state, **dict(zip([v for v, _ in signed], roots, strict=True))}
+            groups.setdefault(tuple(conditions), []).append(whole)
+    return groups
+
+
+def _coordinate(u: sp.Symbol, b: Branch, point: Values, solved: SolutionSet) -> sp.Expr | None:
+    """An unknown at a point: an angle from its cosine and sine; None where it is open."""
+    stated = {r.lhs: r.rhs for r in b.relations}
+    if u in stated and not stated[u].free_symbols & {*solved.unknowns}:
+        return stated[u]
+    angle = solved.letters.angle_of(u)
+    if angle is None or angle.cosine not in point or angle.sine not in point:
+        value = point.get(u)
+        if value is None:
+            return None
+        try:
+            value = solved.at(point, u)
+        except NotAlgebraicError:
+            return None
+        return None if value.free_symbols & {*solved.unknowns} else value
+    try:
+        cosine, sine = (solved.at(point, f(angle.measure)) for f in (sp.cos, sp.sin))
+    except NotAlgebraicError:
+        return None
+    share = u / angle.measure
+    if sine.is_number and cosine.is_number:
+        if sine == 0:
+            return (sp.S.Zero if cosine == 1 else sp.pi) * share
+        return (1 if sine > 0 else -1) * sp.acos(cosine) * share
+    return sp.atan2(sine, cosine) * share
+
+
+def _at(wanted: sp.Expr, state: State, solved: SolutionSet) -> sp.Expr | None:
+    """The quantity at a state."""
+    letters = {s: v for s, v in state.items() if s not in wanted.free_symbols or s in solved.letters.roots}
+    direct = wanted.xreplace({s: v for s, v in state.items() if s in wanted.free_symbols and not _in_circle(s, wanted)})
+    try:
+        value = solved.at(letters, direct)
+    except NotAlgebraicError:
+        return None
+    return shortest_form(factored_quotient(value))
+
+
+def _in_circle(s: sp.Symbol, e: sp.Expr) -> bool:
+    return any(s in f.free_symbols for f in e.atoms(*CIRCULAR))
+
+
+def _stated(
+    b: Branch, called: sp.Expr, pairs: Sequence[tuple[sp.Expr, State]], conditions: tuple[SignCondition, ...]
+) -> Iterator[AnswerBranch]:
+    """A branch as it is stated: as a relation of the quantity, cos θ = 2/3, or a value for each."""
+    if not pairs:
+        return
+    values = tuple(dict.fromkeys(value for value, _ in pairs))
+    relation = _relation(b.relations, called)
+    if relation is not None:
+        yield AnswerBranch(relation.lhs, relation.rhs, values, tuple(state for _, state in pairs), conditions)
+        return
+    for value in values:
+        yield AnswerBranch(called, value, (value,), tuple(s for v, s in pairs if v == value), conditions)
+
+
+def _relation(relations: Sequence[Relation], wanted: sp.Expr) -> Relation | None:
+    """The relation of an angle that is the quantity, where it is stated by its cosine, sine or tangent."""
+    if not wanted.is_Symbol:
+        return None
+    own = [r for r in relations if wanted in r.lhs.free_symbols]
+    if len(own) == 1 and own[0].lhs != wanted and wanted not in own[0].rhs.free_symbols and own[0].lhs.has(*CIRCULAR):
+        return own[0]
+    return None
+
+
+def _without_repetitions(branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
+    """Each branch once: those that are stated alike are one."""
+    kept: dict[object, AnswerBranch] = {}
+    for b in branches:
+        key = (b.lhs, b.rhs, b.conditions)
+        known = kept.get(key)
+        if known is None:
+            kept[key] = b
+        else:
+            values = (*known.values, *(v for v in b.values if v not in known.values))
+            kept[key] = AnswerBranch(b.lhs, b.rhs, values, (*known.states, *b.states), b.conditions)
+    return list(kept.values())

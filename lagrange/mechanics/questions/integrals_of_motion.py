@@ -1,0 +1,142 @@
+"""First integrals with their values from the initial state.
+
+These are the conserved quantities of the motion and, where they do not suffice, integrals of single equations: with
+
+    q'' = f(q) + g(q) q'^2 ,     w = exp(−2 ∫ g dq) :      d/dt (w q'^2/2 − ∫ w f dq) = 0
+    q'' = g(q) q' :                                        d/dt (q' − ∫ g dq) = 0
+
+The first is the theorem of work and energy for a force that depends on the square of the velocity, such as friction on
+a circle; without g it is that for a force that depends on the position. Each is verified: its rate must vanish with the
+equations of motion, exactly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.forms.antiderivatives import antiderivative
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.symbols import Unspecified, prime, t
+from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
+from lagrange.mechanics.questions.results import IntegralKind, UsedIntegral
+from lagrange.mechanics.questions.states import Meanings, Place, Values
+
+
+def integrals(place: Place, known: Meanings, initial: Values) -> tuple[list[UsedIntegral], set[sp.Symbol]]:
+    """The integrals whose value is known, and the initial values that others would need."""
+    found: list[UsedIntegral] = []
+    missing: set[sp.Symbol] = set()
+    for n, i in enumerate(place.conserved.integrals):
+        if i.constant is not True:
+            continue
+        value = _value(i.expression, initial)
+        free = value.free_symbols & {*place.moving}
+        if free:
+            missing |= free
+        else:
+            found.append(UsedIntegral(IntegralKind.CONSERVED, i.expression, textbook_form(value), n))
+    for extra in _single(place, known):
+        if not _is_new(extra.expression, found, place):
+            continue
+        value = _value(extra.expression, initial)
+        free = value.free_symbols & {*place.moving}
+        if free:
+            missing |= free
+        else:
+            found.append(_with_value(extra, value))
+    return found, missing
+
+
+def _value(e: sp.Expr, initial: Values) -> sp.Expr:
+    return e.xreplace({t: sp.S.Zero, **initial})
+
+
+def _with_value(i: UsedIntegral, value: sp.Expr) -> UsedIntegral:
+    return UsedIntegral(i.kind, i.expression, textbook_form(value), i.number, i.coordinate, i.factor, i.equation)
+
+
+def _single(place: Place, known: Meanings) -> Iterator[UsedIntegral]:
+    """The integrals of equations q'' = a(q, q') of one coordinate."""
+    slots = place.configuration.slots
+    for q in slots.coordinates:
+        a, v = known.accelerations.get(prime(q, 2)), prime(q)
+        if a is None or a.count_ops() > LONGEST_INTEGRATED or a.has(Unspecified):
+            continue
+        if not a.free_symbols.isdisjoint({*place.moving} - {q, v}):
+            continue
+        integral = _of_square(q, v, a) or _of_first_power(q, v, a)
+        if integral is not None and _is_constant(integral.expression, q, v, a):
+            yield integral
+
+
+def _of_square(q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> UsedIntegral | None:
+    """w q'²/2 − ∫ w f dq."""
+    expanded = sp.expand(a)
+    if not expanded.is_polynomial(v):
+        return None
+    powers = dict(zip(*_powers(expanded, v), strict=True))
+    if set(powers) - {0, 2}:
+        return None
+    f, g = powers.get(0, sp.S.Zero), powers.get(2, sp.S.Zero)
+    exponent = antiderivative(-2 * g, q)
+    if exponent is None:
+        return None
+    w = sp.exp(exponent) if exponent != 0 else sp.S.One
+    w = w.replace(lambda e: isinstance(e, sp.exp) and e.args[0].has(sp.log), lambda e: _power(e.args[0]))
+    work = antiderivative(sp.expand(w * f), q)
+    if work is None:
+        return None
+    return UsedIntegral(IntegralKind.WORK, w * v**2 / 2 - work, sp.S.Zero, None, q, w, a)
+
+
+def _power(exponent: sp.Expr) -> sp.Expr:
+    """e^{n log x} as x^n."""
+    factors: list[tuple[sp.Expr, sp.Expr]] = []
+    rest: list[sp.Expr] = []
+    for term in sp.Add.make_args(exponent):
+        c, log = term.as_independent(sp.log, as_Add=False)
+        if isinstance(log, sp.log) and c.is_Integer:
+            factors.append((c, log))
+        else:
+            rest.append(term)
+    return sp.Mul(*(log.args[0] ** c for c, log in factors)) * sp.exp(sp.Add(*rest))
+
+
+def _of_first_power(q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> UsedIntegral | None:
+    """q' − ∫ g dq."""
+    g = sp.cancel(a / v) if a.is_polynomial(v) else None
+    if g is None or v in g.free_symbols:
+        return None
+    work = antiderivative(g, q)
+    return None if work is None else UsedIntegral(IntegralKind.IMPULSE, v - work, sp.S.Zero, None, q, sp.S.One, a)
+
+
+def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:
+    terms = sp.Poly(e, v).terms()
+    return [int(n) for (n,), _ in terms], [c for _, c in terms]
+
+
+def _is_constant(e: sp.Expr, q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> bool:
+    try:
+        return is_zero(e.diff(q) * v + e.diff(v) * a) is True
+    except DivisionByZeroError:
+        return False
+
+
+def _is_new(e: sp.Expr, found: Sequence[UsedIntegral], place: Place) -> bool:
+    """Whether an integral tells more about the velocities than those that are known."""
+    if not found:
+        return True
+    configuration = place.configuration
+    slots = configuration.slots
+    rows = [[i.expression.diff(v) for v in slots.velocities] for i in found]
+    rows += [list(r.coefficients) for r in configuration.rows if r.nonlinear is None]
+    try:
+        before = configuration.states.rank(rows)
+        after = configuration.states.rank([*rows, [e.diff(v) for v in slots.velocities]])
+    except DivisionByZeroError:
+        return False
+    return before is not None and after is not None and after > before

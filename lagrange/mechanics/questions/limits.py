@@ -1,0 +1,19 @@
+"""Limits of answering questions: beyond them a question stays unanswered, and the derivation says so."""
+
+# Operations of an equation, after accelerations and reactions were substituted, that is handed to the solver.
+LONGEST_EQUATION = 400
+# Unknowns that are eliminated together.
+MOST_UNKNOWNS = 12
+# Points of all branches at which a quantity is evaluated.
+MOST_POINTS = 40
+# Operations of an equation of motion that is integrated in closed form.
+LONGEST_INTEGRATED = 120
+# Terms of a forcing that is a sum of waves and powers of t.
+MOST_FORCING_TERMS = 6
+# Sets of values for the parameters at which answers are checked, and digits of these checks.
+SAMPLES = 3
+DIGITS = 30
+# Numerical solution: steps of time that are tried, the longest in the unit of time of the file, and the evaluations of
+# the equations of motion in one search.
+HORIZONS = (1.0, 10.0, 100.0, 1000.0)
+MOST_EVALUATIONS = 200_000

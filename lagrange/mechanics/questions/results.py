@@ -1,0 +1,133 @@
+"""The answers to questions, as records."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import field
+from enum import StrEnum
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.core.records import record
+from lagrange.problem.model import Question
+
+
+class How(StrEnum):
+    """How a question was answered."""
+
+    EXACT = "exact"
+    NUMERICAL = "numerical"
+
+
+class IntegralKind(StrEnum):
+    """Where an integral comes from."""
+
+    CONSERVED = "conserved"  # a conserved quantity of the motion
+    WORK = "work"  # q'' = f(q) + g(q) q'^2, multiplied by an integrating factor and q', and integrated
+    IMPULSE = "impulse"  # q'' = g(q) q', integrated over time
+
+
+class Route(StrEnum):
+    """What determined the answer."""
+
+    STATE = "state"  # the accelerations and reactions at the state that `when` gives
+    INTEGRALS = "integrals"  # first integrals with their values at t = 0
+    SOLUTION = "solution"  # the solution of the equations of motion as functions of time
+    QUADRATURE = "quadrature"  # t = ∫ dq/q', with q' from the integrals
+    NUMBERS = "numbers"  # numerical integration
+
+
+class Because(StrEnum):
+    """Why a branch was left out, or comes first."""
+
+    INITIAL = "initial"  # it is the state at t = 0 itself
+    ARRIVAL = "arrival"  # a coordinate that reaches a value for the first time moves towards it
+    TURNING = "turning"  # the motion starts in one direction, and goes on in it up to the first turning point
+    PAST = "past"  # t would be negative
+    LATER = "later"  # it comes later
+
+
+@record
+class UsedIntegral:
+    """expression = value along the motion, the value from the initial state.
+
+    number      of the conserved quantity, from 0; None if it was found for this question
+    coordinate  whose equation of motion was integrated
+    factor      the integrating factor
+    equation    q'' as a function of q and q'
+    """
+
+    kind: IntegralKind
+    expression: sp.Expr
+    value: sp.Expr
+    number: int | None = None
+    coordinate: sp.Symbol | None = None
+    factor: sp.Expr = sp.S.One
+    equation: sp.Expr = sp.S.Zero
+
+
+@record
+class AnswerBranch:
+    """lhs = rhs, the quantity or a function of it on the left, under some conditions.
+
+    values      of the quantity at the points of the branch
+    states      the coordinates, velocities and t at these points
+    conditions  under which it exists
+    """
+
+    lhs: sp.Expr
+    rhs: sp.Expr
+    values: tuple[sp.Expr, ...]
+    states: tuple[Mapping[sp.Symbol, sp.Expr], ...] = ()
+    conditions: tuple[SignCondition, ...] = ()
+
+
+@record
+class Substituted:
+    """A quantity of a question in terms of positions and velocities: N = m g cos θ − m R θ'²."""
+
+    symbol: sp.Expr
+    value: sp.Expr
+
+
+@record
+class Asked:
+    """The answer to a question.
+
+    choice      the coordinates in which it was answered; empty for the file's own
+    integrals   those that were used
+    used        reactions and accelerations in the question, in terms of positions and velocities
+    conditions  the equations of `when` after that
+    quantity    the same for the quantity
+    branches    all that it may be; empty if it was not found
+    dropped     branches that are not meant, with the reason
+    mirrored    whether the branches differ in the sense of the motion alone, and the initial state leaves that open
+    solutions   coordinates as functions of time
+    first       why the branch that is left comes first
+    missing     initial values that are not given and would be needed
+    needs       an extra of the package that is missing for a numerical answer
+    verified    whether it satisfies all equations, exactly; None: undecided
+    """
+
+    question: Question
+    choice: str
+    how: How | None
+    route: Route
+    integrals: tuple[UsedIntegral, ...] = ()
+    used: tuple[Substituted, ...] = ()
+    conditions: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    quantity: sp.Expr = sp.S.Zero
+    branches: tuple[AnswerBranch, ...] = ()
+    dropped: tuple[tuple[AnswerBranch, Because], ...] = ()
+    mirrored: bool = False
+    solutions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    first: Because | None = None
+    missing: tuple[sp.Symbol, ...] = ()
+    needs: str = ""
+    verified: bool | None = True
+
+    @property
+    def answered(self) -> bool:
+        """Whether there is an answer."""
+        return bool(self.branches)

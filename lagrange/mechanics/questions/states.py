@@ -1,0 +1,239 @@
+"""States of motion in one set of coordinates: what is known at t = 0, and what follows from position and velocity.
+
+Accelerations are solved from the equations of motion with the constraints differentiated twice; reactions are those of
+`dynamics.reactions`. Both are functions of position, velocity and time, so that a question is one about the state.
+
+The initial state is given in any of the coordinates of the file and of its choices. It is carried over to the present
+ones: positions by the substitution of a choice and by the finite constraints, velocities by the constraints on them,
+which are linear. What contradicts a constraint is an error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import field
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.records import record
+from lagrange.core.symbols import prime, t
+from lagrange.document.math_writer import text
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.conservation import Conserved
+from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
+from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, InitialValue, Problem
+
+Values = Mapping[sp.Symbol, sp.Expr]
+
+
+@record
+class Place:
+    """The motion in one set of coordinates.
+
+    dynamics   with the reactions
+    conserved  the conserved quantities
+    """
+
+    dynamics: Motion
+    conserved: Conserved
+    law: NewtonLaw
+
+    @property
+    def configuration(self) -> Configuration:
+        """The coordinates."""
+        return self.dynamics.equations.configuration
+
+    @property
+    def name(self) -> str:
+        """The name of the choice; empty for the file's own coordinates."""
+        return self.configuration.name
+
+    @property
+    def moving(self) -> tuple[sp.Symbol, ...]:
+        """t, coordinates, velocities."""
+        slots = self.configuration.slots
+        return (t, *slots.coordinates, *slots.velocities)
+
+    def knows(self, names: Iterable[sp.Symbol], all_coordinates: Iterable[sp.Symbol]) -> bool:
+        """Whether the coordinates among some symbols are coordinates here, or are expressed in these."""
+        known = {*self.configuration.slots.coordinates, *self.configuration.expressed}
+        return all(q in known for q in all_coordinates if {q, prime(q), prime(q, 2)} & {*names})
+
+
+@record
+class Meanings:
+    """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known."""
+
+    accelerations: Values
+    reactions: Mapping[sp.Symbol, sp.Expr | None]
+    energies: Values = field(default_factory=dict)
+
+    def unknown(self, e: sp.Expr) -> set[sp.Symbol]:
+        """The reactions in an expression that are not known."""
+        return {s for s, v in self.reactions.items() if v is None and s in e.free_symbols}
+
+    def applied(self, e: sp.Expr) -> sp.Expr:
+        """An expression as a function of position, velocity and time."""
+        known = {s: v for s, v in self.reactions.items() if v is not None}
+        return e.xreplace({**self.energies, **known}).xreplace(dict(self.accelerations))
+
+
+def meanings(place: Place) -> Meanings:
+    """The meanings of all symbols that questions may use, in the coordinates of a place."""
+    found: dict[sp.Symbol, sp.Expr | None] = {}
+    reactions = place.dynamics.reactions
+    for r in place.law.newton.reactions:
+        value = None if reactions is None else reactions.multipliers.get(r.name)
+        size = None if reactions is None else reactions.sizes.get(r.name)
+        found[r.multiplier] = value
+        if r.symbol is not None:
+            found[r.symbol] = size
+        if r.force != r.multiplier:
+            found[r.force] = size
+    energy = {KINETIC_ENERGY: textbook_form(kinetic_energy(place.configuration))}
+    total = next((i.expression for i in place.conserved.integrals if i.quantity.value == "energy"), None)
+    if place.conserved.energy is not None and not place.conserved.energy.hidden:
+        total = place.conserved.energy.expression
+    if total is not None:
+        energy[ENERGY] = total
+    return Meanings(_accelerations(place), found, energy)
+
+
+def _accelerations(place: Place) -> Values:
+    """q'' of the coordinates; those that cannot be solved for are missing."""
+    configuration = place.configuration
+    wanted = configuration.slots.accelerations
+    equations = [*place.dynamics.equations.expressions, *configuration.accelerated_constraints]
+    rest = dict.fromkeys(wanted, sp.S.Zero)
+    rows = [[e.diff(a) for a in wanted] for e in equations]
+    if any(not c.free_symbols.isdisjoint(wanted) for row in rows for c in row):
+        return {}
+    try:
+        solved = solved_linear(rows, [-e.xreplace(rest) for e in equations], configuration.states)
+    except DivisionByZeroError:
+        return {}
+    pairs = zip(wanted, solved or [], strict=False)
+    return {a: v for a, v in pairs if v is not None and v.count_ops() <= LONGEST_EQUATION}
+
+
+# The initial state
+
+
+def initial_state(place: Place, problem: Problem, others: Sequence[Configuration]) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates and velocities at t = 0, as far as they are determined.
+
+    others  the other sets of coordinates
+
+    Raises ProblemError if what is given contradicts the constraints.
+    """
+    if not problem.initial:
+        return {}
+    configuration = place.configuration
+    coordinates, velocities = configuration.slots.coordinates, configuration.slots.velocities
+    given = {v.symbol: v for v in problem.initial}
+    known: dict[sp.Symbol, sp.Expr] = {s: v.value for s, v in given.items() if s in (*coordinates, *velocities)}
+    conditions = [
+        (_at_start(configuration.rewritten(s)) - v.value, v)
+        for s, v in given.items()
+        if s in configuration.substitution
+    ]
+    known |= {s: v for s, v in _from_choices(others, given, (*coordinates, *velocities)).items() if s not in known}
+    finite = [_at_start(f) for f in configuration.finite_constraints]
+    placed = [e for e, v in conditions if not v.symbol.name.endswith("'")]
+    known |= _positions([*finite, *placed], coordinates, known)
+    rows = [_at_start(r.velocity_form(configuration.slots)) for r in configuration.rows]
+    moved = [e for e, v in conditions if v.symbol.name.endswith("'")]
+    known |= _velocities([e.xreplace(known) for e in (*rows, *moved)], velocities, known)
+    _check(place, known, problem, conditions)
+    return known
+
+
+def _at_start(e: sp.Expr) -> sp.Expr:
+    return e.xreplace({t: sp.S.Zero})
+
+
+def _from_choices(
+    others: Sequence[Configuration], given: Mapping[sp.Symbol, InitialValue], wanted: Sequence[sp.Symbol]
+) -> dict[sp.Symbol, sp.Expr]:
+    """The file's coordinates and velocities where those of a choice are given: x = l sin θ."""
+    values = {s: v.value for s, v in given.items()}
+    found = {}
+    for configuration in others:
+        moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
+        for s, e in configuration.substitution.items():
+            value = _at_start(e).xreplace(values)
+            if s in wanted and value.free_symbols.isdisjoint(moving):
+                found[s] = value
+    return found
+
+
+def _positions(
+    equations: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol], known: Values
+) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that the equations determine beside those that are known."""
+    open_ = [e for e in (f.xreplace(dict(known)) for f in equations) if e.free_symbols & {*coordinates}]
+    unknown = [q for q in coordinates if q not in known]
+    if not open_ or not unknown:
+        return {}
+    try:
+        solved = solutions(open_, unknown)
+    except (NotAlgebraicError, DivisionByZeroError):
+        return {}
+    branches = [b for b in solved.branches if not b.special]
+    if len(branches) != 1 or branches[0].left:
+        return {}
+    return {r.lhs: r.rhs for r in branches[0].relations if r.lhs in unknown and not r.rhs.free_symbols & {*unknown}}
+
+
+def _velocities(
+    equations: Sequence[sp.Expr], velocities: Sequence[sp.Symbol], known: Values
+) -> dict[sp.Symbol, sp.Expr]:
+    """The velocities that equations linear in them determine beside those that are known."""
+    found: dict[sp.Symbol, sp.Expr] = {}
+    for _ in velocities:
+        for e in equations:
+            e = e.xreplace(found)
+            unknown = [v for v in velocities if v in e.free_symbols]
+            if len(unknown) != 1:
+                continue
+            [v] = unknown
+            slope = e.diff(v)
+            if v in slope.free_symbols or is_zero(slope) is not False:
+                continue
+            found[v] = tidy_quotient(-e.xreplace({v: sp.S.Zero}) / slope)
+    return {v: value for v, value in found.items() if v not in known}
+
+
+def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[tuple[sp.Expr, InitialValue]]) -> None:
+    """Raises ProblemError where the initial state contradicts a constraint."""
+    configuration = place.configuration
+    moving = {*configuration.slots.coordinates, *configuration.slots.velocities}
+    last = problem.initial[-1].span
+    for row in configuration.rows:
+        forms = [row.velocity_form(configuration.slots)]
+        if row.finite is not None:
+            forms.insert(0, row.finite)
+        for velocity, form in enumerate(forms, start=1 if row.finite is None else 0):
+            left = _at_start(form).xreplace(dict(known))
+            if left.free_symbols & moving or is_zero(left) is not False:
+                continue
+            kind = "its rate" if velocity and row.finite is not None else "it"
+            message = f"the initial state contradicts the constraint `{row.name}`"
+            label = f"{kind} should be 0, and is {text(tidy_quotient(left))}"
+            help_ = "change the values, or leave out those that follow from the others"
+            raise ProblemError(Diagnostic("initial-contradicts", message, last, label, help_))
+    for e, v in conditions:
+        left = e.xreplace(dict(known))
+        if not left.free_symbols & moving and is_zero(left) is False:
+            message = f"the initial value of `{v.symbol}` contradicts the others"
+            label = f"it would differ by {text(tidy_quotient(left))}"
+            help_ = "change the values, or leave out those that follow from the others"
+            raise ProblemError(Diagnostic("initial-contradicts", message, v.span, label, help_))

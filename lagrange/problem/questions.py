@@ -1,0 +1,157 @@
+"""Reading the initial state and the questions.
+
+    initial: {theta: 0, theta': 0}
+    ask:
+      leaves: {quantity: theta, when: "N = 0"}
+      force:  {quantity: N, by: theta}
+
+The state at t = 0 is given by expressions in parameters; a coordinate or velocity that is left out is free. A question
+asks for a quantity at the state in which its `when` holds, or as a function of one coordinate or of t (`by`). Both may
+contain coordinates of the file and of its choices, velocities, accelerations, t, parameters, the names of reactions,
+`T_kinetic` and `energy`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+from functools import partial
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Span
+from lagrange.core.symbols import base, t
+from lagrange.core.vectors import Vector
+from lagrange.expressions.reader import Scope, read_scalar
+from lagrange.problem import keys
+from lagrange.problem.limits import MOST_QUESTIONS
+from lagrange.problem.load_context import LoadContext
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Condition, Constraint, InitialValue, Question
+from lagrange.problem.sections import (
+    CONSTANT,
+    STATE,
+    AllowedQuantity,
+    Section,
+    entries_of,
+    mapping_of,
+    quantity,
+    scalar_of,
+    wrong_kind,
+)
+from lagrange.problem.yaml_nodes import ListNode, Node, Scalar
+
+_EXAMPLE_OF_STATE = "initial: {theta: 0, theta': 0}"
+_EXAMPLE = 'ask: {leaves: {quantity: theta, when: "N = 0"}}'
+
+
+def scope_of_questions(scope: Scope, constraints: Iterable[Constraint], choices: Iterable[Choice]) -> Scope:
+    """The names that questions may use: those of the file, of its choices and its reactions, and of the energies."""
+    old = scope.slots.coordinates
+    new = [q for c in choices for q in c.coordinates if q not in old]
+    slots = replace(scope.slots, coordinates=tuple(dict.fromkeys((*old, *new))))
+    energies = {s.name: s for s in (KINETIC_ENERGY, ENERGY) if s.name not in scope.names()}
+    added: dict[str, sp.Expr] = {
+        **energies,
+        **{q.name: q for q in new},
+        **{c.reaction.name: c.reaction for c in constraints},
+    }
+    return replace(scope, scalars={**scope.scalars, **added}, slots=slots)
+
+
+def read_initial(node: Node | None, context: LoadContext, scope: Scope) -> tuple[InitialValue, ...]:
+    """coordinate or velocity -> its value at t = 0."""
+    if node is None:
+        return ()
+    values: dict[sp.Symbol, InitialValue] = {}
+    entries = context.diagnostics.attempt(lambda: entries_of(node, "`initial`", _EXAMPLE_OF_STATE))
+    for key, value in entries or ():
+        read = context.diagnostics.attempt(partial(_initial_value, key, value, context, scope))
+        if read is None:
+            continue
+        if read.symbol in values:  # once as `θ`, once as `theta`
+            message = f"the initial value of `{read.symbol}` is given twice"
+            context.diagnostics.report(Diagnostic("declared-twice", message, key.span, help="keep one of the two"))
+            continue
+        values[read.symbol] = read
+    return tuple(values.values())
+
+
+def _initial_value(key: Scalar, node: Node, context: LoadContext, scope: Scope) -> InitialValue:
+    symbol = context.read_quietly(read_scalar, key.fragment, scope, [])
+    kind = quantity(symbol, scope.slots, context.unknowns) if symbol.is_Symbol else None
+    if kind not in (AllowedQuantity.COORDINATE, AllowedQuantity.VELOCITY):
+        message = f"`{key.text}` is neither a coordinate nor a velocity"
+        help_ = f"the state at t = 0 has coordinates and velocities: `{_EXAMPLE_OF_STATE}`"
+        raise ProblemError(Diagnostic("no-state", message, key.span, help=help_))
+    return InitialValue(symbol, context.scalar(node, f"the initial value of `{symbol}`", CONSTANT, scope), key.span)
+
+
+def read_questions(node: Node | None, context: LoadContext, scope: Scope) -> tuple[Question, ...]:
+    """name -> {quantity, when, by}."""
+    if node is None:
+        return ()
+    questions: dict[str, Question] = {}
+    entries = context.diagnostics.attempt(lambda: entries_of(node, "`ask`", _EXAMPLE)) or ()
+    if len(entries) > MOST_QUESTIONS:
+        message = f"a problem may ask {MOST_QUESTIONS} questions, and this one asks {len(entries)}"
+        raise ProblemError(Diagnostic("too-many-questions", message, node.span, help="write two problem files"))
+    for key, value in entries:
+        question = context.diagnostics.attempt(partial(_question, key, value, context, scope))
+        if question is not None:
+            questions[key.text] = question
+    return tuple(questions.values())
+
+
+def _question(key: Scalar, node: Node, context: LoadContext, scope: Scope) -> Question:
+    name = context.names.spelled(key, "a question")
+    what = f"the question `{key.text}`"
+    section = Section(mapping_of(node, what, _EXAMPLE), what, keys.QUESTION, context.diagnostics)
+    asked = section.required("quantity", key.span)
+    value = context.scalar(asked, f"the quantity of {what}", STATE, scope)
+    if value.free_symbols == set():
+        message = f"{what} asks for a number"
+        help_ = "ask for a coordinate, a velocity, a force, a parameter, or an expression in these"
+        raise ProblemError(Diagnostic("nothing-asked", message, asked.span, help=help_))
+    when = section.get("when")
+    by = section.get("by")
+    variable = None if by is None else _variable(scalar_of(by, "`by`"), scope, context)
+    conditions = () if when is None else _conditions(when, what, context, scope)
+    if name is None:
+        raise ProblemError(())
+    return Question(name, value, scalar_of(asked, "`quantity`").fragment, conditions, variable, key.span)
+
+
+def _conditions(node: Node, what: str, context: LoadContext, scope: Scope) -> tuple[Condition, ...]:
+    if not isinstance(node, Scalar | ListNode):
+        raise ProblemError(wrong_kind(node, "`when` is an equation or a list of them", 'write `when: "N = 0"`'))
+    items = node.items if isinstance(node, ListNode) else (node,)
+    read: list[Condition] = context.diagnostics.all_of(
+        *(lambda i=i: _condition(scalar_of(i, f"the `when` of {what}"), what, context, scope) for i in items)
+    )
+    return tuple(read)
+
+
+def _condition(scalar: Scalar, what: str, context: LoadContext, scope: Scope) -> Condition:
+    equation = context.equation(scalar.fragment, scope)
+    context.check(equation, scalar.fragment, f"the `when` of {what}", STATE)
+    lhs, rhs = equation.lhs, equation.rhs
+    if isinstance(lhs, Vector) or isinstance(rhs, Vector):
+        message = f"the `when` of {what} is an equation between vectors"
+        help_ = "write an equation for each component"
+        raise ProblemError(Diagnostic("vector-for-scalar", message, scalar.span, help=help_))
+    return Condition(lhs, rhs, scalar.span)
+
+
+def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:
+    """The coordinate, or t, of which the quantity is wanted as a function."""
+    symbol = context.read_quietly(read_scalar, scalar.fragment, scope, [])
+    if symbol == t or (symbol.is_Symbol and base(symbol) == symbol and symbol in scope.slots.coordinates):
+        return symbol
+    message = f"`{scalar.text}` is neither a coordinate nor `t`"
+    help_ = "`by` names the coordinate of which the quantity is wanted as a function, or `t`"
+    raise ProblemError(Diagnostic("no-variable", message, scalar.span, help=help_))
+
+
+def names_of_questions(questions: Iterable[Question]) -> Mapping[str, Span]:
+    """The names of the questions, each with its place."""
+    return {q.name: q.span for q in questions}
