@@ -17,7 +17,7 @@ import sympy as sp
 
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS
-from lagrange.answers.readings import Reading, displaced_coordinates, read_answer, without_displacements
+from lagrange.answers.readings import GivenEquation, Reading, displaced_coordinates, read_answer, without_displacements
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import (
     MIXED_CHOICES,
@@ -51,6 +51,8 @@ def alternatives_of(answer: Sequence[Fragment]) -> list[tuple[Fragment, ...]]:
 
 
 def _split(fragment: Fragment) -> list[Fragment]:
+    if isinstance(fragment, GivenEquation):
+        return [fragment]
     latex = is_latex(fragment)
     parts, start = [], 0
     for match in [*re.finditer(ALTERNATIVE if latex else r"(?<![\w\\])or(?![\w'])", fragment.text), None]:

@@ -25,10 +25,12 @@ from lagrange.answers.verdicts import (
     Verdict,
     missing_equilibria,
 )
+from lagrange.answers.written.judging import verdict_on
+from lagrange.answers.written.lines import separated
+from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import base
-from lagrange.expressions.latex_layout import separated
 from lagrange.mechanics.solution import OnStage, Solution, silent, solve
 from lagrange.problem.model import Answers, Problem
 
@@ -209,11 +211,43 @@ class Examiner:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
         answer = separated(answer)
         solution = self.solution
-        at_rest = solution is not None and (solution.own.motion is None or not _moves(answer, solution))
+        scope = self._statics_reference if solution is not None and solution.own.motion is None else self.reference
+        working = understood(answer, scope)
+        if not working.judged:
+            working = Working(answer)
+        at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
         if solution is not None and solution.own.equilibrium is not None and at_rest:
-            equations, statics, reactions = _check_statics(answer, solution)
-            return self._judgement(equations, statics=statics, reactions=reactions)
-        return self._judgement(check_equations(answer, self.reference))
+            return self._statics(working, solution)
+        verdict = self._on_motion(working)
+        if working.unknowns and verdict.verdict in (Verdict.INCOMPLETE, Verdict.TRIVIAL):
+            alone = understood(answer, scope, eliminating=False)
+            verdict = self._on_motion(alone if alone.judged else Working(answer))
+        return self._judgement(verdict)
+
+    def _on_motion(self, working: Working) -> AnswerVerdict:
+        reference = replace(self.reference, unknowns=(*self.reference.unknowns, *working.unknowns))
+
+        def check(equations: Sequence[Fragment], diagnosing: bool) -> AnswerVerdict:
+            return check_equations(equations, reference, diagnosing=diagnosing)
+
+        return verdict_on(working, reference, check)
+
+    def _statics(self, working: Working, solution: Solution) -> Judgement:
+        kinds = (True, False)
+
+        def check(equations: Sequence[Fragment], _: bool) -> AnswerVerdict:
+            nonlocal kinds
+            verdict, *shown = _check_statics(equations, solution)
+            kinds = (shown[0], shown[1])
+            return verdict
+
+        verdict = verdict_on(working, self._statics_reference, check)
+        return self._judgement(verdict, statics=kinds[0], reactions=kinds[1])
+
+    @cached_property
+    def _statics_reference(self) -> Reference:
+        assert self.solution is not None
+        return reference_of_solution(self.solution)
 
     def check_answers(self, answers: Answers, more: tuple[Fragment, ...] = ()) -> Judgement:
         """The verdict on answers to all questions; `more` are equations beside them. Raises ProblemError."""

@@ -9,6 +9,9 @@ is guessed: an answer is refused with a message, a diagnosis is left out, or a c
 MAX_EQUATIONS = 12
 """Equations in an answer. The longest shipped answer has 6 (six degrees of freedom, problems/motion/aircraft.yaml)."""
 
+MAX_LINES = 80
+"""Equations in a whole solution, with its definitions, values and energies: some three pages by hand."""
+
 MAX_ALTERNATIVES = 32
 """Alternatives in an answer about equilibria: five equations with two solutions each. The shipped maximum is 4."""
 

@@ -35,6 +35,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import differential, prime, t, variation
 from lagrange.core.vectors import Vector
+from lagrange.expressions.latex_layout import OneEquation
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_equation
 from lagrange.mechanics.constraints.displacements import virtual_displacements
@@ -46,13 +47,17 @@ NOT_FOR_ALL = "it does not hold for all displacements that the constraints admit
 
 @record
 class Reading:
-    """One equation of an answer: its two sides and its components, each zero; or the error in reading it."""
+    """One equation of an answer: its two sides and its components, each zero; or the error in reading it.
+
+    other  the same text as it might also be read; None if there is no other way
+    """
 
     text: str
     components: tuple[sp.Expr, ...] = ()
     error: ProblemError | None = None
     notes: list[Diagnostic] = field(default_factory=list)
     sides: tuple[sp.Expr | Vector, ...] = ()
+    other: Reading | None = None
 
     @property
     def surprising(self) -> tuple[sp.Expr | Vector, ...]:
@@ -61,7 +66,7 @@ class Reading:
 
 
 @record
-class GivenEquation(Fragment):
+class GivenEquation(OneEquation):
     """An equation of an answer that is not a text, with its reading."""
 
     reading: Reading = field(default_factory=lambda: Reading(""))
@@ -71,6 +76,11 @@ class GivenEquation(Fragment):
         """The equation with this name in messages."""
         plain = Fragment.of(reading.text, name)
         return cls(plain.text, plain.whole, plain.start, reading)
+
+    @classmethod
+    def of_reading_at(cls, reading: Reading, place: Fragment) -> GivenEquation:
+        """The equation that was read at a place."""
+        return cls(reading.text, place.span(0, len(place.text)), None, reading)
 
 
 def read_answer(fragment: Fragment, scope: Scope) -> Reading:

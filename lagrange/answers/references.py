@@ -19,7 +19,7 @@ from lagrange.answers.force_names import other_readings
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.slips import terms_of
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, prime, variation
+from lagrange.core.symbols import CONSTANT, Sign, prime, variation
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -110,6 +110,9 @@ class Reference:
     unknowns    declared unknown forces
     units       units of parameters and coordinates, as far as the file gives them
     newton      the reactions, whose names may have other meanings in an answer; None if there are none
+    declared    names that the problem declares, those of its reactions included
+    letters     names that the derivation adds for its own results
+    parameters  the parameters by name
     """
 
     scope: Scope
@@ -118,6 +121,14 @@ class Reference:
     unknowns: tuple[sp.Symbol, ...] = ()
     units: Mapping[sp.Symbol, str] = field(default_factory=dict)
     newton: Newton | None = None
+    declared: frozenset[str] = frozenset()
+    letters: frozenset[str] = frozenset()
+    parameters: Mapping[str, sp.Symbol] = field(default_factory=dict)
+
+    @cached_property
+    def coordinates(self) -> frozenset[str]:
+        """The names of the coordinates."""
+        return frozenset(q.name for q in self.scope.slots.coordinates)
 
     def candidates_for(self, used: Collection[str]) -> Iterator[ReferenceCandidate]:
         """The candidates for an answer with these names: as in the derivation, then for other meanings of reactions."""
@@ -181,7 +192,20 @@ def reference_of_solution(solution: Solution) -> Reference:
     plain = [replace(c, values=values, certain=certain) for c in _candidates(solution)]
     candidates = tuple(_with_meanings(plain, solution))
     newton = solution.law.newton if solution.law else None
-    return Reference(wider, candidates, values, problem.unknowns, units_of(problem), newton)
+    added = {**of_oscillations, **_potential(solution), **energies, **_lengths(solution)}
+    letters = frozenset((*added, *(q.name for q in (*angles, *general, *small))))
+    declared = declared_names(problem) | {s.name for s in signs.values()} | frozenset(_reactions(solution))
+    parameters = {p.symbol.name: p.symbol for p in problem.parameters}
+    return Reference(
+        wider, candidates, values, problem.unknowns, units_of(problem), newton, declared, letters, parameters
+    )
+
+
+def declared_names(problem: Problem) -> frozenset[str]:
+    """The names that a problem declares, and those of the coordinates of its choices."""
+    scope = problem.scope
+    moving = (*scope.slots.coordinates, *scope.slots.prescribed, *(q for c in problem.choices for q in c.coordinates))
+    return frozenset((*scope.scalars, *scope.functions, *scope.vectors, *(s.name for s in moving), CONSTANT.name))
 
 
 def _with_meanings(candidates: list[ReferenceCandidate], solution: Solution) -> Iterator[ReferenceCandidate]:

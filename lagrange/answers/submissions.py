@@ -21,6 +21,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from pathlib import PurePath
 from time import perf_counter
 
@@ -28,6 +29,8 @@ from lagrange.answers.equations import WHAT_IT_IS, check_equations
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.recognition import Recognised
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
+from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
+from lagrange.answers.written.markup import text_of_html
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
@@ -38,13 +41,11 @@ from lagrange.problem.stated_answers import read_answers
 _BULLET = re.compile(r"\s*(?:[*•◦▪]\s+)?")
 _MARKDOWN_BULLET = re.compile(r"\s*(?:>\s*)*(?:[-+*]\s+)?")
 _NUMBER = re.compile(r"(?:\(\s*(?P<round>[0-9]{1,2})\s*\)\s*|(?P<point>[0-9]{1,2})\.\s+)")
-_ENUMERATION = re.compile(r"(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\s?\)\s*")
+_ENUMERATION = re.compile(r"(?:[0-9]{1,2}|[a-z]|[ivx]{1,4})\s?\)\s*|\((?:[a-h]|[ivx]{1,4})\)\s+")
 _LABEL = re.compile(r"[^=:\\${}()+*/^]{0,60}:(?!=)\s*")
 _FENCE = re.compile(r"\s{0,3}(?:[-*+]\s+|[0-9]{1,2}[.)]\s+)?(?P<fence>`{3,}|~{3,})")
 _SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=ticks)(?!`)")
 _BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
-_CONTINUES = re.compile(r"\s*(?:[-+*/−·]|\\cdot|\\times)")
-_WORDS = re.compile(r"[^\W\d_]{2,}")
 _INLINE = ("$", r"\(", r"\)")
 
 
@@ -57,6 +58,9 @@ def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
     match ending.lower():
         case ".tex" | ".latex" | ".ltx":
             return tuple(_in_latex(fragment))
+        case ".html" | ".htm" | ".xhtml":
+            text = text_of_html(source.text)
+            return tuple(_in_lines(Fragment.of(text, source.name)))
         case ".md" | ".markdown":
             return tuple(_in_markdown(fragment))
         case _:
@@ -134,26 +138,42 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
     """The lines that are equations, and mathematics in displays and environments, over several lines too."""
     marks = [m for m in marks_of(fragment.text) if m.kind not in _INLINE]
     regions = _regions(fragment, marks)
-    number, next_region, last = 0, 0, -2
-    for index, (start, end) in enumerate(_lines(fragment.text)):
+    next_region = 0
+    number = 0
+    block: list[tuple[int, int, str]] = []
+    words = ""
+    for start, end in _lines(fragment.text):
         line = fragment.text[start:end]
-        if next_region and start < regions[next_region - 1].closes:
-            pass
-        elif next_region == len(regions) or regions[next_region].opens >= end:
-            if not line.strip() or line.lstrip().startswith(("#", "%")):
-                continue
-            if "=" in line:
-                yield from equations(_part(fragment, start + _beginning(line, number, bullet), end))
-                number, last = number + 1, index
-            elif last == index - 1 and _CONTINUES.match(line) and len(_WORDS.findall(line)) < 3:
-                message = "this line continues the equation before it"
-                help_ = "write an equation on one line, or in an environment of LaTeX"
-                raise ProblemError(Diagnostic("continued-line", message, fragment.span(start, end), help=help_))
+        inside = next_region and start < regions[next_region - 1].closes
+        opens = next_region < len(regions) and regions[next_region].opens < end
+        if not inside and not opens and line.strip() and not line.lstrip().startswith(("#", "%", "//")):
+            block.append((start, end, line))
             continue
+        for e in _of_block(fragment, block, number, bullet, words):
+            number += 1
+            yield e
+        block, words = [], (block[-1][2] if block and "=" not in block[-1][2] else "")
         while next_region < len(regions) and regions[next_region].opens < end:
             in_region = rows(fragment, marks, regions[next_region])
             number, next_region = number + len(in_region), next_region + 1
-            yield from in_region
+            yield from (replace(e, beside=words) for e in in_region)
+    yield from _of_block(fragment, block, number, bullet, words)
+
+
+def _of_block(
+    fragment: Fragment, lines: list[tuple[int, int, str]], number: int, bullet: re.Pattern[str], words: str
+) -> Iterator[Fragment]:
+    """The equations in lines between empty ones."""
+    for start, end in joined(lines):
+        line = fragment.text[start:end]
+        if has_sign_of_equality(line):
+            begins = start + _beginning(line, number, bullet)
+            beside = f"{words} {fragment.text[start:begins]}".strip()
+            for e in equations_of_line(_part(fragment, begins, end), beside):
+                number += 1
+                yield e
+        elif not is_mathematics(line):
+            words = line.strip()
 
 
 def _beginning(line: str, number: int, bullet: re.Pattern[str]) -> int:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import field
 
 from lagrange.core.diagnostics import Fragment, Span
 from lagrange.core.records import record
@@ -18,7 +19,14 @@ from lagrange.expressions.latex_names import ENVIRONMENTS
 
 
 @record
-class LatexFragment(Fragment):
+class OneEquation(Fragment):
+    """A fragment that is one equation, and is not searched for several; `beside` are words that it stands under."""
+
+    beside: str = field(default="", kw_only=True)
+
+
+@record
+class LatexFragment(OneEquation):
     """A piece of another fragment, from `offset`, that is in LaTeX even where it has neither a backslash nor a `$`."""
 
     outer: Fragment | None = None
@@ -61,6 +69,9 @@ _MARK = re.compile(
     r"|(?P<words>\\(?:text|textrm|mbox|textit|intertext|shortintertext)\{)"
     r"|(?P<label>\\(?:label|tag\*?|eqref|ref|cite)\s?\{[^{}]{0,200}\})|(?P<box>\\(?:boxed|fbox)\s?\{)"
     r"|(?P<wide>\\(?:quad|qquad|enspace)(?![A-Za-z])|\\hspace\*?\{[^{}]{0,20}\}|\\hfill(?![A-Za-z]))"
+    r"|(?P<arrow>\\(?:Rightarrow|Longrightarrow|implies|therefore|because|leadsto|rightarrow|longrightarrow|to"
+    r"|Leftrightarrow|Longleftrightarrow|iff)(?![A-Za-z])|[⇒⟹→⟶∴⇔⟺])"
+    r"|(?P<equals>:=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overset|stackrel)\s?\{!\}\s?\{=\})"
     r"|(?P<thin>\\(?:[,;:! ]|nonumber|notag|displaystyle|hline|centering|noindent)(?![A-Za-z]))"
     r"|(?P<cases>\\left\s?(?:\\\{|\\lbrace|\.)(?=\s*\\begin)|\\right\s?\.)"
     r"|(?P<sign>\$\$|\$|\\[()\[\]]|\\?[{}]|[()\[\]=,;])|(?P<paragraph>\n[ \t\r]*\n)|\\(?:[A-Za-z]+|.)",
@@ -87,7 +98,8 @@ def piece(fragment: Fragment, start: int, end: int) -> LatexFragment:
 
 def is_latex(fragment: Fragment) -> bool:
     """Whether a text is LaTeX: it has a backslash or a `$`."""
-    return isinstance(fragment, LatexFragment) or "\\" in fragment.text or "$" in fragment.text
+    certain = isinstance(fragment, LatexFragment) or getattr(fragment, "latex", False)
+    return certain or "\\" in fragment.text or "$" in fragment.text
 
 
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
@@ -97,7 +109,7 @@ def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
 
 def equations(fragment: Fragment) -> Sequence[Fragment]:
     """The equations in one text; the whole text where there are none, so that an error can point at it."""
-    if isinstance(fragment, LatexFragment) or not is_latex(fragment):
+    if isinstance(fragment, OneEquation) or not is_latex(fragment):
         return (fragment,)
     marks = marks_of(fragment.text)
     regions = [r for r in delimited(marks)[0] if has_equation(marks, r)]
@@ -129,6 +141,7 @@ def marks_of(text: str) -> list[Mark]:
         elif match.lastgroup:
             at = closing[at - 1] if match["words"] else at
             kind = match[0] if match.lastgroup == "sign" else match.lastgroup
+            kind = "=" if kind == "equals" else "wide" if kind == "arrow" else kind
             kind = "or" if ALTERNATIVE.fullmatch(text, start, at) else kind
             marks.append(Mark(kind, start, at))
     return marks

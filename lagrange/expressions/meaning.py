@@ -276,7 +276,9 @@ class Meaning:
             raise self.report.error("prime-of-constant", message, primed, help_)
 
     def _partial(self, call: Call) -> sp.Expr:
-        """diff(e, x), diff(e, t), diff(f, X)."""
+        """diff(e, x), diff(e, t), diff(f, X); diff(e, t, t) and diff(e, t, 2) are second derivatives."""
+        if len(call.arguments) > 2:
+            return self._partial(self._nested_derivative(call))
         tree, by = self._derivative_parts(call)
         value = self.scalar(tree)
         if isinstance(value, Unspecified) and isinstance(by, Name):
@@ -287,6 +289,21 @@ class Meaning:
             if isinstance(by, Name) and by.text == "t":
                 return self._arithmetic.rate(value)
             return self._arithmetic.partial(value, self._variable(by))
+
+    def _nested_derivative(self, call: Call) -> Call:
+        """diff(e, x, y) as diff(diff(e, x), y), and diff(e, x, 2) as diff(diff(e, x), x)."""
+        inner, *by = call.arguments
+        variables: list[Tree] = []
+        for argument in by:
+            if isinstance(argument, Number) and variables and argument.text in ("1", "2", "3", "4"):
+                variables += [variables[-1]] * (int(argument.text) - 1)
+            else:
+                variables.append(argument)
+        if len(variables) > HIGHEST_PRESCRIBED_RATE:
+            self._check_count(call, 2, "write `diff(e, x)`, and `diff(diff(e, x), y)` for a second derivative")
+        for variable in variables[:-1]:
+            inner = Call("diff", (inner, variable), call.start, call.end, call.name_end)
+        return Call("diff", (inner, variables[-1]), call.start, call.end, call.name_end)
 
     def _derivative_parts(self, call: Call) -> tuple[Tree, Tree]:
         """The operand and the variable of a derivative."""

@@ -44,10 +44,29 @@ _HELP_FOR_MISPLACED = {
 }
 
 
-class Parser:
-    """One parse of one list of tokens, which ends with END. Notes about surprising readings go to `notes`."""
+def _power_at_the_end(call: Call) -> Power | None:
+    """`sin x^2` as (sin x)^2; None if the argument does not end with a power."""
+    (argument, *others) = call.arguments
+    last = argument.factors[-1][1] if isinstance(argument, Product) else argument
+    if others or not isinstance(last, Power) or not isinstance(last.exponent, Number):
+        return None
+    whole: Tree = last.base
+    if isinstance(argument, Product):
+        factors = (*argument.factors[:-1], (argument.factors[-1][0], last.base))
+        whole = Product(factors, argument.start, argument.end)
+    return Power(Call(call.name, (whole,), call.start, call.end, call.name_end), last.exponent, call.start, call.end)
 
-    def __init__(self, fragment: Fragment, tokens: list[Token], lexicon: Lexicon) -> None:
+
+class Parser:
+    """One parse of one list of tokens, which ends with END. Notes about surprising readings go to `notes`.
+
+    other   read as people also write: in `a/b c` the c divides too, and in `sin x^2` the square is that of the sine
+    doubts  whether the other reading differs
+    """
+
+    def __init__(self, fragment: Fragment, tokens: list[Token], lexicon: Lexicon, other: bool = False) -> None:
+        self.other = other
+        self.doubts = False
         self.fragment = fragment
         self.tokens = tokens
         self.lexicon = lexicon
@@ -118,7 +137,7 @@ class Parser:
                 operator = first.text
                 self._advance()
                 slash = first.start if operator == "/" else 0
-                factors.append((operator, self._factor()))
+                factors.append((operator, self._divisor() if slash and self.other else self._factor()))
             elif self._begins_factor():
                 # Juxtaposition binds as `*` does, not more tightly: `a/b c` is (a/b) c, and a note says so. A bar
                 # after a closed pair could have closed a larger pair: |a|b|c| is |a| b |c|.
@@ -135,8 +154,17 @@ class Parser:
             return factors[0][1]
         return Product(tuple(factors), start, self._last_end)
 
+    def _divisor(self) -> Tree:
+        """A divisor and all that adjoins it: in the other reading `a/b c` is a/(b c)."""
+        start = self._token.start
+        factors: list[tuple[str, Tree]] = [("*", self._factor())]
+        while self._token.kind is not TokenKind.NUMBER and self._begins_factor():
+            factors.append(("*", self._factor()))
+        return factors[0][1] if len(factors) == 1 else Product(tuple(factors), start, self._last_end)
+
     def _note_quotient(self, start: int, slash: int, divisor: Tree, factor: Token) -> None:
         """Report how `a/b c` was read. `1/2 m` with its space is as it looks, `1/2m` is not."""
+        self.doubts = self.doubts or bool(slash)
         if slash and not (isinstance(divisor, Number) and self.fragment.text[factor.start - 1].isspace()):
             quotient, below = self._text(start, factor.start), self._text(slash + 1, factor.start)
             multiplied = self._text(factor.start, self._last_end)
@@ -278,10 +306,15 @@ class Parser:
 
     def _function(self, token: Token) -> Tree:
         exponent = self._function_exponent(token)
+        bare = not self._is("(") or self._token.hidden
         if self._token.kind is TokenKind.PRIMES:
             help_ = f"write `{token.text}(x)'` for the time derivative"
             raise self._error("misplaced-prime", f"`{token.text}` takes no prime", self._token, help_)
         call = self._applied(token) if self._is("(") else self._bare_function(token)
+        if exponent is None and bare and token.text != "sqrt" and (power := _power_at_the_end(call)) is not None:
+            self.doubts = True
+            if self.other:
+                return power
         return call if exponent is None else Power(call, exponent, token.start, self._last_end)
 
     def _function_exponent(self, token: Token) -> Number | None:

@@ -79,6 +79,19 @@ def read_equation(
     return _read(fragment, scope, notes, limit, lambda reading: reading.equation(), latex)
 
 
+def read_otherwise(fragment: Fragment, scope: Scope, limit: int = MAX_CHARACTERS) -> EquationRead | None:
+    """An equation of an answer in the other reading of `a/b c` and `sin x^2`; None if it has no other.
+
+    Raises ProblemError at the place that cannot be read.
+    """
+    return _read(fragment, scope, None, limit, lambda reading: reading.otherwise(), latex=True)
+
+
+def token_texts(fragment: Fragment, scope: Scope) -> list[str]:
+    """The tokens of a part of an answer as texts, primes as `'`. Raises ProblemError at what has no meaning."""
+    return _read(fragment, scope, None, MAX_CHARACTERS, lambda reading: reading.texts(), latex=True)
+
+
 def canonical_name(text: str) -> str | None:
     """The canonical spelling of a name (`θ` is `theta`); None where it cannot be declared."""
     text = text.strip()
@@ -123,6 +136,7 @@ class _Reading:
             written, notes = tokens(fragment, scientific=scope.scalar("e") is None)
         resolved = [replace(w, text=scope.spelling(w.text)) if w.loose else w for w in written]
         self._scope = scope
+        self._fragment, self._tokens = fragment, resolved
         self._parser = Parser(fragment, resolved, scope)
         self._meaning = Meaning(fragment, scope, frozenset(r.text for r in resolved if r.kind is TokenKind.NAME))
         self._surprises = [*notes, *_powers_of_ten(fragment, scope, resolved)]
@@ -152,6 +166,18 @@ class _Reading:
         if self._meaning.is_vector(left) or self._meaning.is_vector(right):
             return EquationRead(self._meaning.vector(left), self._meaning.vector(right))
         return EquationRead(self._meaning.scalar(left), self._meaning.scalar(right))
+
+    def otherwise(self) -> EquationRead | None:
+        """The whole text as an equation in the other reading; None if there is none."""
+        self._parser.equation()
+        if not self._parser.doubts:
+            return None
+        self._parser = Parser(self._fragment, self._tokens, self._scope, other=True)
+        return self.equation()
+
+    def texts(self) -> list[str]:
+        """The texts of the tokens; hidden brackets are left out."""
+        return [w.text for w in self._tokens if w.kind is not TokenKind.END and not w.hidden]
 
     def _tree(self) -> Tree:
         tree = self._parser.expression()

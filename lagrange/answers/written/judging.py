@@ -1,0 +1,145 @@
+"""The verdict on an answer with its working: of what can be read, with what was not judged said in notes.
+
+A wrong equation is read in its other way, `a/b c` as a/(b c), if that makes it right. An equation that is marked as an
+approximation, or that has no acceleration and is no equation of motion (an energy, an integral), does not make an answer
+wrong whose other equations are complete. What cannot be read leaves the verdict on the rest as it is, unless something
+is missing there: it might have been in that line.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from lagrange.answers.readings import GivenEquation, Reading
+from lagrange.answers.references import Reference
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.working import Working
+from lagrange.core.diagnostics import Diagnostic, Fragment, Severity
+from lagrange.core.symbols import base, prime
+
+Check = Callable[[Sequence[Fragment], bool], AnswerVerdict]
+"""The verdict on equations; with or without a diagnosis of wrong ones."""
+
+_COMPLETE = (Verdict.EQUIVALENT,)
+_READ_OTHERWISE = "also read as {sides}: in this reading it is right"
+
+
+def verdict_on(working: Working, reference: Reference, check: Check) -> AnswerVerdict:
+    """The verdict on an answer that has been sorted. Raises ProblemError if it has too many equations."""
+    equations = list(working.judged)
+    notes = list(working.notes)
+    verdict = check(equations, False)
+    if verdict.verdict is Verdict.WRONG:
+        equations, verdict, more = _otherwise(equations, verdict, check)
+        notes += more
+    if verdict.verdict is Verdict.WRONG:
+        equations, verdict, more = _without_asides(equations, verdict, working, reference, check)
+        notes += more
+    if verdict.verdict is Verdict.WRONG:
+        verdict = check(equations, True)
+    return _with_unreadable(replace(verdict, notes=(*verdict.notes, *notes)), working.unreadable)
+
+
+def _wrong(verdict: AnswerVerdict) -> list[int]:
+    return [n for n, e in enumerate(verdict.equations) if e.verdict is Verdict.WRONG]
+
+
+def _otherwise(
+    equations: list[Fragment], verdict: AnswerVerdict, check: Check
+) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]]:
+    """Wrong equations in their other reading, where that makes them right."""
+    notes: list[Diagnostic] = []
+    if len(verdict.equations) != len(equations):
+        return equations, verdict, notes
+    for n in _wrong(verdict):
+        fragment = equations[n]
+        other = fragment.reading.other if isinstance(fragment, GivenEquation) else None
+        if other is None:
+            continue
+        trial = [*equations[:n], GivenEquation(other.text, fragment.whole, None, other), *equations[n + 1 :]]
+        again = check(trial, False)
+        if again.equations[n].verdict is Verdict.EQUIVALENT:
+            equations, verdict = trial, again
+            message = f"`{other.text}` has two readings, and is read as the one that is right"
+            help_ = "put brackets around a divisor of several factors, and around the argument of a function"
+            notes.append(Diagnostic("read-as", message, fragment.whole, help=help_, level=Severity.NOTE))
+    return equations, verdict, notes
+
+
+def _without_asides(
+    equations: list[Fragment], verdict: AnswerVerdict, working: Working, reference: Reference, check: Check
+) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]]:
+    """The equations without approximations and wrong statements that are no equations of motion, if the rest is right."""
+    unchanged: tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] = (equations, verdict, [])
+    wrong = _wrong(verdict)
+    if not wrong or len(verdict.equations) != len(equations) != len(wrong):
+        return unchanged
+    approximations = [n for n in wrong if n in working.approximate]
+    if approximations and len(approximations) < len(equations):
+        kept = [e for n, e in enumerate(equations) if n not in approximations]
+        again = check(kept, False)
+        if not _all_approximate(kept, equations, working) and again.verdict is not Verdict.TRIVIAL:
+            notes = [
+                _note(equations[n], "is marked as an approximation, and is not judged") for n in approximations
+            ]
+            rest = Working(tuple(kept), notes=())
+            result = _without_asides(kept, again, rest, reference, check)
+            return result[0], result[1], [*notes, *result[2]]
+    about = [n for n in wrong if not _is_of_motion(equations[n], reference)]
+    if len(about) < len(wrong):
+        return unchanged
+    kept = [e for n, e in enumerate(equations) if n not in about]
+    if not any(_has_acceleration(e, reference) for e in kept):
+        return unchanged
+    again = check(kept, False)
+    if again.verdict not in _COMPLETE:
+        return unchanged
+    diagnoses = [verdict.equations[n].diagnosis for n in about]
+    notes = [
+        _note(equations[n], f"is no equation of motion, and is not judged: {why}")
+        for n, why in zip(about, diagnoses, strict=True)
+    ]
+    return kept, again, notes
+
+
+def _all_approximate(kept: Sequence[Fragment], equations: Sequence[Fragment], working: Working) -> bool:
+    return all(n in working.approximate for n, e in enumerate(equations) if any(e is k for k in kept))
+
+
+def _note(equation: Fragment, message: str) -> Diagnostic:
+    return Diagnostic("not-judged", f"`{equation.text}` {message}", equation.whole, level=Severity.NOTE)
+
+
+def _has_acceleration(equation: Fragment, reference: Reference) -> bool:
+    if not isinstance(equation, GivenEquation):
+        return True
+    used = {s for c in equation.reading.components for s in c.free_symbols}
+    return any(base(s) != s and prime(base(s)) != s for s in used)
+
+
+def _is_of_motion(equation: Fragment, reference: Reference) -> bool:
+    """Whether a statement is about what is asked for: it has an acceleration or a force of constraint."""
+    if _has_acceleration(equation, reference):
+        return True
+    used = {s.name for c in equation.reading.components for s in c.free_symbols}  # type: ignore[attr-defined]
+    forces = {s.name for c in reference.candidates for s in (*c.multipliers, *c.meanings)}
+    return not used.isdisjoint(forces | {u.name for u in reference.unknowns})
+
+
+def _with_unreadable(verdict: AnswerVerdict, unreadable: Sequence[Reading]) -> AnswerVerdict:
+    """The verdict with the lines that cannot be read, which decide only if they might hold what is missing."""
+    if not unreadable:
+        return verdict
+    lines = tuple(
+        EquationVerdict(r.text, Verdict.UNREADABLE, r.error.diagnostics[0].message) for r in unreadable if r.error
+    )
+    errors = tuple(d for r in unreadable if r.error for d in r.error.diagnostics)
+    stays = verdict.verdict in (Verdict.EQUIVALENT, Verdict.WRONG, Verdict.UNDECIDED)
+    whole = verdict.verdict if stays else Verdict.UNREADABLE
+    return replace(
+        verdict,
+        verdict=whole,
+        equations=(*verdict.equations, *lines),
+        unreadable=(*verdict.unreadable, *errors),
+    )

@@ -1,0 +1,261 @@
+r"""Lines of an answer in plain text: which belong together, where equations begin and end in them.
+
+A line continues the one before it if that one ends, or it begins, with a sign that needs something on its other side,
+and one of them has no `=`. Several equations on a line are separated by `;`, by arrows, and by commas or wide spaces
+after which another equation comes. Bullets, numbers and words before an equation, words and comments after it, and the
+braces of a list around equations are left out.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+from lagrange.core.diagnostics import Fragment
+from lagrange.expressions.characters import GREEK
+from lagrange.expressions.edits import Draft, closings, cuts
+from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
+from lagrange.expressions.syntax_tree import FUNCTIONS
+
+_COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
+_LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
+_ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
+_SEPARATOR = re.compile(rf";|{_ARROW}|\band\b(?=[^=]*=)|\\n")
+_SOFT = re.compile(r",|\s{3,}|\t")
+_EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
+_LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&|>]|\*\s)\s*")
+_WORD = re.compile(r"[^\W\d_]{2,}[.,:]?(?=\s|$|[,:])")
+_KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
+_LINKING = frozenset(
+    "then so thus hence therefore and we get obtain obtained have find gives give the equation equations of motion is are"
+    " where with let set define eom finally which yields yield using since because from newton newtons also now again"
+    " substituting simplifying dividing result results answer final solution becomes means that for if only as in to by"
+    " follows follow it i.e e.g eq eqn or energy kinetic potential lagrangian euler lagrange linear linearised linearized"
+    " small angle angles approximation approximately tangential radial normal direction sum forces force torque moment"
+    " constraint constraints rolling condition relation at ode odes differential second order system be case also"
+    " gleichung bewegungsgleichung mit und also dann fuer für folgt damit somit wobei".split()
+)
+_TAIL = re.compile(
+    r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
+    r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)|\s*[.,;:]+)\s*\Z",
+    re.IGNORECASE,
+)
+_LIST = re.compile(r"\s*(?:\w+\s*=\s*)?([\[{])")
+_EQ = re.compile(r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve)\s*(?=\[|\()")
+_MAPLE = re.compile(r"(?<=[A-Za-z0-9_])\s*\$\s*([1-4])(\s*[,)])")
+_MATHEMATICS = re.compile(r"['^*/\\_=\u0300-\u036f′″¨˙²³½·−√()]|\d|[" + "".join(GREEK) + "]")
+_ENDS_OPEN = re.compile(r"(?:[-+*/=−·(,&]|\\cdot|\\times|\\left\()\s*\Z")
+_BEGINS_OPEN = re.compile(r"\s*(?:&\s*)?(?:[-+*/−·)]|\\cdot|\\times|=(?!=?>))")
+_BEGINS_EQUAL = re.compile(r"\s*&?\s*=(?!=?>)")
+
+
+_OTHER_EQUALS = re.compile(r"[=≡≔]|\\equiv(?![A-Za-z])|\\coloneqq|\bEq\s*\(")
+
+
+def has_sign_of_equality(line: str) -> bool:
+    """Whether a line has an equation: a `=`, or what stands for it."""
+    return _OTHER_EQUALS.search(line) is not None
+
+
+def is_mathematics(line: str) -> bool:
+    """Whether a line without `=` may be a part of an equation, and is no prose."""
+    words = [w for w in re.findall(r"[^\W\d_]{2,}", line) if w.lower() not in _KNOWN]
+    prose = [w for w in words if len(w) > 3 or w.lower() in _LINKING]
+    return bool(_MATHEMATICS.search(line)) and not prose and not line.rstrip().endswith(":")
+
+
+def joined(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
+    """Adjoining lines, each with its place and text, put together where one continues the other."""
+    parts: list[tuple[int, int]] = []
+    equals = mathematics = False
+    last = ""
+    for start, end, line in lines:
+        has = "=" in line
+        if parts and mathematics and (has or is_mathematics(line)):
+            waits = bool(_ENDS_OPEN.search(last))
+            goes_on = bool(_BEGINS_OPEN.match(line)) and not (has and equals and not _BEGINS_EQUAL.match(line))
+            alone = not equals and has and not _MATHEMATICS.search(last)
+            if ((waits and not (equals and has and not last.rstrip().endswith("="))) or goes_on) and not alone:
+                parts[-1] = (parts[-1][0], end)
+                equals, last = equals or has, line
+                continue
+        parts.append((start, end))
+        equals, mathematics, last = has, has or is_mathematics(line), line
+    return parts
+
+
+def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
+    """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
+    if is_latex(fragment):
+        if (maple := _MAPLE.search(fragment.text)) is None or "\\" in fragment.text:
+            yield from _in_latex(fragment, beside)
+            return
+        draft = Draft(fragment)
+        draft.replace(_MAPLE, r", \1\2")
+        fragment = draft.finished()
+    text = fragment.text
+    comment = _COMMENT.search(text)
+    end = comment.start() if comment and "\n" not in text[comment.start() :].strip() else len(text)
+    for start, stop in _parts(text, 0, end):
+        yield from _one(fragment, start, stop, beside)
+
+
+def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
+    text = fragment.text
+    start = 0 if "$" in text else _after_words(text, 0, len(text))
+    comment = _LATEX_COMMENT.search(text) if "\n" not in text.strip() else None
+    end = comment.start() if comment and comment.start() > start else len(text)
+    if "=" not in text[start:end] and not re.search(r"\\equiv|\\coloneqq", text):
+        return
+    part = fragment if (start, end) == (0, len(text)) else _part(fragment, start, end)
+    words = f"{beside} {text[:start]} {_words_of(text)}".strip()
+    for e in equations(part):
+        yield replace(e, beside=words) if isinstance(e, OneEquation) else e
+
+
+def _words_of(text: str) -> str:
+    return " ".join(re.findall(r"\\text\{([^{}]{0,80})\}", text))
+
+
+def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
+    """Where equations begin and end in plain text."""
+    inside = _inside_list(text, start, end)
+    if inside is not None:
+        for first, last in cuts(text[inside[0] : inside[1]], re.compile(",")):
+            yield from _parts(text, inside[0] + first, inside[0] + last)
+        return
+    for first, last in cuts(text[start:end], _SEPARATOR):
+        pieces = cuts(text[start + first : start + last], _SOFT)
+        whole = start + first
+        begin = pieces[0][0]
+        for n, (_, stop) in enumerate(pieces):
+            following = text[whole + stop : start + last]
+            here = text[whole + begin : whole + stop]
+            ended = n == len(pieces) - 1
+            if ended or (_EQUALS.search(here) and _begins_equation(following)):
+                if _EQUALS.search(here) or _EQ.match(here):
+                    if (whole + begin, whole + stop) != (start, end) and _inside_list(text, whole + begin, whole + stop):
+                        yield from _parts(text, whole + begin, whole + stop)
+                    else:
+                        yield whole + begin, whole + stop
+                begin = pieces[n + 1][0] if not ended else stop
+
+
+def _begins_equation(text: str) -> bool:
+    """Whether the next equation has its left side in the text: `, b = c`, and not `   = c` or `  + d = e`."""
+    following = text.lstrip(" \t,")
+    sides = _EQUALS.split(following, maxsplit=1)
+    return len(sides) == 2 and bool(sides[0].strip()) and following[:1] not in "+*/−·)=(" and following[:2] != "- "
+
+
+def _inside_list(text: str, start: int, end: int) -> tuple[int, int] | None:
+    """The inside of the brackets of a list of equations, of `Eq(a, b)` no more than that."""
+    match = _LIST.match(text, start, end)
+    if match is None:
+        return None
+    opening = match.start(1)
+    close = closings(text).get(opening)
+    if close is None or text[close + 1 : end].strip(" .;,"):
+        return None
+    inner = text[opening + 1 : close]
+    return (opening + 1, close) if any(_EQUALS.search(inner[a:b]) or "Eq(" in inner for a, b in [(0, len(inner))]) else None
+
+
+def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Fragment]:
+    text = fragment.text
+    begin = _after_words(text, start, end)
+    while begin < end and text[end - 1].isspace():
+        end -= 1
+    if match := _EQ.match(text, begin, end):
+        yield from _from_call(fragment, match.end(), beside)
+        return
+    tail = ""
+    if (words := _TAIL.search(text, begin, end)) and _EQUALS.search(text, begin, words.start()):
+        if words["remark"] is None or _is_prose(words["remark"]):
+            tail, end = words[0], words.start()
+    if begin < end and _EQUALS.search(text, begin, end):
+        yield _made(fragment, begin, end, f"{beside} {text[start:begin]} {tail}".strip())
+
+
+def _is_prose(text: str) -> bool:
+    """Whether a text in parentheses is a remark, as in `(towards the bottom)`, and no factor."""
+    words = re.findall(r"[^\W\d_]{2,}", text)
+    return any(len(w) > 3 for w in words) and not any(w.lower() in _KNOWN for w in words)
+
+
+def _from_call(fragment: Fragment, opening: int, beside: str) -> Iterator[Fragment]:
+    """The equation that `Eq(a, b)` states."""
+    text = fragment.text
+    close = closings(text).get(opening)
+    if close is None:
+        return
+    sides = cuts(text[opening + 1 : close], re.compile(","))
+    if len(sides) == 2:
+        draft = Draft(_part(fragment, opening + 1, close))
+        at = sides[0][1]
+        draft.apply([(at, at + 1, " = ")])
+        yield replace(draft.finished(), beside=beside)  # type: ignore[call-arg]
+
+
+def _after_words(text: str, start: int, end: int) -> int:
+    """Where mathematics begins after words, arrows and labels."""
+    at = start
+    words = 0
+    while at < end:
+        if text[at].isspace():
+            at += 1
+        elif leading := _LEADING.match(text, at, end):
+            at = leading.end()
+        elif (word := _WORD.match(text, at, end)) and _is_word(word[0], words, text, word.end(), end):
+            at, words = word.end(), words + 1
+        elif words and (article := re.compile(r"[aAI](?=\s+[^\W\d_]{2})").match(text, at, end)):
+            at = article.end()
+        else:
+            break
+    return at
+
+
+def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
+    plain = word.rstrip(".,:").lower()
+    if plain in _KNOWN:
+        return word.endswith(":")
+    if plain in _LINKING or word.endswith(":"):
+        return True
+    following = _WORD.match(text, at + 1, end)
+    return len(plain) > 3 and (words > 0 or (following is not None and following[0].lower() not in _KNOWN))
+
+
+def _part(fragment: Fragment, start: int, end: int) -> Fragment:
+    if isinstance(fragment, OneEquation) or fragment.start is None:
+        draft = Draft(fragment)
+        draft.keep(start, end)
+        return draft.finished()
+    return Fragment(fragment.text[start:end], fragment.span(start, end), fragment.start + start)
+
+
+def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
+    part = _part(fragment, start, end)
+    if isinstance(part, OneEquation):
+        return replace(part, beside=beside)
+    return OneEquation(part.text, part.whole, part.start, beside=beside)
+
+
+def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
+    """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
+    return tuple(e for fragment in answer for e in _separated(fragment))
+
+
+def _separated(fragment: Fragment) -> list[Fragment]:
+    if isinstance(fragment, OneEquation):
+        return [fragment]
+    if is_latex(fragment):
+        return list(_in_latex(fragment, "")) or list(equations(fragment))
+    lines = []
+    at = 0
+    for line in fragment.text.split("\n"):
+        lines.append((at, at + len(line), line))
+        at += len(line) + 1
+    written = [(start, end) for start, end in joined([x for x in lines if x[2].strip()])]
+    parts = [e for start, end in written for e in equations_of_line(_part(fragment, start, end))]
+    return parts or [fragment]

@@ -1,0 +1,375 @@
+r"""Other notations of an equation, rewritten in the language of expressions: nothing here is ever run as code.
+
+    d/dt(e)   d^2θ/dt^2   dU/dr   ∂L/∂θ'               diff(e, t)   θ''   diff(U, r)   diff(L, θ')
+    ddot(x)   x_ddot   x''[t]   D(x)(t)   θ¨           x''          x''   x''          x'   θ''
+    Derivative(x(t), (t, 2))   diff(x(t), t$2)         diff(x, t, t)
+    Sin[x]   arctan(x)   sgn(x)                        sin(x)   atan(x)   sign(x)
+    mgl sinθ                                           m*g*l sin θ, where m, g, l are declared
+    \dv[2]{x}{t}   \pdv{L}{x}   {a \over b}            \frac{d^2x}{dt^2}   \frac{\partial L}{\partial x}   \frac{a}{b}
+    \overset{..}{x}   \color{red}   \underbrace{a}_{b}   \ddot{x}   (nothing)   a
+
+A name that the problem declares keeps its meaning. Each rule is one pass over the text.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+from lagrange.core.diagnostics import Fragment
+from lagrange.expressions.characters import GREEK, SUBSCRIPTS
+from lagrange.expressions.edits import Draft, Edit, closings
+from lagrange.expressions.latex_names import NAMED_FUNCTIONS, LatexNames
+from lagrange.expressions.scope import Scope
+from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
+
+_INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+", "\u200b": "", "\u200c": "", "\u200d": "",
+    "\ufeff": "", "\u00ad": "", "\u2060": "", "\u200e": "", "\u200f": "", "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
+    "▒": "", "〗": ")", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
+    "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
+_ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
+_SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
+_BLANK_DOTS = re.compile("(?<=[^\\W\\d_])[ \u00a0]+(?=[\u0307\u0308\u20db])")
+_LETTERS = "A-Za-z" + "".join(GREEK)
+_NAME = rf"(?:[{''.join(GREEK)}]|[A-Za-z]+)(?:_?\{{[A-Za-z0-9]{{1,8}}\}}|[A-Za-z0-9_{''.join(SUBSCRIPTS)}])*"
+_POWER = r"(?:\s*\^\s*\{?\s*([1-4])\s*\}?|([²³])|\*\*([1-4]))?"
+_RATE = re.compile(
+    rf"(?<![A-Za-z0-9_'])[dⅆ∂]{_POWER}\s*(?P<name>{_NAME})(?P<dots>['\u0307\u0308]*)(?:\(t\))?\s*/\s*"
+    rf"\(?\s*[dⅆ∂]\s*(?P<by>{_NAME})(?P<more>['\u0307\u0308]*)(?:\s*\^\s*\{{?\s*[1-4]\s*\}}?|[²³]|\*\*[1-4])?\s*\)?(?!\s*\()"
+)
+_OPERATOR = re.compile(
+    rf"(?<![A-Za-z0-9_'])\(?[dⅆ∂]{_POWER}\s*/\s*\(?\s*[dⅆ∂]\s*(?P<by>{_NAME})(?P<more>['\u0307\u0308]*)"
+    r"(?:\s*\^\s*\{?\s*[1-4]\s*\}?|[²³]|\*\*[1-4])?\s*\)?"
+)
+_ORDERS = {"²": 2, "³": 3}
+_DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
+_SUFFIX = re.compile(rf"(?P<name>{_NAME}?)_?(?P<dots>d{{1,3}}ot)(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])")
+_DERIVATIVE = re.compile(r"(?<![A-Za-z0-9_])(?:Derivative|Diff)\s*(?=\()")
+_TIMES = re.compile(r",\s*\(\s*([A-Za-z_0-9]+)\s*,\s*([1-4])\s*\)")
+_DOLLAR = re.compile(r"\$\s*([1-4])")
+_BRACES_OF_TIME = re.compile(r",\s*\{\s*(t)\s*,\s*([1-4])\s*\}")
+_MAPLE = re.compile(rf"\(?\bD(?:\s*@@\s*([1-3]))?\)?\s*\(\s*({_NAME})\s*\)\s*\(\s*t\s*\)")
+_DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
+_OF_TIME = re.compile(r"(?<=[A-Za-z0-9_'])\[\s*t\s*\]")
+_APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7})\s*(?=\[)")
+_CALLED = re.compile(r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])")
+_CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
+_ELEMENTWISE = re.compile(r"\.(?=[*/^])")
+_RUN = re.compile(r"(?<![A-Za-z0-9_.])[A-Za-z][A-Za-z0-9_]*")
+_CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
+_PRODUCT = re.compile(r"[A-Za-z]+")
+
+
+def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
+    """A plain text with other notations written in that of the language; the text itself where there are none."""
+    draft = Draft(fragment)
+    _characters(draft)
+    draft.replace(_MAPLE, lambda m: m[2] + "'" * int(m[1] or 1))
+    draft.replace(_DERIVED, lambda m: m[2] + "'" * int(m[1]))
+    draft.replace(_OF_TIME, "")
+    draft.apply(_called_with_brackets(draft.text, scope))
+    draft.replace(_CALLED, lambda m: _function(m[1]) if scope.role(m[1]) is Role.UNDECLARED else None)
+    draft.replace(_ELEMENTWISE, "")
+    draft.replace(_DERIVATIVE, "diff")
+    draft.replace(_BRACES_OF_TIME, r", \1, \2")
+    draft.replace(_TIMES, r", \1, \2")
+    draft.replace(_DOLLAR, r", \1")
+    draft.apply(_dotted(draft.text, scope))
+    draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
+    _derivatives(draft, scope)
+    draft.apply(_of_argument(draft.text, scope))
+    draft.replace(_RUN, lambda m: _product(m, scope))
+    return draft.finished()
+
+
+def _characters(draft: Draft) -> None:
+    draft.replace(_BLANK_DOTS, "")
+    draft.replace(_SPACING_DOTS, lambda m: {"¨": "''", "˙": "'"}.get(m[0], "''"))
+    draft.replace(_ODD, lambda m: _INVISIBLE[m[0]])
+
+
+def cleaned(fragment: Fragment) -> Fragment:
+    """The text with invisible operators and odd signs replaced: they are harmless in an answer."""
+    draft = Draft(fragment)
+    _characters(draft)
+    return draft.finished(latex=getattr(fragment, "latex", False))
+
+
+def _function(name: str) -> str:
+    lower = name.lower()
+    return _CALLS.get(lower, lower)
+
+
+def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
+    """`Sin[x]` as sin(x)."""
+    ends: dict[int, int] | None = None
+    for match in _APPLIED.finditer(text):
+        name = _function({"ArcTan": "arctan", "ArcSin": "arcsin", "ArcCos": "arccos"}.get(match[1], match[1]))
+        if name not in FUNCTIONS or scope.role(match[1]) is not Role.UNDECLARED:
+            continue
+        ends = closings(text) if ends is None else ends
+        if match.end() in ends:
+            yield match.start(), match.end() + 1, f"{name}("
+            yield ends[match.end()], ends[match.end()] + 1, ")"
+
+
+def _dotted(text: str, scope: Scope) -> Iterator[Edit]:
+    """`ddot(x)` as (x)''; `dot(a, b)` is a product of vectors."""
+    ends: dict[int, int] | None = None
+    for match in _DOTTED.finditer(text):
+        ends = closings(text) if ends is None else ends
+        end = ends.get(match.end())
+        if end is None or (match[1] == "d" and "," in text[match.end() : end]):
+            continue
+        yield match.start(), match.end(), ""
+        yield end + 1, end + 1, "'" * len(match[1])
+
+
+def _with_primes(match: re.Match[str], scope: Scope) -> str | None:
+    """`x_ddot`, `x1_ddot`, `xddot` as x''."""
+    written = match[0]
+    name = match["name"].rstrip("_")
+    index = match["index"] or ""
+    if not name or scope.role(written) is not Role.UNDECLARED:
+        return None
+    for candidate in (name + index, f"{name}_{index}" if index else name):
+        if scope.role(scope.spelling(candidate)) is not Role.UNDECLARED or "_" in written:
+            return candidate + "'" * (len(match["dots"]) - 2)
+    return None
+
+
+# Derivatives
+
+
+def _derivatives(draft: Draft, scope: Scope) -> None:
+    """dθ/dt, d^2θ/dt^2, dU/dr, ∂L/∂θ', and the operators d/dt and ∂/∂x before what they are applied to."""
+    if "/" not in draft.text:
+        return
+    draft.replace(_RATE, lambda m: _rate(m, scope))
+    for _ in range(8):  # nested operators, the last first
+        matches = [m for m in _OPERATOR.finditer(draft.text) if scope.role("d") is Role.UNDECLARED or m[0][0] != "d"]
+        if not matches:
+            return
+        draft.apply(_operator(draft.text, matches[-1]))
+
+
+def _order(match: re.Match[str]) -> int:
+    return int(match[1] or match[3] or _ORDERS.get(match[2], 1))
+
+
+def _rate(match: re.Match[str], scope: Scope) -> str | None:
+    name, order, by = match["name"] + match["dots"], _order(match), match["by"]
+    whole = match[0].split("/")[0].strip().replace(" ", "")
+    if scope.role(whole) is not Role.UNDECLARED and whole[0] == "d":
+        return None
+    if by == "t" and not match["more"]:
+        return f"{name}{chr(39) * order}" if not name.isdigit() else None
+    inner = f"{name}"
+    for _ in range(order):
+        inner = f"diff({inner}, {by}{match['more']})"
+    return inner
+
+
+def _operator(text: str, match: re.Match[str]) -> Iterator[Edit]:
+    """`d/dt(e)` and `d/dt e`, up to the next sign outside brackets, as diff(e, t)."""
+    ends = closings(text)
+    start = match.end()
+    while start < len(text) and text[start] in " *·":
+        start += 1
+    if start < len(text) and text[start] in "([{" and start in ends:
+        end = ends[start] + 1
+        if text[start] in "[{":
+            yield start, start + 1, "("
+            yield end - 1, end, ")"
+    else:
+        end = start
+        while end < len(text) and text[end] not in "+-−=,;)]}":
+            end = ends[end] + 1 if end in ends else end + 1
+    order = _order(match)
+    yield match.start(), match.end(), " " + "diff(" * order
+    yield end, end, f", {match['by']}{match['more']})" * order
+
+
+def _of_argument(text: str, scope: Scope) -> Iterator[Edit]:
+    """`U'(r)` as diff(U, r), where U is a function of r: a prime on a function of one argument, which follows."""
+    for name, function in scope.functions.items():
+        if len(function.arguments) != 1 or function.arguments == ("t",) or len(name) > 20:
+            continue
+        (argument,) = function.arguments
+        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?:'|′|’|\^\s*\{{?\s*\\prime\s*\}}?)\s*\(\s*{re.escape(argument)}\s*\)"
+        for match in re.finditer(pattern, text):
+            yield match.start(), match.end(), f"diff({name}, {argument})"
+
+
+# Products
+
+
+def _product(match: re.Match[str], scope: Scope) -> str | None:
+    """`mgl` as m*g*l, where it is no name and all of these are; after a `/`, and with its power, in parentheses."""
+    written = match[0]
+    if len(written) < 2 or written in FUNCTIONS or written in OPERATIONS or scope.role(written) is not Role.UNDECLARED:
+        return None
+    if written in ("d", "delta") or scope.spelling(written) != written or "_" in written[:-2]:
+        return None
+    names = LatexNames(scope)
+    run = names.run(written)
+    pieces = [name for _, name in run.pieces]
+    function = pieces[-1] if pieces[-1] in NAMED_FUNCTIONS and not names.is_declared(pieces[-1]) else ""
+    known = pieces[:-1] if function else pieces
+    if len(pieces) < 2 or run.several or not all(names.is_declared(p) for p in known):
+        return None
+    text, at = match.string, match.start() - 1
+    while at >= 0 and text[at] == " ":
+        at -= 1
+    product = "*".join(known)
+    if function:
+        return f"{product} {_CALLS.get(function, function)}"
+    if at >= 0 and text[at] == "/":
+        power = _CLOSED_POWER.match(text, match.end())
+        return f"({product})" if power is None else None
+    return product
+
+
+# LaTeX
+
+_L_COLOUR = re.compile(r"\\(?:color|textcolor|colorbox)\s*(?:\[[A-Za-z]{1,8}\])?\s*\{[^{}\\]{0,40}\}")
+_L_DROPPED = re.compile(
+    r"\\(?:mathcal|mathscr|mathfrak|mathop|mathbin|mathrel|mathord|mathstrut|strut|left\s*\.|right\s*\.|bf|it|large|Large|small"
+    r"|underline|overline|uwave|smash|therefore|because|implies|Rightarrow|Longrightarrow|rightarrow|to|leadsto|iff"
+    r"|Leftrightarrow|vdots|lvert_|Bigg?r?\.|unicode\{[0-9x]+\})(?![A-Za-z])"
+)
+_L_FRAC = re.compile(r"\\(?:nicefrac|sfrac|flatfrac|xfrac)(?![A-Za-z])")
+_L_OVERSET = re.compile(
+    r"\\(?:overset|stackrel)\s*\{\s*(\.{1,3}|(?:\\cdot\s*){1,3}|(?:\\bullet\s*){1,3})\s*\}\s*(?=[{\\A-Za-z])"
+)
+_L_SIGNS = re.compile(r":=|\\(?:equiv|coloneqq|triangleq)(?![A-Za-z])|\\(?:overset|stackrel)\s*\{[^{}]{0,20}\}\s*\{=\}")
+_L_CANCEL = re.compile(r"\\(?:cancel|bcancel|xcancel|sout|not)\s*(?=\{)")
+_L_BRACE = re.compile(r"\\(under|over)(?:brace|bracket|line|set)\s*(?=\{)")
+_L_DV = re.compile(r"\\(?P<kind>dv|odv|derivative|pdv|pderivative|fdv)\*?\s*(?:\[\s*(?P<order>[1-4])\s*\])?\s*(?=\{)")
+_L_OVER = re.compile(r"\\over(?![A-Za-z])")
+_L_ABOUT = re.compile(r"(?:\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])|≈|≃|≅)")
+_L_DOTS = re.compile(r"\\ddot\s*\\(?=[A-Za-z])")
+_L_PARTIAL = re.compile(
+    rf"\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}}"
+    r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
+)
+_L_POWER_GROUP = re.compile(r"\^\s*\(")
+_L_STARS = re.compile(r"\*\*")
+_L_NAMED = re.compile(r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*(sgn|sign|arctan|arcsin|arccos|sin|cos|tan|ln|log|exp)\s*\}")
+_L_RM_D = re.compile(r"\\(?:dd|diff|differential|diffd|d)\s*(?=\{?\s*\\?[A-Za-z])(?![A-Za-z])")
+
+
+def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = False) -> Fragment:
+    """A text in LaTeX with other commands written as those that are read."""
+    draft = Draft(fragment)
+    _characters(draft)
+    draft.replace(_L_COLOUR, "")
+    draft.replace(_L_SIGNS, "=")
+    draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")
+    draft.replace(_L_DROPPED, lambda m: None if m[0].startswith("\\overline") else " ")
+    draft.replace(_L_FRAC, r"\\frac")
+    draft.replace(_L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1] + " ")
+    draft.replace(_L_STARS, "^")
+    draft.apply(_cancelled(draft.text, keep_cancelled))
+    draft.apply(_braces(draft.text))
+    for _ in range(4):  # nested, the outer first
+        if not draft.apply(_physics(draft.text)):
+            break
+    draft.apply(_over(draft.text))
+    draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
+    draft.apply(_of_argument_in_latex(draft.text, scope))
+    draft.apply(_power_groups(draft.text))
+    return draft.finished(latex=True)
+
+
+def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:
+    for start, end, new in _of_argument(text, scope):
+        name, argument = new[5:-1].split(", ")
+        yield start, end, rf"\frac{{\partial {_in_latex(name)}}}{{\partial {_in_latex(argument)}}}"
+
+
+def _in_latex(name: str) -> str:
+    return f"\\{name}" if name in GREEK.values() else name
+
+
+def _total_as_partial(match: re.Match[str], scope: Scope) -> str | None:
+    r"""`\frac{dU}{dr}` as a partial derivative, where U is a function or a quantity and r is not the time."""
+    if match["x"] == "t" or scope.role("d" + match["f"]) is not Role.UNDECLARED:
+        return None
+    return rf"\frac{{\partial {match['f']}}}{{\partial {match['x']}}}"
+
+
+def _cancelled(text: str, keep: bool) -> Iterator[Edit]:
+    ends: dict[int, int] | None = None
+    for match in _L_CANCEL.finditer(text):
+        ends = closings(text) if ends is None else ends
+        if (end := ends.get(match.end())) is not None:
+            yield (match.start(), match.end(), "") if keep else (match.start(), end + 1, " ")
+
+
+def _braces(text: str) -> Iterator[Edit]:
+    r"""`\underbrace{a}_{b}` as {a}."""
+    ends: dict[int, int] | None = None
+    for match in _L_BRACE.finditer(text):
+        if match[0].rstrip().endswith(("line", "set")):
+            continue
+        ends = closings(text) if ends is None else ends
+        end = ends.get(match.end())
+        if end is None:
+            continue
+        yield match.start(), match.end(), ""
+        label = re.compile(r"\s*[_^]\s*(?=\{)").match(text, end + 1)
+        if label and label.end() in ends:
+            yield end + 1, ends[label.end()] + 1, ""
+
+
+def _physics(text: str) -> list[Edit]:
+    r"""`\dv[2]{x}{t}`, `\dv{t}(...)`, `\pdv{L}{x}`, outermost ones only."""
+    edits: list[Edit] = []
+    ends: dict[int, int] | None = None
+    done = -1
+    for match in _L_DV.finditer(text):
+        ends = closings(text) if ends is None else ends
+        first = match.end()
+        if match.start() < done or first not in ends:
+            continue
+        above = text[first + 1 : ends[first]].strip()
+        at = ends[first] + 1
+        following = re.compile(r"\s*(?=\{)").match(text, at)
+        below = ""
+        if following and following.end() in ends:
+            below = text[following.end() + 1 : ends[following.end()]].strip()
+            at = ends[following.end()] + 1
+        else:
+            above, below = "", above
+        total = match["kind"] in ("dv", "odv", "derivative") and below == "t"
+        sign = "d" if total else r"\partial "
+        power = f"^{match['order']}" if match["order"] else ""
+        edits.append((match.start(), at, rf"\frac{{{sign}{power} {above}}}{{{sign}{below}{power}}}"))
+        done = at
+    return edits
+
+
+def _over(text: str) -> Iterator[Edit]:
+    r"""`{a \over b}` as \frac{a}{b}."""
+    if "\\over" not in text:
+        return
+    ends = closings(text)
+    opened = sorted((start, end) for start, end in ends.items() if text[start] == "{")
+    for match in _L_OVER.finditer(text):
+        around = [(s, e) for s, e in opened if s < match.start() < e] if len(opened) <= 200 else []
+        if around:
+            start, _ = around[-1]
+            yield start, start + 1, r"\frac{"
+            yield match.start(), match.end(), "}{"
+
+
+def _power_groups(text: str) -> Iterator[Edit]:
+    """`x^(1/2)` as x^{1/2}."""
+    ends: dict[int, int] | None = None
+    for match in _L_POWER_GROUP.finditer(text):
+        ends = closings(text) if ends is None else ends
+        at = match.end() - 1
+        if at in ends:
+            yield at, at + 1, "{"
+            yield ends[at], ends[at] + 1, "}"

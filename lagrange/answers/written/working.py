@@ -1,0 +1,411 @@
+"""The working around the equations of an answer: definitions, values, initial conditions, approximations, energies.
+
+A whole solution has lines that are not the equations asked for. A name that the problem does not declare is defined by
+an equation in which it stands alone on one side; from there on it means that, and the definition is not judged. The
+letters that a derivation adds (L, T, V, omega) may be defined anew in the same way. Values of parameters and initial
+conditions are not judged either. Whatever is not judged is named in a note. All other equations are: one that is
+marked as an approximation counts only if it follows. A name that is neither declared nor defined, but occurs in two
+equations or more, may be an unknown force; it is eliminated.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+import sympy as sp
+
+from lagrange.answers.limits import MAX_LINES
+from lagrange.answers.readings import GivenEquation, Reading, read_answer
+from lagrange.answers.references import Reference
+from lagrange.answers.written.notations import cleaned, rewritten, rewritten_latex
+from lagrange.answers.written.numbering import number_at_the_end
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.expressions.edits import Draft, cuts
+from lagrange.expressions.latex_layout import OneEquation, is_latex
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.reader import Scope, read_otherwise, read_value, token_texts
+from lagrange.expressions.scope import RESERVED
+
+T = TypeVar("T")
+
+_EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
+_ABOUT = re.compile(r"\\(?:approx|simeq|cong|thickapprox|sim)(?![A-Za-z])|[≈≃≅]|~=|(?<=\s)~(?=\s)")
+_AT_ZERO = re.compile(
+    r"[^=+/]{1,40}(?:\(\s*(?:t\s*=\s*)?(?:0|t_?\{?0\}?)\s*\)|\[\s*0\s*\]|\|_\{?\s*t\s*=\s*0\s*\}?|_\{t=0\})\s*\Z"
+)
+_TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
+_UNIT = r"(?:[A-Za-zµΩ°]|\\(?:mathrm|text|rm|frac|si|SI|unit|,|;|cdot)|[{}\s^/·*~²³⁻¹\-0-9().])*"
+_NUMBER = re.compile(
+    rf"\s*(?:≈|\\approx)?\s*[-+−]?\s*[0-9]+(?:[.,]|\{{,\}})?[0-9]*(?:\s*(?:\\cdot|\\times|\*|·|×)\s*10\s*\^\s*\{{?-?[0-9]+\}}?|[eE]-?[0-9]+)?"
+    rf"(?P<unit>{_UNIT})\s*\Z"
+)
+_APPROXIMATE = re.compile(
+    r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|<<", re.IGNORECASE
+)
+_NOT = re.compile(r"\bnot\b|\bwithout\b|n't\b|\bno\b|\bnon-?linear|\bnicht\b|\bohne\b|\bkein", re.IGNORECASE)
+_FUNCTIONS_OF_NAME = {"sin": sp.asin, "cos": sp.acos, "tan": sp.atan}
+
+
+@record
+class Working:
+    """An answer, sorted.
+
+    judged       the equations that are compared
+    approximate  which of them are marked as approximations
+    unreadable   those that could not be read
+    notes        what is not judged, and why
+    unknowns     undeclared names that are eliminated as unknown forces
+    defined      the names that the answer defines
+    """
+
+    judged: tuple[Fragment, ...]
+    approximate: frozenset[int] = frozenset()
+    unreadable: tuple[Reading, ...] = ()
+    notes: tuple[Diagnostic, ...] = ()
+    unknowns: tuple[sp.Symbol, ...] = ()
+    defined: tuple[str, ...] = ()
+
+
+@dataclass
+class _Line:
+    """One equation of the answer, as far as it has been understood."""
+
+    fragment: Fragment
+    text: str
+    number: str = ""
+    reading: Reading | None = None
+    definition: bool = False
+
+
+def understood(answer: Sequence[Fragment], reference: Reference, *, eliminating: bool = True) -> Working:
+    """The answer sorted into what is judged and what is not; `eliminating`: with unknown forces.
+
+    Raises ProblemError if it has too many lines.
+    """
+    if len(answer) > MAX_LINES:
+        message = f"an answer may have {MAX_LINES} lines with equations, and this one has {len(answer)}"
+        help_ = "leave the working out, and hand in the equations asked for"
+        raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
+    return _Sorting(reference).sorted([line for f in answer for line in _lines_of(f)], eliminating)
+
+
+def _lines_of(fragment: Fragment) -> list[_Line]:
+    """The equations of a fragment without its number: a = b = c is a = b and b = c."""
+    if isinstance(fragment, GivenEquation):
+        return [_Line(fragment, fragment.text, reading=fragment.reading)]
+    text = fragment.text.strip()
+    draft = Draft(cleaned(fragment))
+    end, number = number_at_the_end(draft.text)
+    about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
+    latex = is_latex(fragment)
+    draft.keep(0, min(end, about))
+    whole = _finished(draft, fragment, latex)
+    parts = cuts(draft.text, _EQUALS) if draft.text.count("=") > 1 else []
+    if len(parts) <= 2 or len(parts) > 8:
+        return [_Line(whole, text, number)]
+    lines = []
+    for (first, _), (_, last) in zip(parts, parts[1:], strict=False):
+        piece = Draft(whole)
+        piece.keep(first, last)
+        made = _finished(piece, fragment, latex)
+        lines.append(_Line(made, made.text.strip(" &$\n")))
+    return lines
+
+
+def _finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
+    made = draft.finished(latex=latex and draft.text != draft.outer.text)
+    beside = getattr(fragment, "beside", "")
+    return replace(made, beside=beside) if isinstance(made, OneEquation) else made
+
+
+class _Sorting:
+    """One answer on its way through; `scope` grows with the definitions."""
+
+    def __init__(self, reference: Reference) -> None:
+        self.reference = reference
+        self.scope = scope_of_answers(reference)
+        self.declared = reference.declared
+        self.notes: list[Diagnostic] = []
+        self.defined: list[str] = []
+        self.unknowns: list[sp.Symbol] = []
+
+    def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
+        waiting = [line for line in lines if not self._is_aside(line)]
+        for line in waiting:
+            self._understand(line)
+        for _ in range(3):
+            pending = [line for line in waiting if line.reading is None or line.reading.error]
+            before = len(self.defined)
+            for line in pending:
+                if not line.definition:
+                    self._understand(line)
+            if len(self.defined) == before:
+                break
+        if eliminating:
+            self._find_unknowns([line for line in waiting if not line.definition])
+        judged = [line for line in waiting if not line.definition and line.reading and not line.reading.error]
+        unread = [line for line in waiting if not line.definition and line.reading and line.reading.error]
+        for line in unread:
+            self._note_number(line)
+        approximate = frozenset(n for n, line in enumerate(judged) if _is_approximation(line))
+        for line in judged:
+            self._note_number(line)
+        return Working(
+            tuple(GivenEquation.of_reading_at(line.reading, line.fragment) for line in judged if line.reading),
+            approximate,
+            tuple(line.reading for line in unread if line.reading),
+            tuple(self.notes),
+            tuple(self.unknowns),
+            tuple(self.defined),
+        )
+
+    def _note(self, line: _Line, message: str, help_: str = "") -> None:
+        span = line.fragment.span(0, len(line.fragment.text))
+        self.notes.append(Diagnostic("not-judged", message, span, help=help_, level=Severity.NOTE))
+
+    def _note_number(self, line: _Line) -> None:
+        if line.number:
+            span = line.fragment.span(0, len(line.fragment.text))
+            message = f"`{line.number}` after the equation numbers it, and is no factor"
+            self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
+
+    # -- asides ----------------------------------------------------------------------------------------------
+
+    def _is_aside(self, line: _Line) -> bool:
+        """Whether a line is an initial condition or a value, which is noted."""
+        if line.reading is not None:
+            return False
+        sides = _sides(line.fragment)
+        if sides is None:
+            return False
+        for side, other in (sides, sides[::-1]):
+            if _AT_ZERO.match(_plain(side.text)) and "'" not in other.text and "dot" not in other.text:
+                self._note(line, f"`{line.text}` is taken as an initial condition, and is not judged")
+                return True
+            if _TIME.match(side.text):
+                self._note(line, f"`{line.text}` states a time, and is not judged")
+                return True
+            name = self._name_alone(side)[0]
+            if name in self.reference.parameters and (match := _NUMBER.match(other.text)):
+                self._note_value(line, name, other.text, match["unit"])
+                return True
+        return False
+
+    def _note_value(self, line: _Line, name: str, written: str, unit: str) -> None:
+        known = self.reference.values.get(self.reference.parameters[name])
+        number = written[: len(written) - len(unit)] if unit else written
+        digits = re.sub(r"[^0-9.eE\-]", "", number.replace(",", "."))
+        try:
+            same = known is None or unit.strip() or abs(sp.Rational(digits) - known) <= abs(known) / 100
+        except (TypeError, ValueError, ZeroDivisionError):
+            same = True
+        if same:
+            self._note(line, f"`{line.text}` is taken as a value, and is not judged")
+        else:
+            self._note(line, f"`{line.text}` contradicts the problem, in which `{name}` is {known}")
+
+    # -- definitions and equations ---------------------------------------------------------------------------
+
+    def _understand(self, line: _Line) -> None:
+        if line.reading is not None and not line.reading.error:
+            return
+        if self._defines(line):
+            line.definition = True
+            return
+        line.reading = read_as_written(line.fragment, self.scope, line.text)
+
+    def _name_alone(self, side: Fragment) -> tuple[str, str]:
+        """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
+        try:
+            texts = _tried(side, self.scope, lambda f: token_texts(f, self.scope))
+        except ProblemError:
+            return "", ""
+        texts = [w for w in texts if w not in ("|",)]
+        match texts:
+            case [name] if _is_name(name):
+                return name, ""
+            case [name, "^", "2"] if _is_name(name):
+                return name, "^2"
+            case [name, "(", "t", ")"] if _is_name(name):
+                return name, ""
+            case [name, "(", argument, ")"] if _is_name(name) and argument in self.reference.coordinates:
+                return name, ""
+            case [("sin" | "cos" | "tan") as function, "(", name, ")"] if _is_name(name):
+                return name, function
+            case [("sin" | "cos" | "tan") as function, name] if _is_name(name):
+                return name, function
+        return "", ""
+
+    def _defines(self, line: _Line) -> bool:
+        """Whether an equation defines a name that the problem does not declare; it is in scope from here on."""
+        sides = _sides(line.fragment)
+        if sides is None:
+            return False
+        for side, other in (sides, sides[::-1]):
+            name, applied = self._name_alone(side)
+            if not name or name in self.declared or name in RESERVED or name in self.defined:
+                continue
+            if applied not in ("", "^2") and self.scope.scalar(name) is not None:
+                continue
+            try:
+                value = _tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
+            except ProblemError:
+                continue
+            if isinstance(value, Vector):
+                self.scope = replace(self.scope, vectors={**self.scope.vectors, name: value})
+            else:
+                known = sp.Symbol(name)
+                if known in value.free_symbols and self.scope.scalar(name) == known:
+                    continue
+                if applied == "^2":
+                    value = sp.sqrt(value)
+                elif applied:
+                    value = _FUNCTIONS_OF_NAME[applied](value)
+                self.scope = replace(self.scope, scalars={**self.scope.scalars, name: value})
+            self.defined.append(name)
+            self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
+            return True
+        return False
+
+    def _find_unknowns(self, lines: list[_Line]) -> None:
+        """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""
+        occurring: dict[str, list[_Line]] = {}
+        for line in lines:
+            for name in _undeclared(line):
+                occurring.setdefault(name, []).append(line)
+        names = [n for n, where in occurring.items() if len(where) > 1 and n not in RESERVED and _is_name(n)]
+        if not names or len(names) > 6:
+            return
+        symbols = {n: sp.Symbol(n, real=True) for n in names}
+        wider = replace(self.scope, scalars={**self.scope.scalars, **symbols})
+        read = {
+            id(line): read_as_written(line.fragment, wider, line.text)
+            for line in lines
+            if line.reading and line.reading.error and set(_undeclared(line)) & set(names)
+        }
+        readings = [r for r in read.values() if not r.error]
+        for name, symbol in symbols.items():
+            used = [r for r in readings if any(symbol in c.free_symbols for c in r.components)]
+            linear = all(symbol not in sp.diff(c, symbol).free_symbols for r in used for c in r.components)
+            if len(used) > 1 and linear:
+                self.unknowns.append(symbol)
+        if not self.unknowns:
+            return
+        for line in lines:
+            new = read.get(id(line))
+            strange = set(symbols.values()) - set(self.unknowns)
+            if new and not new.error and not any(c.free_symbols & strange for c in new.components):
+                line.reading = new
+
+
+def scope_of_answers(reference: Reference) -> Scope:
+    """The names that an answer may use: letters of the derivation that differ from a declared name in case only are not.
+
+    `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
+    """
+    lower = {n.lower() for n in reference.declared}
+    hidden = {n for n in reference.letters if n.lower() in lower and n not in reference.declared}
+    if not hidden:
+        return reference.scope
+    scalars = {n: v for n, v in reference.scope.scalars.items() if n not in hidden}
+    coordinates = tuple(q for q in reference.scope.slots.coordinates if q.name not in hidden)
+    return replace(reference.scope, scalars=scalars, slots=replace(reference.scope.slots, coordinates=coordinates))
+
+
+def _is_name(text: str) -> bool:
+    return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
+
+
+def _plain(text: str) -> str:
+    return re.sub(r"\\left|\\right|\\bigg?l?|\\bigg?r?|\$|&|\\[,;!]", "", text).strip()
+
+
+def _sides(fragment: Fragment) -> tuple[Fragment, Fragment] | None:
+    """The two sides of an equation; None if it has another number of them."""
+    parts = cuts(fragment.text, _EQUALS)
+    if len(parts) != 2:
+        return None
+    made = []
+    for first, last in parts:
+        draft = Draft(fragment)
+        draft.keep(first, last)
+        made.append(draft.finished(latex=is_latex(fragment)))
+    return made[0], made[1]
+
+
+def _is_approximation(line: _Line) -> bool:
+    beside = getattr(line.fragment, "beside", "")
+    return bool(_APPROXIMATE.search(beside)) and not _NOT.search(beside)
+
+
+def _undeclared(line: _Line) -> list[str]:
+    """The undeclared names for which an equation could not be read; none if there is another reason."""
+    if line.reading is None or line.reading.error is None:
+        return []
+    names = []
+    for d in line.reading.error.diagnostics:
+        match = re.match(r"`(\w+)` is not declared", d.message)
+        if d.code != "unknown-symbol" or match is None:
+            return []
+        names.append(match[1])
+    return names
+
+
+# Reading
+
+
+def read_as_written(fragment: Fragment, scope: Scope, text: str = "") -> Reading:
+    """One equation of an answer in whatever notation it is; if none can be read, the error of the first."""
+    first: Reading | None = None
+    for candidate in _notations(fragment, scope):
+        reading = read_answer(candidate, scope)
+        if reading.error is None:
+            shown = replace(reading, text=text or fragment.text.strip())
+            return replace(shown, other=_other(candidate, scope, shown))
+        first = first or reading
+    assert first is not None
+    return replace(first, text=text or fragment.text.strip())
+
+
+def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
+    """The text in the notations in which it may be, each tried after the one before it."""
+    if isinstance(fragment, GivenEquation) or len(fragment.text) > MAX_ANSWER_CHARACTERS:
+        return [fragment]
+    if is_latex(fragment):
+        kept = [rewritten_latex(fragment, scope, keep_cancelled=True)] if "cancel" in fragment.text else []
+        return [rewritten_latex(fragment, scope), *kept, fragment]
+    in_language = rewritten(fragment, scope)
+    as_latex = rewritten_latex(in_language, scope)
+    return [*([fragment] if in_language is not fragment else []), in_language, as_latex]
+
+
+def _tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
+    """What can be read of one side in the first notation in which it can be. Raises the first ProblemError."""
+    first: ProblemError | None = None
+    for candidate in _notations(side, scope):
+        try:
+            return read(candidate)
+        except ProblemError as error:
+            first = first or error
+    assert first is not None
+    raise first
+
+
+def _other(fragment: Fragment, scope: Scope, reading: Reading) -> Reading | None:
+    """The other reading of an equation; None if it has none."""
+    if not reading.notes:
+        return None
+    try:
+        equation = read_otherwise(fragment, scope, MAX_ANSWER_CHARACTERS)
+    except ProblemError:
+        return None
+    if equation is None or isinstance(equation.lhs, Vector) or isinstance(equation.rhs, Vector):
+        return None
+    return replace(
+        reading, components=(sp.Add(equation.lhs, -equation.rhs),), sides=(equation.lhs, equation.rhs), other=None
+    )

@@ -1,0 +1,70 @@
+"""Answers as students write them, in files beside this one: plain, LaTeX, Unicode, computer algebra, with their working.
+
+A file has `@ PROBLEM`, then for each answer `--- VERDICT [EXTENSION]` and its text. They were written from the problem
+files, before the reader of answers was changed for any of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.submissions import Grader, Submission
+from tests.support.shared import loaded, solved
+
+FOLDER = Path(__file__).with_name("student_answers")
+
+
+def answers() -> dict[str, list[tuple[str, str, str, str]]]:
+    """Problem -> its answers: their place, the verdict expected, the extension, and the text."""
+    found: dict[str, list[tuple[str, str, str, str]]] = {}
+    for file in sorted(FOLDER.glob("*.txt")):
+        for place, problem, verdict, ending, text in _of_file(file):
+            found.setdefault(problem, []).append((place, verdict, ending, text))
+    return found
+
+
+def _of_file(file: Path) -> Iterator[tuple[str, str, str, str, str]]:
+    problem, head, lines = "", ("", "", ""), list[str]()
+    for number, line in enumerate([*file.read_text(encoding="utf-8").splitlines(), "---"], 1):
+        if line.startswith(("@ ", "---")):
+            if head[1]:
+                yield head[0], problem, head[1], head[2], "\n".join(lines) + "\n"
+            problem = line[2:].strip() if line.startswith("@") else problem
+            _, verdict, ending = (*line.split(), "", "")[:3] if line.startswith("--- ") else ("", "", "")
+            head, lines = (f"{file.name}:{number}", verdict, ending or ".txt"), []
+        else:
+            lines.append(line)
+
+
+ANSWERS = answers()
+
+
+@cache
+def grader_of(problem: str) -> Grader:
+    return Grader.of(Examiner(loaded(problem), solved(problem)))
+
+
+def verdict_on(problem: str, ending: str, text: str) -> tuple[str, list[str]]:
+    graded = grader_of(problem).grade(Submission("x", ((f"answer{ending}", text.encode()),)))
+    details = [f"{e.verdict}: {e.text} -- {e.diagnosis} {e.remarks}" for e in graded.equations]
+    return graded.verdict.value, [graded.headline, *details, *graded.messages]
+
+
+@pytest.mark.parametrize("problem", ANSWERS)
+def test_answers_of_students(problem: str) -> None:
+    failures = []
+    for place, expected, ending, text in ANSWERS[problem]:
+        verdict, details = verdict_on(problem, ending, text)
+        if verdict != expected:
+            failures.append("\n".join([f"{place}: {verdict}, not {expected}", text, *details]))
+    assert not failures, "\n\n".join(failures)
+
+
+def test_there_are_hundreds_on_thirty_problems() -> None:
+    assert len(ANSWERS) >= 30
+    assert sum(map(len, ANSWERS.values())) >= 300
