@@ -117,13 +117,17 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
 
 
 def with_critical_loads(s: Stability, e: Equilibrium) -> Stability:
-    """The verdict with its conditions solved for loads."""
+    """The verdict with its conditions solved for loads, and in their shortest forms."""
     applied = loads(e.configuration)
+
+    def written(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
+        solved = solved_for(conditions, applied)
+        return tuple(
+            SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
+        )
+
     return replace(
-        s,
-        conditions=solved_for(s.conditions, applied),
-        presupposed=solved_for(s.presupposed, applied),
-        unstable=solved_for(s.unstable, applied),
+        s, conditions=written(s.conditions), presupposed=written(s.presupposed), unstable=written(s.unstable)
     )
 
 
