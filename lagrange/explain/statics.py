@@ -366,6 +366,8 @@ def _verdict(s: Stability, one: bool) -> tuple[Part, ...]:
 def _conditional(s: Stability, one: bool, what: tuple[Part, ...]) -> tuple[Part, ...]:
     """Stable where conditions hold; with one condition on one coordinate unstable where it is reversed."""
     where = sign_conditions(s.conditions)
+    if one and [(c.lhs, c.relation, c.rhs) for c in s.conditions] == [(s.minors[0], ">", ZERO)]:
+        return ("its sign decides: positive means stable, negative unstable.",)
     if not what:
         return ("the equilibrium is stable where ", *where, ".")
     alone = one and len(s.conditions) == 1 and s.conditions[0].relation != "≠"

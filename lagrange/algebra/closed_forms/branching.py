@@ -19,9 +19,9 @@ from itertools import islice, product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.conditions import with_shortest_conditions
+from lagrange.algebra.closed_forms.existence import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.limits import MOST_BRANCH_POINTS, MOST_BRANCHINGS
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, square_root
-from lagrange.algebra.closed_forms.real_points import have_real_solution, real_branches, with_values
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import (
     Relation,

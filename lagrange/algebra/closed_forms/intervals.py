@@ -59,6 +59,8 @@ def enclosure(e: sp.Expr, box: Mapping[sp.Symbol, Interval]) -> Interval:
         for a in e.args:
             total = _product(total, enclosure(a, box))
         return total
+    if e.is_Pow and e.exp.is_Rational and e.exp < 0:
+        return _reciprocal(enclosure(e.base**-e.exp, box))
     if e.is_Pow and e.exp.is_Integer and e.exp > 0:
         return _power(enclosure(e.base, box), int(e.exp))
     if e.is_Pow and e.exp.is_Rational and e.exp.q == 2 and e.exp > 0:
@@ -67,6 +69,12 @@ def enclosure(e: sp.Expr, box: Mapping[sp.Symbol, Interval]) -> Interval:
         value = float(e.evalf(20))
         return outward(value, value)
     raise ValueError
+
+
+def _reciprocal(x: Interval) -> Interval:
+    if x[0] <= 0 <= x[1]:
+        raise ValueError
+    return outward(1 / x[1], 1 / x[0])
 
 
 def square_root(x: Interval) -> Interval:

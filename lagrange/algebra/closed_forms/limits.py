@@ -32,7 +32,7 @@ MOST_MATRIX_SYMBOLS = 12
 LONGEST_SOLVED_FACTOR = 80
 LONGEST_ROOT = 80
 
-# Whether equations that are not solved have a real solution (`real_points`): the degree of a polynomial of which the
+# Whether equations that are not solved have a real solution (`existence`): the degree of a polynomial of which the
 # real roots are counted, unknowns of a box, boxes tried, about 0.1 ms each, and places on either side of 0 between
 # which a sign may change.
 HIGHEST_COUNTED_DEGREE = 40

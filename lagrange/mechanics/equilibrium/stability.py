@@ -35,8 +35,9 @@ from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, MOST_MINORS
+from lagrange.mechanics.equilibrium.limits import HIGHEST_ORDER, LONGEST_UNSOLVED, MOST_MINORS
 from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.equilibrium.numerical_definiteness import is_definite
 
 
 class StabilityVerdict(StrEnum):
@@ -116,13 +117,17 @@ def second_variation(e: Equilibrium) -> SecondVariation | None:
 
 
 def with_critical_loads(s: Stability, e: Equilibrium) -> Stability:
-    """The verdict with its conditions solved for loads."""
+    """The verdict with its conditions solved for loads, and in their shortest forms."""
     applied = loads(e.configuration)
+
+    def written(conditions: Sequence[SignCondition]) -> tuple[SignCondition, ...]:
+        solved = solved_for(conditions, applied)
+        return tuple(
+            SignCondition(shortest_form(c.lhs), c.relation, shortest_form(c.rhs)) if c.rhs != 0 else c for c in solved
+        )
+
     return replace(
-        s,
-        conditions=solved_for(s.conditions, applied),
-        presupposed=solved_for(s.presupposed, applied),
-        unstable=solved_for(s.unstable, applied),
+        s, conditions=written(s.conditions), presupposed=written(s.presupposed), unstable=written(s.unstable)
     )
 
 
@@ -185,8 +190,24 @@ def on_branch(b: Branch, expression: sp.Expr, e: Equilibrium, in_parameters: boo
 
 
 def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
-    if b.left or b.special:
+    if b.special or (b.left and e.elimination.pivots):
         return Stability(StabilityVerdict.UNDECIDED)
+    if b.left:
+        return _where_it_is_definite(b, matrix, e)
+    judged = _on_solved_branch(b, matrix, e)
+    if judged.verdict is StabilityVerdict.UNDECIDED and not judged.unstable:
+        verdict = by_numbers(matrix, e, b)
+        minors = judged.minors or tuple(_in_coordinates(matrix, n, e) for n in range(1, len(matrix) + 1))
+        judged = replace(judged, verdict=verdict, minors=minors if verdict is not judged.verdict else judged.minors)
+    return judged
+
+
+def _in_coordinates(matrix: Sequence[Sequence[sp.Expr]], rows: int, e: Equilibrium) -> sp.Expr:
+    """A leading minor before the values at an equilibrium are substituted."""
+    return e.work.textbook.form(sp.Matrix([[matrix[i][j] for j in range(rows)] for i in range(rows)]).det())
+
+
+def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
     if any(_vanishes(p, b, e) for p in e.elimination.pivots):
         return _with_multipliers(b, e)
     entries = [on_branch(b, x, e) for row in matrix for x in row]
@@ -198,6 +219,32 @@ def _verdict(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> St
     return definiteness(
         [[x for x in entries[n * width : (n + 1) * width] if x is not None] for n in range(width)], b, e
     )
+
+
+def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -> StabilityVerdict:
+    """The verdict at points that are numbers, if it is the same at all of them."""
+    verdicts = {is_definite(matrix, e, p) for p in b.points}
+    decided = {True: StabilityVerdict.STABLE, False: StabilityVerdict.UNSTABLE}
+    return decided.get(verdicts.pop(), StabilityVerdict.UNDECIDED) if len(verdicts) == 1 else StabilityVerdict.UNDECIDED
+
+
+def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:
+    """The verdict at equations that are not solved: the conditions are in the coordinates, if they are short."""
+    undecided = Stability(StabilityVerdict.UNDECIDED)
+    if any(x.has(sp.DiracDelta) for row in matrix for x in row):
+        return undecided
+    minors = [_minor(matrix, range(n), b, e) for n in range(1, len(matrix) + 1)]
+    known = [m for m in minors if m is not None and not is_zero(m)]
+    if len(known) < len(minors):
+        return undecided
+    judged = by_signs(known, b, e)
+    if len(minors) == 1 and judged.verdict is not StabilityVerdict.STABLE:
+        [[second]] = matrix
+        positive = SignCondition(second, ">", sp.S.Zero)
+        return Stability(StabilityVerdict.CONDITIONAL, (second,), (positive,))
+    if sum(int((c.lhs - c.rhs).count_ops()) for c in judged.conditions) > LONGEST_UNSOLVED:
+        return undecided
+    return replace(judged, minors=tuple(min(m, shortest_form(m), key=lambda x: int(x.count_ops())) for m in known))
 
 
 def _by_higher_derivatives(second: sp.Expr, b: Branch, e: Equilibrium) -> Stability:

@@ -58,6 +58,8 @@ def test_two_links_close_as_a_triangle_does() -> None:
     """a = 1, b = 3, p = 1, q = 1: no triangle has the sides 1, 3 and √2."""
     [branch] = unsolved([a * cos(beta) + b * cos(gamma) - p, a * sin(beta) - b * sin(gamma) - q])
 
+    assert branch.occupied
+
     def closes(*sides: int) -> bool:
         at = dict(zip((a, b, p, q), map(sp.Integer, sides), strict=True))
         assert {c.relation for c in branch.conditions} == {"≥"}

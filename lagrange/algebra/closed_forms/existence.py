@@ -67,8 +67,11 @@ def real_branches(branches: Sequence[Branch], letters: TrigLetters) -> list[Bran
         equations = [letters.read(e) for e in b.left]
         exists = have_real_solution(equations, letters)
         if exists is not False:
-            conditions = tuple(dict.fromkeys((*b.conditions, *conditions_for_real(equations, letters))))
-            kept.append(replace(b, conditions=conditions, occupied=exists is True and not conditions))
+            triangles = [t for t in _triangles(equations, letters) if _same_sign(t) is not None]
+            closing = [c for t in triangles for c in _closing(t) or ()]
+            exists = exists or (len(equations) == 2 and len(triangles) == 1)  # under these conditions
+            conditions = tuple(dict.fromkeys((*b.conditions, *closing)))
+            kept.append(replace(b, conditions=conditions, occupied=exists is True and not b.conditions))
     return kept
 
 
@@ -139,11 +142,6 @@ def _roots_at(values: Values, letters: TrigLetters) -> Values:
     return known
 
 
-def conditions_for_real(equations: Sequence[sp.Expr], letters: TrigLetters) -> tuple[SignCondition, ...]:
-    """Conditions on parameters that are necessary for a real solution; none where there is no triangle."""
-    return tuple(c for t in _triangles(equations, letters) for c in _closing(t) or ())
-
-
 # -- signs -------------------------------------------------------------------------------------------------------------
 
 
@@ -190,6 +188,7 @@ def _triangles(equations: Sequence[sp.Expr], letters: TrigLetters) -> Iterator[_
             t = _triangle(g, h, letters)
             if t is not None:
                 yield t
+                break
 
 
 def _triangle(e: sp.Expr, f: sp.Expr, letters: TrigLetters) -> _Triangle | None:
@@ -220,11 +219,16 @@ def _triangle(e: sp.Expr, f: sp.Expr, letters: TrigLetters) -> _Triangle | None:
     return None
 
 
+def _same_sign(t: _Triangle) -> int | None:
+    """The sign of the product of two sides; None where that is open."""
+    return sign_of(sp.factor(t[0] * t[1]))
+
+
 def _closing(t: _Triangle) -> tuple[SignCondition, ...] | None:
     """The triangle inequalities; None where they are never met."""
     a, b, square = t
     # Up to its sign the product ab is what (|a| ± |b|)² contain: both signs are covered by both inequalities.
-    sign = sign_of(sp.factor(a * b))
+    sign = _same_sign(t)
     if sign is None:
         return ()
     conditions: list[SignCondition] = []
