@@ -39,7 +39,7 @@ from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
 from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
-from lagrange.mechanics.solution import OnStage, Solution, letters_of_oscillations, silent, small_displacements, solve
+from lagrange.mechanics.solution import InCoordinates, OnStage, Solution, letters_of_oscillations, silent, small_displacements, solve
 from lagrange.problem.model import Find, Problem
 
 if TYPE_CHECKING:
@@ -123,6 +123,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     yield explain_displacements(
         solution.own.configuration, solution.own.elimination, solution.transport_rates, solution.normals
     )
+    yield from _rest(solution, solution.own)
     yield from _statics(solution)
     yield from _motion(solution, complete)
     if solution.own.dynamics is None:
@@ -135,6 +136,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
 
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield _reactions_at_rest(solution, c.reactions_at_rest)
+        yield from _rest(solution, c)
         if c.dynamics is not None:
             written = c.dynamics.written
             if isinstance(written, LagrangeMotion):
@@ -175,6 +177,18 @@ def _statics(solution: Solution) -> Iterator[Step | None]:
 
     yield explain_virtual_work(solution.own.equilibrium, stability, workless)
     yield _reactions_at_rest(solution, solution.own.reactions_at_rest)
+
+
+def _rest(solution: Solution, view: InCoordinates) -> Iterator[Step | None]:
+    """Friction at rest, and at its limit."""
+    if view.at_rest is None and not view.impending:
+        return
+    from lagrange.explain.contact.friction_at_rest import explain_impending, explain_rest
+
+    if view.at_rest is not None and solution.law is not None:
+        yield explain_rest(view.at_rest, solution.law.newton)
+    if view.impending and solution.law is not None:
+        yield explain_impending(view.impending, solution.law.newton)
 
 
 def _small_oscillations(linearization: Linearization | None) -> Step | None:

@@ -20,6 +20,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.classification import Classification, classify
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
 from lagrange.mechanics.constraints.definedness import check_defined, explained_failures
@@ -50,6 +51,8 @@ from lagrange.problem.model import Choice, Find, Friction, Problem
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
@@ -78,6 +81,8 @@ class InCoordinates:
     in_speeds          the velocities, and the equations of motion, in the quasi-velocities of the file
     conserved          the conserved quantities
     linearization      small oscillations
+    at_rest            where the system can be at rest with friction
+    impending          the equilibria with friction at its limit, for each direction of slip
 
     A result that is not requested, or is given in another set of coordinates, is None.
     """
@@ -93,6 +98,8 @@ class InCoordinates:
     in_speeds: QuasiVelocityForm | None = None
     conserved: Conserved | None = None
     linearization: Linearization | None = None
+    at_rest: AtRest | None = None
+    impending: tuple[ImpendingMotion, ...] = ()
 
     @property
     def name(self) -> str:
@@ -176,7 +183,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     if Find.LINEARIZATION in problem.find and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     solution = _kinematics(problem, choice, on_stage)
-    if Find.EQUILIBRIUM in problem.find:
+    if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         from lagrange.mechanics.equilibrium.checks import check_statics
 
         check_statics(problem, solution.own.configuration)
@@ -186,8 +193,11 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_speeds(solution, on_stage)
     if Find.LINEARIZATION in problem.find:
         solution = _with_linearization(solution, on_stage)
-    if Find.EQUILIBRIUM in problem.find:
+    rough = any(isinstance(f, Friction) for f in problem.forces)
+    if Find.EQUILIBRIUM in problem.find and not rough:
         solution = _with_equilibrium(solution, on_stage)
+    if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
+        solution = _with_rest(solution, on_stage)
     return solution
 
 
@@ -401,6 +411,58 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     )
 
 
+def _with_rest(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the conditions under which friction holds the system at rest, in each choice of coordinates
+    without square roots, otherwise in the file's coordinates.
+    """
+    from lagrange.mechanics.equilibrium.equilibrium import virtual_work
+    from lagrange.mechanics.equilibrium.friction_at_rest import at_rest
+    from lagrange.mechanics.equilibrium.impending_motion import impending_motions
+
+    problem, own = solution.problem, solution.own
+    law = _law(solution, at_rest=True)
+    works = solution.works or works_of_reactions(law.newton, own.configuration, own.elimination)
+    checks = [*solution.checks] if solution.works else [*solution.checks, *check_workless(works, own.configuration)]
+    work = virtual_work(own.configuration)
+    in_choices = any(not c.signs for c in solution.choices)
+    views = []
+    for view in solution.views:
+        if not (view.signs or (in_choices and view is own)):
+            on_stage(_stage("friction at rest", view))
+            if Find.EQUILIBRIUM in problem.find:
+                resting = at_rest(problem, law.newton, own.configuration, view.configuration, work)
+                name = "the forces at rest satisfy Lagrange's equations"
+                if resting.verified is not None:
+                    checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
+                view = replace(view, at_rest=resting)
+            if Find.IMPENDING in problem.find:
+                file = (own.configuration, own.elimination, work)
+                motions = impending_motions(problem, law.newton, file, view.configuration, view.elimination)
+                checks += _impending_checks(motions)
+                view = replace(view, impending=motions)
+        views.append(view)
+    return replace(
+        solution,
+        problem=law.problem if solution.law is None else problem,
+        law=solution.law or law,
+        works=tuple(works),
+        own=views[0],
+        choices=tuple(views[1:]),
+        checks=tuple(checks),
+    )
+
+
+def _impending_checks(motions: Sequence[ImpendingMotion]) -> list[Check]:
+    """The checks of the equilibria with friction at its limit, those of all directions of slip together."""
+    from lagrange.mechanics.equilibrium.checks import check_equilibrium
+
+    groups: dict[str, list[Check]] = {}
+    for m in motions:
+        for check in check_equilibrium(m.equilibrium, m.equilibrium):
+            groups.setdefault(check.name, []).append(check)
+    return [replace(group[0], passed=all_hold(c.passed for c in group)) for group in groups.values()]
+
+
 def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
     """The letters ξ of all linear equations."""
     return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
@@ -437,7 +499,7 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
 
 def _refuse_what_is_not_covered(problem: Problem) -> None:
     for force in (f for f in problem.forces if isinstance(f, Friction)):
-        if Find.EQUILIBRIUM in problem.find:
+        if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
             what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:

@@ -244,6 +244,7 @@ class Answers:
     equilibrium: tuple[tuple[Fragment, ...], ...] = ()
     reactions: Mapping[str, Fragment] = field(default_factory=dict)
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
+    rest: tuple[Fragment, ...] = ()
 
 
 @record

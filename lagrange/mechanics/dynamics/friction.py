@@ -166,7 +166,7 @@ def _friction_force(
     if side is not None:
         contact = sp.Integer(side)
     coefficient = friction.coefficient.xreplace(rule)
-    size = _size(direction, reaction, configuration)
+    size = normal_size(direction, reaction, configuration)
     return FrictionForce(
         friction, reaction, coefficient, size, slip, speed, sense, along, contact, place, moved, opposite
     )
@@ -297,7 +297,7 @@ def _is_placed_freely(point: MassPoint) -> bool:
     return all(normal.cross(normal.map(lambda c, s=s: c.diff(s))).map(textbook_form).is_zero for s in symbols)  # type: ignore[misc]
 
 
-def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
+def normal_size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
     """|g|; for a distance constraint |factor|, if that contains no coordinates: 2R for x² + y² = R²."""
     if reaction.rough is not None:
         size = textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))
