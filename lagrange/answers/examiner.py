@@ -94,7 +94,7 @@ def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
     """The verdict on the conditions of rest with friction."""
     from lagrange.answers.friction.rest_conditions import check_rest
 
-    rests = [v.at_rest for v in solution.views if v.at_rest is not None]
+    rests = [r for v in solution.views for r in (v.at_rest, v.rolling) if r is not None]
     if not rests:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)

@@ -39,7 +39,15 @@ from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
 from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
-from lagrange.mechanics.solution import InCoordinates, OnStage, Solution, letters_of_oscillations, silent, small_displacements, solve
+from lagrange.mechanics.solution import (
+    InCoordinates,
+    OnStage,
+    Solution,
+    letters_of_oscillations,
+    silent,
+    small_displacements,
+    solve,
+)
 from lagrange.problem.model import Find, Problem
 
 if TYPE_CHECKING:
@@ -146,6 +154,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
             yield explain_matrix_form(c.dynamics, c.name) if complete else None
         yield _speeds(c.in_speeds, solution)
         yield _reactions(solution, c.dynamics, c.name)
+        yield _rolling(c)
         yield _conserved(c.conserved, problem, c.name)
         yield _small_oscillations(c.linearization)
     stated = (e for a in answers if a.name == "reactions" for e in a.equations)
@@ -191,6 +200,14 @@ def _rest(solution: Solution, view: InCoordinates) -> Iterator[Step | None]:
         yield explain_impending(view.impending, solution.law.newton)
 
 
+def _rolling(view: InCoordinates) -> Step | None:
+    if view.rolling is None:
+        return None
+    from lagrange.explain.contact.friction_at_rest import explain_rolling
+
+    return explain_rolling(view.rolling)
+
+
 def _small_oscillations(linearization: Linearization | None) -> Step | None:
     if linearization is None:
         return None
@@ -231,6 +248,7 @@ def _motion(solution: Solution, complete: bool) -> Iterator[Step | None]:
     yield _speeds(solution.own.in_speeds, solution)
     if not dynamics.friction_forces:
         yield _reactions(solution, dynamics)
+    yield _rolling(solution.own)
     yield _conserved(solution.own.conserved, solution.problem)
 
 

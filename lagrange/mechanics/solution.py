@@ -54,6 +54,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
     from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
     from lagrange.mechanics.equilibrium.linearization import Linearization
+    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
 
@@ -82,6 +83,7 @@ class InCoordinates:
     conserved          the conserved quantities
     linearization      small oscillations
     at_rest            where the system can be at rest with friction
+    rolling            the conditions under which what rolls does not slip
     impending          the equilibria with friction at its limit, for each direction of slip
 
     A result that is not requested, or is given in another set of coordinates, is None.
@@ -99,6 +101,7 @@ class InCoordinates:
     conserved: Conserved | None = None
     linearization: Linearization | None = None
     at_rest: AtRest | None = None
+    rolling: Rolling | None = None
     impending: tuple[ImpendingMotion, ...] = ()
 
     @property
@@ -300,7 +303,15 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
             {p.symbol: p.value for p in law.problem.parameters if p.value is not None},
         ),
         conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,
+        rolling=_rolling(law, dynamics, view) if law.rolling else None,
     )
+
+
+def _rolling(law: NewtonLaw, dynamics: Motion, view: InCoordinates) -> Rolling | None:
+    """The conditions under which what rolls does not slip."""
+    from lagrange.mechanics.equilibrium.rolling import rolling
+
+    return rolling(law.problem, law, dynamics, view.configuration)
 
 
 def _checks_of_motion(view: InCoordinates, own: InCoordinates, law: NewtonLaw) -> list[Check]:
@@ -504,6 +515,10 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
+    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction) for f in problem.forces):
+        message = "impending motion is asked for, and no friction is given"
+        help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
+        raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
     if Find.LINEARIZATION in problem.find and problem.unknowns:

@@ -44,7 +44,9 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.reactions import Reactions
     from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+    from lagrange.algebra.closed_forms.solution_sets import Branch
     from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
@@ -120,30 +122,39 @@ def as_object(report: Report) -> dict[str, Any]:
 
 def _with_friction(solution: Solution, write: Write) -> dict[str, Any]:
     """Rest with friction and impending motion, in a choice of coordinates if there is one."""
-    resting = next((v.at_rest for v in reversed(solution.views) if v.at_rest is not None), None)
+    rests = [v.at_rest for v in reversed(solution.views)] + [v.rolling for v in reversed(solution.views)]
+    resting = next((r for r in rests if r is not None), None)
     motions = next((v.impending for v in reversed(solution.views) if v.impending), ())
     found: dict[str, Any] = {}
     if resting is not None:
         found["rest"] = _rest(resting, write)
     if motions:
         branches = [b for m in motions for b in m.equilibrium.branches]
-        found["equilibrium"] = [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in branches]
+        found["equilibrium"] = [_equations(b, write) for b in branches]
         found["impending"] = [
             {
                 "slip": {c.name: write(_shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
                 "reactions": {name: write(force) for name, force in m.pressed.items()},
-                "equilibrium": [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in m.equilibrium.branches],
-                "conditions": [
-                    [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in m.equilibrium.branches
-                ],
+                "equilibrium": [_equations(b, write) for b in m.equilibrium.branches],
+                "conditions": [_conditions(b, write) for b in m.equilibrium.branches],
             }
             for m in motions
         ]  # fmt: skip
     return found
 
 
-def _rest(resting: AtRest, write: Write) -> dict[str, Any]:
+def _equations(branch: Branch, write: Write) -> list[str]:
+    return [f"{write(r.lhs)} = {write(r.rhs)}" for r in branch.equations]
+
+
+def _conditions(branch: Branch, write: Write) -> list[str]:
+    return [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in branch.conditions]
+
+
+def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
     """Conditions, all of which hold; where there are several cases, those of each are in `cases`."""
+    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+
     equations = [f"{write(e)} = 0" for e in resting.equations]
     cases = [[*equations, *(f"{write(c.left)} <= {write(c.right)}" for c in case)] for case in resting.cases]
     common = [c for c in cases[0] if all(c in case for case in cases)] if cases else equations
@@ -152,9 +163,11 @@ def _rest(resting: AtRest, write: Write) -> dict[str, Any]:
         "possible": bool(cases),
         "conditions": common,
         "friction": {name: f[0] if len(f) == 1 else f for name, f in friction.items()},
-        "directions": {c.name: write(_shown(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1},
-        "forces": {u.name: write(f) for u, f in resting.forces.items() if u not in resting.open},
     }
+    if isinstance(resting, AtRest):
+        along = {c.name: write(_shown(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1}
+        forces = {u.name: write(f) for u, f in resting.forces.items() if u not in resting.open}
+        result |= {"directions": along, "forces": forces}
     if len(cases) > 1:
         result["cases"] = cases
     if resting.open:
@@ -339,10 +352,8 @@ def _statics(equilibrium: Equilibrium, stability: SecondVariation | None, write:
     coordinates = equilibrium.configuration.slots.coordinates
     result: dict[str, Any] = {
         "generalized_forces": {q.name: write(f) for q, f in zip(coordinates, equilibrium.work.forces, strict=True)},
-        "equilibrium": [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.branches],
-        "equilibrium_conditions": [
-            [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in equilibrium.branches
-        ],
+        "equilibrium": [_equations(b, write) for b in equilibrium.branches],
+        "equilibrium_conditions": [_conditions(b, write) for b in equilibrium.branches],
         "equilibrium_exists": equilibrium.exists,
     }
     if stability is not None:

@@ -22,6 +22,7 @@ from lagrange.core.records import record
 from lagrange.expressions.relations import limit_of
 from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.rolling import Rolling
 
 SAMPLES = 400
 CLEAR = 1e-6
@@ -37,7 +38,7 @@ class _Stated:
     equation: bool
 
 
-def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest], reference: Reference) -> AnswerVerdict:
+def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference) -> AnswerVerdict:
     """The verdict on conditions; the best one in any set of coordinates."""
     try:
         read = [_read(f, reference) for f in stated]
@@ -60,7 +61,7 @@ def _read(fragment: Fragment, reference: Reference) -> _Stated:
     return _Stated(fragment.text.strip(), difference * (side or 1), side is None)
 
 
-def _compared(stated: Sequence[_Stated], rest: AtRest, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
+def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
     numbers = dict(values)
 
     def valued(e: sp.Expr) -> sp.Expr:

@@ -13,6 +13,7 @@ from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction_at_rest import AtRest, RoughContact
 from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
+from lagrange.mechanics.equilibrium.rolling import Rolling
 
 ZERO = sp.S.Zero
 
@@ -23,7 +24,9 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     body: list[Block] = [*_contacts(rest.contacts, newton)]
     if rest.balance:
         body.append(prose("At rest the forces balance for every coordinate:"))
-        body.append(display(*(Equation((e, ZERO), label=f"rest-balance{suffix}-{q.name}") for q, e in rest.balance.items())))
+        body.append(
+            display(*(Equation((e, ZERO), label=f"rest-balance{suffix}-{q.name}") for q, e in rest.balance.items()))
+        )
     known = [(u, v) for u, v in rest.forces.items() if u not in rest.open]
     if known:
         body.append(prose("Solved for the forces, these equations give"))
@@ -61,7 +64,9 @@ def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Bloc
                     math(size, bound, relation="≤"), ".")  # fmt: skip
     pressing = [r for r in newton.reactions if r.constraint.side is not None]
     if pressing:
-        forces = series((math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in pressing)
+        forces = series(
+            (math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in pressing
+        )
         called = constraints_called(r.name for r in pressing)
         words = plural(len(pressing), " is one-sided: ", " are one-sided: ")
         yield prose(capital(called), words, *forces, ".")
@@ -95,6 +100,30 @@ def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
 
 def _line(condition: RestCondition, label: str) -> Equation:
     return Equation((condition.left, condition.right), relation="≤", label=label)
+
+
+def explain_rolling(rolling: Rolling) -> Step:
+    """As long as what nothing slips."""
+    body: list[Block] = []
+    for c in rolling.contacts:
+        by = constraints_called(r.name for r in c.reactions)
+        body.append(prose(f"{capital(the(c.friction.on))} does not slip as long as the reaction of {by}, which acts at "
+                          "the point that touches, is at most the coefficient of static friction times the normal "
+                          f"force of {constraints_called([c.normal.name])}. They are"))  # fmt: skip
+        body.append(display(Equation((sp.Symbol(f"F_{c.friction.name}", real=True), c.size)),
+                            Equation((c.normal.force, c.pressed))))  # fmt: skip
+    suffix = suffix_of(rolling.configuration.name)
+    if rolling.assumed:
+        positive = series((math(e, ZERO, relation=">"),) for e in rolling.assumed)
+        body.append(prose("Here ", *positive, plural(len(rolling.assumed), " is assumed.", " are assumed.")))
+    if not rolling.cases:
+        body.append(prose("This is not possible: it slips, or leaves the surface.", detail=Detail.BRIEF))
+    elif () in rolling.cases:
+        body.append(prose("This always holds.", detail=Detail.BRIEF))
+    else:
+        lines = [_line(c, f"rolling{suffix}-{n}") for n, c in enumerate(rolling.cases[0], start=1)]
+        body += [prose("The condition is"), display(*lines, boxed=True, detail=Detail.BRIEF)]
+    return Step(Rule.FRICTION_AT_REST, title_in("Rolling without slipping", rolling.configuration.name), tuple(body))
 
 
 def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton) -> Step:
@@ -137,5 +166,7 @@ def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[
     one_sided = [r for r in newton.reactions if r.constraint.side is not None]
     unsure = [r for r in one_sided if not m.pressed[r.name].is_positive]
     if unsure:
-        forces = series((math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in unsure)
+        forces = series(
+            (math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in unsure
+        )
         yield prose("Contact requires ", *forces, ".")

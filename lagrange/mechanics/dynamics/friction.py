@@ -8,8 +8,8 @@ friction. If the solution λ does not contain σ, it gives |λ| at once; otherwi
 the sign of λ; a one-sided constraint settles it. Where P slides along a line, v_s = s w with a speed s of either sign,
 and v_s/|v_s| = sign(s) w/|w|. The file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
 
-On a rigid body P is the point that touches (`contact.touching`); there the force acts, so that it has a moment about the
-mass centre. What the other side of the contact belongs to, if it moves, takes the opposite force.
+On a rigid body P is the point that touches (`contact.touching`); there the force acts, so that it has a moment about
+the mass centre. What the other side of the contact belongs to, if it moves, takes the opposite force.
 """
 
 from __future__ import annotations
@@ -102,6 +102,29 @@ def friction_forces(
     Raises ProblemError if a constraint does not act on the particle of its friction.
     """
     return tuple(_friction_force(f, frictions, newton, original, configuration) for f in frictions)
+
+
+def rolling_contacts(frictions: Sequence[Friction], newton: Newton, original: Configuration) -> tuple[Friction, ...]:
+    """The friction in contacts whose point the constraints keep from slipping. Raises ProblemError without `static`."""
+    admitted = original.constrained.admitted_states
+    found = []
+    turning = {r.name for r in original.rotations}
+    for f in frictions:
+        if f.on not in turning or f.at is None or f.surface_velocity is not None:
+            continue
+        reaction = rough_reaction(f, newton, original)
+        opposite = other_side(f, frictions, reaction, original)
+        slip = velocity_at(original, f.on, f.at)
+        if opposite:
+            slip = slip - velocity_at(original, opposite, f.at)
+        if any(admitted.is_zero(c) is not True for c in slip.fixed().components):
+            continue
+        if f.static is None:
+            message = f"the point of `{f.on}` that touches does not slip, so that there is no kinetic friction"
+            help_ = "give `static:`, the coefficient at rest, for the condition under which it rolls"
+            raise ProblemError(Diagnostic("friction-slip", message, f.span, help=help_))
+        found.append(f)
+    return tuple(found)
 
 
 def symbolic_loads(frictions: Sequence[FrictionForce]) -> tuple[Load, ...]:

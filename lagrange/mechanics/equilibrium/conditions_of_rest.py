@@ -46,7 +46,8 @@ def _ratio(size: sp.Expr, pressed: sp.Expr, signs: Signs) -> sp.Expr:
     """|F|/N with what is positive in front of the modulus."""
     if not isinstance(size, sp.Abs):
         return _in_tangents(shortest(size / pressed))
-    outside, inside = [], []
+    outside: list[sp.Expr] = []
+    inside: list[sp.Expr] = []
     number, factors = shortest(size.args[0] / pressed).as_coeff_Mul()
     for factor in sp.Mul.make_args(factors):
         (outside if signs.of(factor.as_base_exp()[0]) == 1 else inside).append(factor)
@@ -98,9 +99,8 @@ def _homogeneous(e: sp.Expr, signs: Signs) -> sp.Expr:
         poly = sp.Poly(e, s, c)
         degrees = {sum(m) for m in poly.monoms()}
         if len(degrees) == 1 and degrees != {0} and len(poly.monoms()) > 1:
-            [degree] = degrees
-            e = sp.expand(sp.expand(e / c**degree).replace(lambda x: x == s / c, lambda x: sp.tan(angle)))
-            e = _in_tangents(e)
+            x = sp.tan(angle)
+            e = sp.Add(*(k * x ** m[0] for m, k in poly.terms()))
     return e
 
 
@@ -115,7 +115,6 @@ def _in_tangents(e: sp.Expr) -> sp.Expr:
         top, bottom = sp.Poly(over, s, c), sp.Poly(under, s, c)
         degrees = {sum(m) for m in top.monoms()}, {sum(m) for m in bottom.monoms()}
         if len(degrees[0]) == len(degrees[1]) == 1 and degrees[0] == degrees[1] != {0}:
-            [degree] = degrees[0]
             x = sp.tan(angle)
             numerator = sp.Add(*(k * x ** m[0] for m, k in top.terms()))
             denominator = sp.Add(*(k * x ** m[0] for m, k in bottom.terms()))

@@ -1,7 +1,7 @@
 """Friction at rest: for which parameters, and in which positions, a system with rough contacts can be at rest.
 
-At rest the friction in a contact is not given: it is an unknown F along the tangent, at most μ_s |N|. With multipliers for
-the reactions the forces balance if and only if
+At rest the friction in a contact is not given: it is an unknown F along the tangent, at most μ_s |N|. With multipliers
+for the reactions the forces balance if and only if
 
     Q_k + Σ_j λ_j a_jk + Σ_i F_i t_i·∂r_i/∂q_k = 0     for every coordinate of the file,
 
@@ -26,8 +26,8 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
-from lagrange.core.verdicts import all_hold
 from lagrange.core.vectors import Vector
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root

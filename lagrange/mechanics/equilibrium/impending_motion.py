@@ -76,7 +76,9 @@ def impending_motions(
     """
     statics = _Statics(*file)
     if statics.elimination.unused:
-        raise NotCoveredError("impending motion with redundant constraints, which share their reactions in no known way")
+        raise NotCoveredError(
+            "impending motion with redundant constraints, which share their reactions in no known way"
+        )
     contacts = rough_contacts(problem, newton, statics.original, configuration)
     spatial = [c for c in contacts if len(c.components) > 1]
     if spatial:
@@ -132,9 +134,7 @@ def _at_limit(
     """One direction of slip in each contact; None if it is impossible."""
     write = configuration.rewritten
     unknowns = [r.force for r in newton.reactions]
-    shares = {
-        c.reaction.force: (c, senses[c.name] * (c.sign or 1) * c.coefficient * c.normal) for c in contacts
-    }
+    shares = {c.reaction.force: (c, senses[c.name] * (c.sign or 1) * c.coefficient * c.normal) for c in contacts}
     rows, right = [], []
     for k in statics.elimination.dependent:
         row = []
