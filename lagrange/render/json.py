@@ -34,6 +34,7 @@ from lagrange.mechanics.constraints.displacements import possible_displacement, 
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 
 if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.solution_sets import Branch
     from lagrange.explain.report import Report
     from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
     from lagrange.mechanics.dynamics.conservation import Conserved
@@ -44,10 +45,9 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.reactions import Reactions
     from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.algebra.closed_forms.solution_sets import Branch
     from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
-    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.mechanics.solution import InCoordinates, Solution
@@ -130,24 +130,24 @@ def _with_friction(solution: Solution, write: Write) -> dict[str, Any]:
         found["rest"] = _rest(resting, write)
     if motions:
         branches = [b for m in motions for b in m.equilibrium.branches]
-        found["equilibrium"] = [_equations(b, write) for b in branches]
+        found["equilibrium"] = [_relations(b, write) for b in branches]
         found["impending"] = [
             {
                 "slip": {c.name: write(_shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
                 "reactions": {name: write(force) for name, force in m.pressed.items()},
-                "equilibrium": [_equations(b, write) for b in m.equilibrium.branches],
-                "conditions": [_conditions(b, write) for b in m.equilibrium.branches],
+                "equilibrium": [_relations(b, write) for b in m.equilibrium.branches],
+                "conditions": [_sign_conditions(b, write) for b in m.equilibrium.branches],
             }
             for m in motions
         ]  # fmt: skip
     return found
 
 
-def _equations(branch: Branch, write: Write) -> list[str]:
+def _relations(branch: Branch, write: Write) -> list[str]:
     return [f"{write(r.lhs)} = {write(r.rhs)}" for r in branch.equations]
 
 
-def _conditions(branch: Branch, write: Write) -> list[str]:
+def _sign_conditions(branch: Branch, write: Write) -> list[str]:
     return [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in branch.conditions]
 
 
@@ -352,8 +352,8 @@ def _statics(equilibrium: Equilibrium, stability: SecondVariation | None, write:
     coordinates = equilibrium.configuration.slots.coordinates
     result: dict[str, Any] = {
         "generalized_forces": {q.name: write(f) for q, f in zip(coordinates, equilibrium.work.forces, strict=True)},
-        "equilibrium": [_equations(b, write) for b in equilibrium.branches],
-        "equilibrium_conditions": [_conditions(b, write) for b in equilibrium.branches],
+        "equilibrium": [_relations(b, write) for b in equilibrium.branches],
+        "equilibrium_conditions": [_sign_conditions(b, write) for b in equilibrium.branches],
         "equilibrium_exists": equilibrium.exists,
     }
     if stability is not None:

@@ -26,7 +26,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
-from lagrange.mechanics.dynamics.contact.touching import acts_at, centre_of, relative_partials, velocity_at
+from lagrange.mechanics.dynamics.contact.touching import acts_at, centre_of, point_on, relative_partials, velocity_at
 from lagrange.mechanics.dynamics.named_forces import where_it_holds
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
@@ -47,6 +47,7 @@ class FrictionForce:
     point        where it acts
     moved        shape (n,): ∂r_P/∂q_k for the file's coordinates, relative to the other body
     opposite     the particle or body on which the opposite force acts; empty if there is none
+    beside       where that acts
     """
 
     friction: Friction
@@ -61,6 +62,7 @@ class FrictionForce:
     point: Vector
     moved: tuple[Vector, ...]
     opposite: str = ""
+    beside: Vector | None = None
 
     def loads(self, magnitude: sp.Expr) -> list[Load]:
         """The force and its opposite, for a given |R|."""
@@ -68,7 +70,7 @@ class FrictionForce:
         force = (self.along * size).map(textbook_form)
         name = self.friction.name
         loads = [Load(name, self.friction.on, force, self.point)]
-        return loads if not self.opposite else [*loads, Load(name, self.opposite, -force, self.point)]
+        return loads if self.beside is None else [*loads, Load(name, self.opposite, -force, self.beside)]
 
     def generalized(self, force: Vector) -> list[sp.Expr]:
         """The generalized forces, for the file's coordinates, of a force on it and of its opposite, shape (n,)."""
@@ -190,8 +192,9 @@ def _friction_force(
         contact = sp.Integer(side)
     coefficient = friction.coefficient.xreplace(rule)
     size = normal_size(direction, reaction, configuration)
+    beside = point_on(configuration, opposite, place) if opposite else None
     return FrictionForce(
-        friction, reaction, coefficient, size, slip, speed, sense, along, contact, place, moved, opposite
+        friction, reaction, coefficient, size, slip, speed, sense, along, contact, place, moved, opposite, beside
     )
 
 

@@ -100,7 +100,7 @@ def _homogeneous(e: sp.Expr, signs: Signs) -> sp.Expr:
         degrees = {sum(m) for m in poly.monoms()}
         if len(degrees) == 1 and degrees != {0} and len(poly.monoms()) > 1:
             x = sp.tan(angle)
-            e = sp.Add(*(k * x ** m[0] for m, k in poly.terms()))
+            e = sp.expand(sp.Add(*(k * x ** m[0] for m, k in poly.terms())))
     return e
 
 

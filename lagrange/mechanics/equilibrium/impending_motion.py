@@ -27,6 +27,7 @@ from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration, Load
+from lagrange.mechanics.dynamics.contact.touching import point_on
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.newton import Newton
@@ -155,7 +156,9 @@ def _at_limit(
         vector = (contact.tangents[0] * shortest(share * pressed[contact.reaction.force])).map(shortest)
         loads.append(Load(contact.name, contact.friction.on, vector, contact.place))
         if contact.opposite:
-            loads.append(Load(contact.name, contact.opposite, -vector, contact.place))
+            loads.append(
+                Load(contact.name, contact.opposite, -vector, point_on(configuration, contact.opposite, contact.place))
+            )
     loaded = replace(configuration, loads=(*configuration.loads, *loads))
     resting = _possible(equilibrium(loaded, elimination, problem.unknowns), contacts, signs)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
