@@ -19,6 +19,7 @@ from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
     FIRST,
+    WORST_TO_BEST,
     AnswerVerdict,
     EquationVerdict,
     Judgement,
@@ -80,6 +81,8 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
     """The verdicts on answers about equilibria, frequencies and reactions."""
     if answers.equilibrium:
         yield _equilibrium(solution, answers.equilibrium)
+    if answers.rest:
+        yield _rest(solution, answers.rest)
     if answers.frequencies:
         from lagrange.answers.frequencies import check_frequencies
 
@@ -93,6 +96,26 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
         yield check_asked(answers.ask, solution)
 
 
+def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
+    """The verdict on the conditions of rest with friction."""
+    from lagrange.answers.friction.rest_conditions import check_rest
+
+    rests = [r for v in solution.views for r in (v.at_rest, v.rolling) if r is not None]
+    if not rests:
+        diagnosis = "the problem does not ask where it can be at rest with friction"
+        return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
+    return check_rest(stated, rests, reference_of_solution(solution))
+
+
+def _impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
+    """The verdict on equilibria with friction at its limit, in the coordinates where it is best."""
+    from lagrange.answers.friction.impending import check_impending
+
+    reference = reference_of_solution(solution)
+    found = [check_impending(alternatives, v.impending, reference) for v in solution.views if v.impending]
+    return replace(max(found, key=lambda v: WORST_TO_BEST.index(v.verdict)), name="equilibrium")
+
+
 def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria."""
     from lagrange.answers.equilibria import check_equilibria
@@ -100,6 +123,8 @@ def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]])
     equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
     if not equilibria:  # small oscillations are about an equilibrium too
         equilibria = [v.linearization.equilibrium for v in solution.views if v.linearization is not None]
+    if any(v.impending for v in solution.views):
+        return _impending(solution, alternatives)
     if not equilibria:
         diagnosis = "the problem does not ask for equilibrium"
         return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
@@ -216,6 +241,10 @@ class Examiner:
         if not working.judged:
             working = Working(answer)
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
+        if solution is not None and at_rest and any(v.impending for v in solution.views):
+            from lagrange.answers.equilibria import alternatives_of
+
+            return self._judgement(_impending(solution, alternatives_of(working.judged)), statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
             return self._statics(working, solution)
         verdict = self._on_motion(working)

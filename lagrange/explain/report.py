@@ -39,7 +39,15 @@ from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
 from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
-from lagrange.mechanics.solution import OnStage, Solution, letters_of_oscillations, silent, small_displacements, solve
+from lagrange.mechanics.solution import (
+    InCoordinates,
+    OnStage,
+    Solution,
+    letters_of_oscillations,
+    silent,
+    small_displacements,
+    solve,
+)
 from lagrange.problem.model import Find, Problem
 from lagrange.problem.values import values_of
 
@@ -143,6 +151,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     yield explain_displacements(
         solution.own.configuration, solution.own.elimination, solution.transport_rates, solution.normals
     )
+    yield from _rest(solution, solution.own)
     yield from _statics(solution)
     yield from _motion(solution, complete)
     if solution.own.dynamics is None:
@@ -155,6 +164,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
 
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield _reactions_at_rest(solution, c.reactions_at_rest)
+        yield from _rest(solution, c)
         if c.dynamics is not None:
             written = c.dynamics.written
             if isinstance(written, LagrangeMotion):
@@ -164,6 +174,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
             yield explain_matrix_form(c.dynamics, c.name) if complete else None
         yield _speeds(c.in_speeds, solution)
         yield _reactions(solution, c.dynamics, c.name)
+        yield _rolling(c)
         yield _conserved(c.conserved, problem, c.name)
         yield _small_oscillations(c.linearization)
     if solution.asked:
@@ -199,6 +210,26 @@ def _statics(solution: Solution) -> Iterator[Step | None]:
 
     yield explain_virtual_work(solution.own.equilibrium, stability, workless)
     yield _reactions_at_rest(solution, solution.own.reactions_at_rest)
+
+
+def _rest(solution: Solution, view: InCoordinates) -> Iterator[Step | None]:
+    """Friction at rest, and at its limit."""
+    if view.at_rest is None and not view.impending:
+        return
+    from lagrange.explain.contact.friction_at_rest import explain_impending, explain_rest
+
+    if view.at_rest is not None and solution.law is not None:
+        yield explain_rest(view.at_rest, solution.law.newton)
+    if view.impending and solution.law is not None:
+        yield explain_impending(view.impending, solution.law.newton)
+
+
+def _rolling(view: InCoordinates) -> Step | None:
+    if view.rolling is None:
+        return None
+    from lagrange.explain.contact.friction_at_rest import explain_rolling
+
+    return explain_rolling(view.rolling)
 
 
 def _small_oscillations(linearization: Linearization | None) -> Step | None:
@@ -241,6 +272,7 @@ def _motion(solution: Solution, complete: bool) -> Iterator[Step | None]:
     yield _speeds(solution.own.in_speeds, solution)
     if not dynamics.friction_forces:
         yield _reactions(solution, dynamics)
+    yield _rolling(solution.own)
     yield _conserved(solution.own.conserved, solution.problem)
 
 

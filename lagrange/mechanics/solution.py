@@ -20,6 +20,7 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
+from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.classification import Classification, classify
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
 from lagrange.mechanics.constraints.definedness import check_defined, explained_failures
@@ -52,7 +53,10 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
+    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
     from lagrange.mechanics.equilibrium.linearization import Linearization
+    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.questions.results import Asked
@@ -82,6 +86,9 @@ class InCoordinates:
     conserved          the conserved quantities
     linearization      small oscillations
     in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
+    at_rest            where the system can be at rest with friction
+    rolling            the conditions under which what rolls does not slip
+    impending          the equilibria with friction at its limit, for each direction of slip
 
     A result that is not requested, or is given in another set of coordinates, is None.
     """
@@ -98,6 +105,9 @@ class InCoordinates:
     conserved: Conserved | None = None
     linearization: Linearization | None = None
     in_numbers: EquilibriaInNumbers | None = None
+    at_rest: AtRest | None = None
+    rolling: Rolling | None = None
+    impending: tuple[ImpendingMotion, ...] = ()
 
     @property
     def name(self) -> str:
@@ -184,7 +194,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     solution = _kinematics(problem, choice, on_stage)
-    if Find.EQUILIBRIUM in problem.find:
+    if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         from lagrange.mechanics.equilibrium.checks import check_statics
 
         check_statics(problem, solution.own.configuration)
@@ -194,8 +204,11 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_speeds(solution, on_stage)
     if Find.LINEARIZATION in problem.find:
         solution = _with_linearization(solution, on_stage)
-    if Find.EQUILIBRIUM in problem.find:
+    rough = any(isinstance(f, Friction) for f in problem.forces)
+    if Find.EQUILIBRIUM in problem.find and not rough:
         solution = _with_equilibrium(solution, on_stage)
+    if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
+        solution = _with_rest(solution, on_stage)
     if problem.questions:
         solution = _with_questions(solution, on_stage)
     return _with_numbers(solution)
@@ -302,7 +315,15 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
             dynamics.contacts,
         ),
         conserved=conserved(dynamics, law.newton.multipliers_by_name, frictions) if is_shown else None,
+        rolling=_rolling(law, dynamics, view) if law.rolling else None,
     )
+
+
+def _rolling(law: NewtonLaw, dynamics: Motion, view: InCoordinates) -> Rolling | None:
+    """The conditions under which what rolls does not slip."""
+    from lagrange.mechanics.equilibrium.rolling import rolling
+
+    return rolling(law.problem, law, dynamics, view.configuration)
 
 
 def _checks_of_motion(view: InCoordinates, own: InCoordinates, law: NewtonLaw) -> list[Check]:
@@ -453,6 +474,58 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
     return replace(solution, asked=asked)
 
 
+def _with_rest(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the conditions under which friction holds the system at rest, in each choice of coordinates
+    without square roots, otherwise in the file's coordinates.
+    """
+    from lagrange.mechanics.equilibrium.equilibrium import virtual_work
+    from lagrange.mechanics.equilibrium.friction_at_rest import at_rest
+    from lagrange.mechanics.equilibrium.impending_motion import impending_motions
+
+    problem, own = solution.problem, solution.own
+    law = _law(solution, at_rest=True)
+    works = solution.works or works_of_reactions(law.newton, own.configuration, own.elimination)
+    checks = [*solution.checks] if solution.works else [*solution.checks, *check_workless(works, own.configuration)]
+    work = virtual_work(own.configuration)
+    in_choices = any(not c.signs for c in solution.choices)
+    views = []
+    for view in solution.views:
+        if not (view.signs or (in_choices and view is own)):
+            on_stage(_stage("friction at rest", view))
+            if Find.EQUILIBRIUM in problem.find:
+                resting = at_rest(problem, law.newton, own.configuration, view.configuration, work)
+                name = "the forces at rest satisfy Lagrange's equations"
+                if resting.verified is not None:
+                    checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
+                view = replace(view, at_rest=resting)
+            if Find.IMPENDING in problem.find:
+                file = (own.configuration, own.elimination, work)
+                motions = impending_motions(problem, law.newton, file, view.configuration, view.elimination)
+                checks += _impending_checks(motions)
+                view = replace(view, impending=motions)
+        views.append(view)
+    return replace(
+        solution,
+        problem=law.problem if solution.law is None else problem,
+        law=solution.law or law,
+        works=tuple(works),
+        own=views[0],
+        choices=tuple(views[1:]),
+        checks=tuple(checks),
+    )
+
+
+def _impending_checks(motions: Sequence[ImpendingMotion]) -> list[Check]:
+    """The checks of the equilibria with friction at its limit, those of all directions of slip together."""
+    from lagrange.mechanics.equilibrium.checks import check_equilibrium
+
+    groups: dict[str, list[Check]] = {}
+    for m in motions:
+        for check in check_equilibrium(m.equilibrium, m.equilibrium):
+            groups.setdefault(check.name, []).append(check)
+    return [replace(group[0], passed=all_hold(c.passed for c in group)) for group in groups.values()]
+
+
 def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
     """The letters ξ of all linear equations."""
     return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
@@ -489,11 +562,15 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
 
 def _refuse_what_is_not_covered(problem: Problem) -> None:
     for force in (f for f in problem.forces if isinstance(f, Friction)):
-        if Find.EQUILIBRIUM in problem.find:
+        if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
             what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
+    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction) for f in problem.forces):
+        message = "impending motion is asked for, and no friction is given"
+        help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
+        raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
     if problem.equations:
         raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
     if Find.LINEARIZATION in problem.find and problem.unknowns:

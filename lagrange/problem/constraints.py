@@ -14,7 +14,6 @@ system is one of them.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Set
 from dataclasses import replace
 from functools import partial
@@ -31,9 +30,10 @@ from lagrange.algebra.forms.nonlinear_constraints import (
     is_affine,
 )
 from lagrange.algebra.fourier.vector_cleanup import tidied
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity, Span, nearest
+from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity, Span, nearest
 from lagrange.core.symbols import Slots, differential, multiplier, prime, t
 from lagrange.core.vectors import Vector
+from lagrange.expressions.relations import limit_of
 from lagrange.problem import keys
 from lagrange.problem.limits import MOST_ALTERNATIVES_SHOWN
 from lagrange.problem.load_context import LoadContext
@@ -42,8 +42,6 @@ from lagrange.problem.sections import CONSTRAINT, Section, entries_of, scalar_of
 from lagrange.problem.yaml_nodes import MappingNode, Node, Scalar
 
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
-_SIDES = {">=": 1, "≥": 1, "⩾": 1, "<=": -1, "≤": -1, "⩽": -1}
-_INEQUALITY = re.compile("[<>]=?|[≤≥⩽⩾]")
 
 
 def read_constraints(node: Node | None, context: LoadContext) -> tuple[Constraint, ...]:
@@ -101,7 +99,7 @@ def _equations(
     """The scalar constraints of an equation. `place` is blamed for the names of their reactions."""
     what = f"the constraint `{name}`"
     scalar = scalar_of(node, what)
-    in_contact, side = _in_contact(name, scalar)
+    in_contact, side = limit_of(scalar.fragment, f"`{name}`")
     equation = context.equation(in_contact)
     context.check(equation, scalar.fragment, what, CONSTRAINT)
     lhs, rhs = equation.lhs, equation.rhs
@@ -132,25 +130,6 @@ def _equations(
                 Constraint(name + part, tidied(f), tidied(g), moves, symbol, scalar.span, note, given, side=side)
             )
     return tuple(constraints)
-
-
-def _in_contact(name: str, scalar: Scalar) -> tuple[Fragment, int | None]:
-    """The equation that holds in contact, and the side that an inequality permits: +1 for left ≥ right, −1 for ≤."""
-    fragment = scalar.fragment
-    signs = [*_INEQUALITY.finditer(fragment.text)]
-    if not signs:
-        return fragment, None
-    first = signs[0]
-    place = fragment.span(first.start(), first.end())
-    if len(signs) > 1 or "=" in fragment.text[: first.start()] + fragment.text[first.end() :]:
-        help_ = "write each as a constraint of its own"
-        raise ProblemError(Diagnostic("inequality", f"`{name}` has several relations", place, help=help_))
-    if first[0] not in _SIDES:
-        message = f"`{first[0]}` excludes contact itself"
-        help_ = f"write `{first[0]}=`: while there is contact, the two sides are equal"
-        raise ProblemError(Diagnostic("inequality", message, place, help=help_))
-    text = f"{fragment.text[: first.start()]}{'=':<{len(first[0])}}{fragment.text[first.end() :]}"
-    return replace(fragment, text=text), _SIDES[first[0]]
 
 
 def _is_identity(lhs: sp.Expr, rhs: sp.Expr, context: LoadContext) -> bool:

@@ -123,6 +123,7 @@ class Find(StrEnum):
     EQUILIBRIUM = "equilibrium"
     MOTION = "motion"
     LINEARIZATION = "linearization"
+    IMPENDING = "impending"
 
 
 class FrameType(StrEnum):
@@ -356,6 +357,7 @@ ANSWERS = Form(
         Key("equations", _one_or_list("equation"), "The equations of motion."),
         Key("equilibrium", "alternatives", "A list is one system; lists in a list are alternatives."),
         Key("reactions", Named("expression", new=False), "Reactions by the names of their constraints."),
+        Key("rest", _one_or_list("text"), "With friction: the conditions under which it can be at rest."),
         Key(
             "frequencies",
             "alternatives",

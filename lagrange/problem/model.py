@@ -198,8 +198,8 @@ class Friction:
     """Coulomb friction μ|R| against the slip, R being the reaction of a constraint; at rest at most `static` |R|.
 
     `at` is the point of a body that touches. `slip` is the sense of the slip along a coordinate, `toward` the direction
-    in which the touching point slips or is about to slip; a file gives one of them, or none. `static` is the coefficient
-    at rest, None where the file gives none.
+    in which the touching point slips or is about to slip; a file gives one of them, or none. `static` is the
+    coefficient at rest, None where the file gives none.
     """
 
     name: str
@@ -297,6 +297,7 @@ class Answers:
     reactions: Mapping[str, Fragment] = field(default_factory=dict)
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
     ask: Mapping[str, Fragment] = field(default_factory=dict)
+    rest: tuple[Fragment, ...] = ()
 
 
 @record

@@ -25,6 +25,7 @@ from lagrange.core.symbols import Sign
 from lagrange.expressions.latex_layout import equations
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_equation, read_value
+from lagrange.expressions.relations import limit_of
 from lagrange.problem.declared_names import canonical
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.keys import ANSWERS, CLASSES
@@ -85,7 +86,22 @@ class AnswerReader:
             reactions=self._of_constraints(section.get("reactions"), "reactions", "rod: m*g", self._reaction),
             frequencies=self._frequencies(section.get("frequencies")),
             ask=self._asked(section.get("ask")),
+            rest=self._rest(section.get("rest")),
         )
+
+    def _rest(self, node: Node | None) -> tuple[Fragment, ...]:
+        """Conditions of rest: a list of inequalities or equations, or one."""
+        if node is None:
+            return ()
+        what, example = "`rest`", '["tan(alpha) <= mu_s"]'
+        read = (node,) if isinstance(node, Scalar) else self.diagnostics.attempt(lambda: items_of(node, what, example))
+        stated = (self.diagnostics.attempt(partial(self._condition, item)) for item in read or ())
+        return tuple(fragment for fragment in stated if fragment is not None)
+
+    def _condition(self, node: Node) -> Fragment:
+        fragment = scalar_of(node, "an entry of `rest`").fragment
+        self._try(read_equation, limit_of(fragment, "a condition", strict=True)[0])
+        return fragment
 
     def equations(self, node: Node | None, what: str) -> tuple[Fragment, ...]:
         """Equations: a list of texts, or one text."""

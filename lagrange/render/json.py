@@ -35,6 +35,7 @@ from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.render.json_numbers import add_oscillations, equations_in_numbers, position, quantity
 
 if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.solution_sets import Branch
     from lagrange.explain.report import Report
     from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
     from lagrange.mechanics.dynamics.conservation import Conserved
@@ -46,7 +47,9 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
+    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.mechanics.questions.results import Asked
@@ -106,6 +109,7 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
     if solution.asked:
         found["asked"] = [_asked(a, write) for a in solution.asked]
+    found |= _with_friction(solution, write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
     first = next((s for s in spots if s is not None), None)
@@ -121,6 +125,63 @@ def as_object(report: Report) -> dict[str, Any]:
         for s in report.derivation.steps
     ]
     return found
+
+
+def _with_friction(solution: Solution, write: Write) -> dict[str, Any]:
+    """Rest with friction and impending motion, in a choice of coordinates if there is one."""
+    rests = [v.at_rest for v in reversed(solution.views)] + [v.rolling for v in reversed(solution.views)]
+    resting = next((r for r in rests if r is not None), None)
+    motions = next((v.impending for v in reversed(solution.views) if v.impending), ())
+    found: dict[str, Any] = {}
+    if resting is not None:
+        found["rest"] = _rest(resting, write)
+    if motions:
+        branches = [b for m in motions for b in m.equilibrium.branches]
+        found["equilibrium"] = [_relations(b, write) for b in branches]
+        found["impending"] = [
+            {
+                "slip": {c.name: write(_shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
+                "reactions": {name: write(force) for name, force in m.pressed.items()},
+                "equilibrium": [_relations(b, write) for b in m.equilibrium.branches],
+                "conditions": [_sign_conditions(b, write) for b in m.equilibrium.branches],
+            }
+            for m in motions
+        ]  # fmt: skip
+    return found
+
+
+def _relations(branch: Branch, write: Write) -> list[str]:
+    return [f"{write(r.lhs)} = {write(r.rhs)}" for r in branch.equations]
+
+
+def _sign_conditions(branch: Branch, write: Write) -> list[str]:
+    return [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in branch.conditions]
+
+
+def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
+    """Conditions, all of which hold; where there are several cases, those of each are in `cases`."""
+    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+
+    equations = [f"{write(e)} = 0" for e in resting.equations]
+    cases = [[*equations, *(f"{write(c.left)} <= {write(c.right)}" for c in case)] for case in resting.cases]
+    common = [c for c in cases[0] if all(c in case for case in cases)] if cases else equations
+    friction = {name: [write(f) for f in forces] for name, forces in resting.friction.items()}
+    result: dict[str, Any] = {
+        "possible": bool(cases),
+        "conditions": common,
+        "friction": {name: f[0] if len(f) == 1 else f for name, f in friction.items()},
+    }
+    if isinstance(resting, AtRest):
+        along = {c.name: write(_shown(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1}
+        forces = {u.name: write(f) for u, f in resting.forces.items() if u not in resting.open}
+        result |= {"directions": along, "forces": forces}
+    if len(cases) > 1:
+        result["cases"] = cases
+    if resting.open:
+        result["open"] = [u.name for u in resting.open]
+    if resting.assumed:
+        result["assumed"] = [f"{write(e)} > 0" for e in resting.assumed]
+    return result
 
 
 def _named(name: str, choice: str) -> str:
@@ -313,10 +374,8 @@ def _statics(
     coordinates = equilibrium.configuration.slots.coordinates
     result: dict[str, Any] = {
         "generalized_forces": {q.name: write(f) for q, f in zip(coordinates, equilibrium.work.forces, strict=True)},
-        "equilibrium": [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.branches],
-        "equilibrium_conditions": [
-            [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in equilibrium.branches
-        ],
+        "equilibrium": [_relations(b, write) for b in equilibrium.branches],
+        "equilibrium_conditions": [_sign_conditions(b, write) for b in equilibrium.branches],
         "equilibrium_exists": equilibrium.exists,
     }
     if stability is not None:

@@ -30,7 +30,9 @@ STATICS = [n for n, p in SHIPPED.items() if p.parent.name == "statics"]
 def test_answers_agree_and_checks_hold(name: str) -> None:
     result = reported(name)
     assert result.holds, result.shortcomings
-    assert {a.name for a in result.answers} >= {"equilibrium", "degrees_of_freedom"}
+    asked = {a.name for a in result.answers}
+    assert asked >= {"degrees_of_freedom"}
+    assert asked & {"equilibrium", "rest"}
 
 
 def numbers(found: Equilibrium, values: dict[str, float]) -> list[dict[str, float]]:
@@ -331,3 +333,44 @@ def test_drawbridge_needs_no_force_with_the_right_curve() -> None:
     numbers = {"W": w, "Q": q, "theta": theta, "L": rope, "l": length}
     assert isclose(value(r.rhs.xreplace({partial: sp.Float(slope)}), numbers), 0, abs_tol=1e-12)
     assert isclose(value(r.rhs.xreplace({partial: sp.S.Zero}), numbers), w / 2 * sin(theta))
+
+
+# -- friction: the forces at numbers, worked out from the free bodies --------------------------------------------------
+
+AT_LIMIT = [
+    ("rough-incline", 0, {"W": 100, "alpha": 0.6, "mu_s": 0.3}, {"P": 100 * tan(0.6 - atan(0.3))}),
+    ("rough-incline", 1, {"W": 100, "alpha": 0.6, "mu_s": 0.3}, {"P": 100 * tan(0.6 + atan(0.3))}),
+    # N_A + nu N_B = W, N_B = mu N_A; moments about the foot: W/2 tan θ = N_B + nu N_B tan θ
+    ("ladder-on-rough-ground", 0, {"W": 90, "l": 2, "mu": 0.4, "nu": 0.25}, {"theta": atan(0.8 / 0.9)}),
+    # the wedge: N_1 = W, and W tan(α + φ) on its inclined face
+    ("wedge-that-lifts", 0, {"W": 70, "alpha": 0.2, "mu": 0.3}, {"P": 70 * (0.3 + tan(0.2 + atan(0.3)))}),
+]
+
+
+@pytest.mark.parametrize(("name", "number", "values", "wanted"), AT_LIMIT)
+def test_friction_at_its_limit(name: str, number: int, values: dict[str, float], wanted: dict[str, float]) -> None:
+    view = next(v for v in reversed(solved(name).views) if v.impending)
+    found = numbers(view.impending[number].equilibrium, values)
+    [(unknown, value)] = wanted.items()
+    assert any(isclose(point[unknown], value, rel_tol=1e-9) for point in found)
+
+
+@pytest.mark.parametrize(
+    ("name", "values", "rests"),
+    [
+        ("collar-on-a-shaft", {"W": 5, "a": 1.0, "h": 0.5, "mu": 0.26}, True),  # 2 μ a > h
+        ("collar-on-a-shaft", {"W": 5000, "a": 1.0, "h": 0.5, "mu": 0.24}, False),
+        ("stacked-blocks", {"W_1": 10, "W_2": 30, "F": 3.9, "mu_1": 0.5, "mu_2": 0.1}, True),
+        ("stacked-blocks", {"W_1": 10, "W_2": 30, "F": 4.1, "mu_1": 0.5, "mu_2": 0.1}, False),
+        ("stacked-blocks", {"W_1": 10, "W_2": 30, "F": 3.9, "mu_1": 0.3, "mu_2": 0.1}, False),
+        ("ladder-on-rough-ground", {"W": 9, "l": 1, "mu": 0.4, "nu": 0.25, "theta": 0.72}, True),  # tan θ ≤ 8/9
+        ("ladder-on-rough-ground", {"W": 9, "l": 1, "mu": 0.4, "nu": 0.25, "theta": 0.73}, False),
+    ],
+)
+def test_rest_at_numbers(name: str, values: dict[str, float], rests: bool) -> None:
+    rest = next(v.at_rest for v in reversed(solved(name).views) if v.at_rest)
+    holds = [
+        all((c.right - c.left).xreplace({s: sp.Float(values[s.name]) for s in (c.right - c.left).free_symbols}) >= 0 for c in case)
+        for case in rest.cases
+    ]  # fmt: skip
+    assert any(holds) is rests

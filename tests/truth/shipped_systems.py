@@ -167,6 +167,66 @@ def cylinder_on_wedge() -> tuple[Route, ...]:
     return (newton_euler("X s h psi", [wedge, cylinder], {"contact": h - radius}, bound),)
 
 
+def bowling_ball() -> tuple[Route, ...]:
+    """Newton and Euler: the lane's force N, and mu N against the slip, to the left at the lowest point."""
+    x, y, theta = moving("x y theta")
+    m, radius, mu, g = constants("m R mu g")
+    normal = sp.Symbol("lambda_lane")
+    equations = [
+        m * d(x, 2) + mu * normal,
+        m * d(y, 2) - normal + m * g,
+        Rational(2, 5) * m * radius**2 * d(theta, 2) + radius * mu * normal,
+    ]
+    return (literature("x y theta", equations, {"lane": y - radius}, multipliers="lambda_lane"),)
+
+
+def rough_ladder() -> tuple[Route, ...]:
+    """Free body: from the floor N and mu N toward the wall, from the wall its N and nu N upward."""
+    x, y, theta = moving("x y theta")
+    m, l, mu, nu, g = constants("m l mu nu g")
+    floor, wall = sp.symbols("lambda_floor lambda_wall")
+    equations = [
+        m * d(x, 2) - wall + mu * floor,
+        m * d(y, 2) - floor - nu * wall + m * g,
+        m * l**2 / 3 * d(theta, 2)
+        - l * floor * (sin(theta) - mu * cos(theta))
+        + l * wall * (cos(theta) + nu * sin(theta)),
+    ]
+    bound = {"wall": x - l * sin(theta), "floor": y - l * cos(theta)}
+    return (literature("x y theta", equations, bound, multipliers="lambda_wall lambda_floor"),)
+
+
+def cylinder_on_rough_incline() -> tuple[Route, ...]:
+    """The energies of a cylinder that rolls."""
+    x, y, theta = moving("x y theta")
+    m, radius, alpha, g = constants("m R alpha g")
+    kinetic = HALF * m * (d(x) ** 2 + d(y) ** 2) + m * radius**2 / 4 * d(theta) ** 2
+    height = m * g * (y * cos(alpha) - x * sin(alpha))
+    bound, rolling = {"plane": y - radius}, {"rolling": d(x) - radius * d(theta)}
+    return (lagrange("x y theta", kinetic, height, geometric=bound, kinematic=rolling),)
+
+
+def disc_in_a_corner() -> tuple[Route, ...]:
+    """Free body: N_1 from the floor with mu N_1 toward the wall, N_2 from the wall with mu N_2 upward."""
+    x, y, theta = moving("x y theta")
+    m, radius, mu, g = constants("m R mu g")
+    up, back = sp.symbols("lambda_floor lambda_wall")
+    equations = [
+        m * d(x, 2) - mu * up - back,
+        m * d(y, 2) - up + m * g + mu * back,
+        m * radius**2 / 2 * d(theta, 2) + mu * radius * (up - back),
+    ]
+    return (
+        literature("x y theta", equations, {"floor": y - radius, "wall": x}, multipliers="lambda_floor lambda_wall"),
+    )
+
+
+def ball_on_a_string() -> tuple[Route, ...]:
+    x, y = moving("x y")
+    m, l, g = constants("m l g")
+    return (newton("x y", [(m, (x, y), (0, -m * g))], {"string": x**2 + y**2 - l**2}),)
+
+
 def rough_wedge() -> tuple[Route, ...]:
     """Free bodies: on the block N along the normal and mu N up the face, on the wedge their opposites and the floor."""
     X, Y, s, h = moving("X Y s h")
@@ -450,6 +510,11 @@ SHIPPED: dict[str, Textbook] = {
     "heavy-top": Textbook(of_bodies("heavy_top"), HOLONOMIC, 3, 0),
     "hoop-on-incline": Textbook(hoop_on_incline, HOLONOMIC, 1, 2),
     "kapitza-pendulum": Textbook(kapitza_pendulum, RHEONOMIC, 1, 1, ranges={"l": (3, 4)}),
+    "ball-on-a-string": Textbook(ball_on_a_string, HOLONOMIC, 1, 1),
+    "bowling-ball": Textbook(bowling_ball, HOLONOMIC, 2, 1),
+    "cylinder-on-rough-incline": Textbook(cylinder_on_rough_incline, HOLONOMIC, 1, 2),
+    "disc-in-a-corner": Textbook(disc_in_a_corner, HOLONOMIC, 1, 2),
+    "rough-ladder": Textbook(rough_ladder, HOLONOMIC, 1, 2),
     "mass-on-belt": Textbook(mass_on_belt, HOLONOMIC, 1, 1),
     "particle-in-bowl": Textbook(particle_in_bowl, HOLONOMIC, 2, 1, ranges={"l": (2, 3)}),
     "penning-trap": Textbook(penning_trap, HOLONOMIC, 3, 0, ranges={"sigma": (-1, 1)}),

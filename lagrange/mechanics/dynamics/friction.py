@@ -8,8 +8,8 @@ friction. If the solution λ does not contain σ, it gives |λ| at once; otherwi
 the sign of λ; a one-sided constraint settles it. Where P slides along a line, v_s = s w with a speed s of either sign,
 and v_s/|v_s| = sign(s) w/|w|. The file may fix both signs. The formula holds while the particle slides, v_s ≠ 0.
 
-On a rigid body P is the point that touches (`contact.touching`); there the force acts, so that it has a moment about the
-mass centre. What the other side of the contact belongs to, if it moves, takes the opposite force.
+On a rigid body P is the point that touches (`contact.touching`); there the force acts, so that it has a moment about
+the mass centre. What the other side of the contact belongs to, if it moves, takes the opposite force.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
-from lagrange.mechanics.dynamics.contact.touching import acts_at, centre_of, relative_partials, velocity_at
+from lagrange.mechanics.dynamics.contact.touching import acts_at, centre_of, point_on, relative_partials, velocity_at
 from lagrange.mechanics.dynamics.named_forces import where_it_holds
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.dynamics.reactions import Reactions
@@ -47,6 +47,7 @@ class FrictionForce:
     point        where it acts
     moved        shape (n,): ∂r_P/∂q_k for the file's coordinates, relative to the other body
     opposite     the particle or body on which the opposite force acts; empty if there is none
+    beside       where that acts
     """
 
     friction: Friction
@@ -61,6 +62,7 @@ class FrictionForce:
     point: Vector
     moved: tuple[Vector, ...]
     opposite: str = ""
+    beside: Vector | None = None
 
     def loads(self, magnitude: sp.Expr) -> list[Load]:
         """The force and its opposite, for a given |R|."""
@@ -68,7 +70,7 @@ class FrictionForce:
         force = (self.along * size).map(textbook_form)
         name = self.friction.name
         loads = [Load(name, self.friction.on, force, self.point)]
-        return loads if not self.opposite else [*loads, Load(name, self.opposite, -force, self.point)]
+        return loads if self.beside is None else [*loads, Load(name, self.opposite, -force, self.beside)]
 
     def generalized(self, force: Vector) -> list[sp.Expr]:
         """The generalized forces, for the file's coordinates, of a force on it and of its opposite, shape (n,)."""
@@ -102,6 +104,29 @@ def friction_forces(
     Raises ProblemError if a constraint does not act on the particle of its friction.
     """
     return tuple(_friction_force(f, frictions, newton, original, configuration) for f in frictions)
+
+
+def rolling_contacts(frictions: Sequence[Friction], newton: Newton, original: Configuration) -> tuple[Friction, ...]:
+    """The friction in contacts whose point the constraints keep from slipping. Raises ProblemError without `static`."""
+    admitted = original.constrained.admitted_states
+    found = []
+    turning = {r.name for r in original.rotations}
+    for f in frictions:
+        if f.on not in turning or f.at is None or f.surface_velocity is not None:
+            continue
+        reaction = rough_reaction(f, newton, original)
+        opposite = other_side(f, frictions, reaction, original)
+        slip = velocity_at(original, f.on, f.at)
+        if opposite:
+            slip = slip - velocity_at(original, opposite, f.at)
+        if any(admitted.is_zero(c) is not True for c in slip.fixed().components):
+            continue
+        if f.static is None:
+            message = f"the point of `{f.on}` that touches does not slip, so that there is no kinetic friction"
+            help_ = "give `static:`, the coefficient at rest, for the condition under which it rolls"
+            raise ProblemError(Diagnostic("friction-slip", message, f.span, help=help_))
+        found.append(f)
+    return tuple(found)
 
 
 def symbolic_loads(frictions: Sequence[FrictionForce]) -> tuple[Load, ...]:
@@ -166,9 +191,10 @@ def _friction_force(
     if side is not None:
         contact = sp.Integer(side)
     coefficient = friction.coefficient.xreplace(rule)
-    size = _size(direction, reaction, configuration)
+    size = normal_size(direction, reaction, configuration)
+    beside = point_on(configuration, opposite, place) if opposite else None
     return FrictionForce(
-        friction, reaction, coefficient, size, slip, speed, sense, along, contact, place, moved, opposite
+        friction, reaction, coefficient, size, slip, speed, sense, along, contact, place, moved, opposite, beside
     )
 
 
@@ -297,7 +323,7 @@ def _is_placed_freely(point: MassPoint) -> bool:
     return all(normal.cross(normal.map(lambda c, s=s: c.diff(s))).map(textbook_form).is_zero for s in symbols)  # type: ignore[misc]
 
 
-def _size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
+def normal_size(direction: Vector, reaction: Reaction, configuration: Configuration) -> sp.Expr:
     """|g|; for a distance constraint |factor|, if that contains no coordinates: 2R for x² + y² = R²."""
     if reaction.rough is not None:
         size = textbook_form(sp.Abs(reaction.rough.factor.xreplace(configuration.substitution)))

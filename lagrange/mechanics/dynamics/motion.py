@@ -33,7 +33,13 @@ from lagrange.mechanics.dynamics.equations import (
     equations_with_multipliers,
     lagrange_motion,
 )
-from lagrange.mechanics.dynamics.friction import FrictionForce, friction_forces, solved_loads, symbolic_loads
+from lagrange.mechanics.dynamics.friction import (
+    FrictionForce,
+    friction_forces,
+    rolling_contacts,
+    solved_loads,
+    symbolic_loads,
+)
 from lagrange.mechanics.dynamics.limits import LONGEST_SUBSTITUTED, MOST_FREE
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
@@ -67,6 +73,7 @@ class NewtonLaw:
     newton         with friction, if there is any
     used           the reactions of independent constraints
     method         by which the equations of motion are derived
+    rolling        the friction in contacts that do not slip; it is part of the reactions
     """
 
     problem: Problem
@@ -74,11 +81,17 @@ class NewtonLaw:
     newton: Newton
     used: tuple[Reaction, ...]
     method: Method = Method.DALEMBERT
+    rolling: tuple[Friction, ...] = ()
+
+    @property
+    def all_frictions(self) -> tuple[Friction, ...]:
+        """The friction that the file gives, in whatever slips or rolls."""
+        return tuple(f for f in self.problem.forces if isinstance(f, Friction))
 
     @property
     def frictions(self) -> tuple[Friction, ...]:
-        """The friction forces."""
-        return tuple(f for f in self.problem.forces if isinstance(f, Friction))
+        """The friction forces on what slips."""
+        return tuple(f for f in self.all_frictions if f not in self.rolling)
 
     @cached_property
     def system(self) -> ReactionSystem:
@@ -206,6 +219,9 @@ def law_of_motion(
         used=tuple(r for n, r in enumerate(newton.reactions) if n not in elimination.unused),
         method=method,
     )
+    if at_rest or not law.frictions:
+        return law
+    law = replace(law, rolling=rolling_contacts(law.frictions, newton, configuration))
     if not law.frictions:
         return law
     # Friction needs the directions of the reactions, and Newton's law is to show friction: so it is set up twice.

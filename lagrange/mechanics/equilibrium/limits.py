@@ -39,3 +39,14 @@ MOST_EXPANDED_ROWS = 4
 STATED_SAMPLES = 2
 MOST_STATED_DRAWS = 200
 MOST_UNSOLVED = 2
+
+# Friction at rest. Inequalities at once, and signs of coefficients that are taken one by one: two contacts have five
+# inequalities, and the shipped problems need no cases. Operations of an expression whose sign is asked in several
+# forms.
+MOST_INEQUALITIES = 60
+MOST_CASES = 3
+# Orders in which the forces of one-sided constraints are eliminated: the last ones remain open.
+MOST_ORDERS = 6
+LONGEST_SLACK = 400
+# Static friction entries of a problem: each open sense doubles the cases of impending motion.
+MOST_ROUGH_CONTACTS = 6

@@ -25,6 +25,11 @@ def centre_of(configuration: Configuration, name: str) -> Vector:
     return next(p.position for p in configuration.points if p.name == name)
 
 
+def point_on(configuration: Configuration, name: str, place: Vector) -> Vector:
+    """Where a force at a place of a body acts; on a particle, which has one point only, that point."""
+    return place if any(r.name == name for r in configuration.rotations) else centre_of(configuration, name)
+
+
 def velocity_at(configuration: Configuration, name: str, place: Vector) -> Vector:
     """The velocity of the point of a body at a place; of a particle its own."""
     point = next(p for p in configuration.points if p.name == name)

@@ -1,0 +1,1 @@
+"""Answers about friction at rest and at its limit."""

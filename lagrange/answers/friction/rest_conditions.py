@@ -1,0 +1,160 @@
+"""Somebody else's conditions of rest: are they those that were derived?
+
+Two conditions a ≥ 0 and b ≥ 0 are the same if a/b has a positive sign where angles are acute. If the conditions are not
+the same one by one, both sets are tried at random numbers: a clear difference anywhere is an error. Sets that agree at
+all of them are equivalent if each limit that is stated, `alpha = atan(mu)`, is exactly one that was derived, and
+undecided otherwise.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.readings import read_answer
+from lagrange.answers.references import Reference
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.records import record
+from lagrange.expressions.relations import limit_of
+from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.rolling import Rolling
+
+SAMPLES = 400
+CLEAR = 1e-6
+"""A slack counts as positive or negative if it is larger, relative to its terms at random numbers of order one."""
+
+
+@record
+class _Stated:
+    """slack ≥ 0, or slack = 0."""
+
+    text: str
+    slack: sp.Expr
+    equation: bool
+
+
+def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference) -> AnswerVerdict:
+    """The verdict on conditions; the best one in any set of coordinates."""
+    try:
+        read = [_read(f, reference) for f in stated]
+    except ProblemError as error:
+        equations = tuple(EquationVerdict(f.text, Verdict.UNREADABLE) for f in stated)
+        return AnswerVerdict(Verdict.UNREADABLE, equations, unreadable=tuple(error.diagnostics), name="rest")
+    order = (Verdict.EQUIVALENT, Verdict.INCOMPLETE, Verdict.UNDECIDED, Verdict.WRONG)
+    verdicts = [_compared(read, r, reference.values) for r in rests]
+    best = next(v for v in order if v in verdicts)
+    diagnosis = "" if best is not Verdict.INCOMPLETE else "some conditions are missing"
+    return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
+
+
+def _read(fragment: Fragment, reference: Reference) -> _Stated:
+    limit, side = limit_of(fragment, "a condition", strict=True)
+    reading = read_answer(limit, reference.scope)
+    if reading.error is not None:
+        raise reading.error
+    [difference] = reading.components
+    return _Stated(fragment.text.strip(), difference * (side or 1), side is None)
+
+
+def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping[sp.Symbol, sp.Rational]) -> Verdict:
+    numbers = dict(values)
+
+    def valued(e: sp.Expr) -> sp.Expr:
+        return rest.configuration.rewritten(e).xreplace(numbers)
+
+    given = [_Stated(s.text, valued(s.slack), s.equation) for s in stated]
+    cases = [
+        [
+            *(_Stated("", valued(c.right - c.left), False) for c in case),
+            *(_Stated("", valued(e), True) for e in rest.equations),
+        ]
+        for case in rest.cases
+    ]
+    if len(cases) == 1:
+        same = [{n for n, c in enumerate(cases[0]) if _are_same(s, c)} for s in given]
+        found = set().union(*same) if same else set()
+        if all(same) and len(found) == len(cases[0]):
+            return Verdict.EQUIVALENT
+    weaker = stronger = False
+    seen = set()
+    for point in _points([c for case in (*cases, given) for c in case]):
+        derived = _any_case(cases, point)
+        claimed = _all_hold(given, point)
+        if derived is None or claimed is None:
+            continue
+        seen.add(derived)
+        weaker = weaker or (claimed and not derived)
+        stronger = stronger or (derived and not claimed)
+    if stronger:
+        return Verdict.WRONG
+    if weaker:
+        known = cases[0] if len(cases) == 1 else []
+        partly = known and given and all(any(_are_same(s, c) for c in known) for s in given)
+        return Verdict.INCOMPLETE if partly else Verdict.WRONG
+    needed = [c for case in cases for c in case]
+    exact = all(any(_are_same(s, c) or _has_limit(s, c) for c in needed) for s in given)
+    return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
+
+
+def _are_same(a: _Stated, b: _Stated) -> bool:
+    if a.equation is not b.equation or a.slack == 0 or b.slack == 0:
+        return False
+    symbols = a.slack.free_symbols | b.slack.free_symbols
+    try:
+        sign = Signs({s for s in symbols if isinstance(s, sp.Symbol)}).of(shortest(a.slack / b.slack))
+    except ZeroDivisionError:
+        return False
+    return sign is not None and (sign == 1 or a.equation)
+
+
+def _has_limit(a: _Stated, b: _Stated) -> bool:
+    """Whether the limit `s = ...` of one is a limit of the other, exactly."""
+    for s in sorted(a.slack.free_symbols, key=str):
+        rate = a.slack.diff(s)
+        if rate.free_symbols or rate == 0:
+            continue
+        value = s - a.slack / rate
+        try:
+            if is_zero(b.slack.xreplace({s: value})) is True:
+                return True
+        except (DivisionByZeroError, ZeroDivisionError):
+            continue
+    return False
+
+
+def _points(conditions: Sequence[_Stated]) -> Iterator[dict[sp.Symbol, sp.Expr]]:
+    """Random numbers: acute angles, positive parameters, other symbols of either sign."""
+    symbols = sorted({s for c in conditions for s in c.slack.free_symbols}, key=str)
+    angles = {
+        s for c in conditions for f in c.slack.atoms(sp.sin, sp.cos, sp.tan, sp.cot) for s in f.args[0].free_symbols
+    }
+    draw = random.Random(20)
+    for _ in range(SAMPLES):
+        point = {}
+        for s in symbols:
+            value = draw.uniform(0.02, 1.55) if s in angles else draw.lognormvariate(0, 0.8)
+            if not s.is_positive and s not in angles and draw.random() < 0.5:
+                value = -value
+            point[s] = sp.Float(value)
+        yield point
+
+
+def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+    verdicts = [_all_hold(case, point) for case in cases]
+    return True if True in verdicts else None if None in verdicts else False
+
+
+def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
+    verdicts: list[bool | None] = []
+    for c in conditions:
+        value = c.slack.xreplace(dict(point)).evalf()
+        if c.equation or not value.is_real or not value.is_finite or abs(value) < CLEAR:
+            verdicts.append(None)
+        else:
+            verdicts.append(bool(value > 0))
+    return False if False in verdicts else None if None in verdicts else True

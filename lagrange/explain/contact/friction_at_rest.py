@@ -1,0 +1,172 @@
+"""Friction at rest: the forces that balance, the bounds, the conditions; and friction at its limit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
+from lagrange.explain.words import capital, constraints_called, joined, plural, spoken, suffix_of, the, title_in
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition
+from lagrange.mechanics.equilibrium.friction_at_rest import AtRest, RoughContact
+from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
+from lagrange.mechanics.equilibrium.rolling import Rolling
+
+ZERO = sp.S.Zero
+
+
+def explain_rest(rest: AtRest, newton: Newton) -> Step:
+    """The equations of balance, the forces, the conditions."""
+    suffix = suffix_of(rest.name)
+    body: list[Block] = [*_contacts(rest.contacts, newton)]
+    if rest.balance:
+        body.append(prose("At rest the forces balance for every coordinate:"))
+        body.append(
+            display(*(Equation((e, ZERO), label=f"rest-balance{suffix}-{q.name}") for q, e in rest.balance.items()))
+        )
+    known = [(u, v) for u, v in rest.forces.items() if u not in rest.open]
+    if known:
+        body.append(prose("Solved for the forces, these equations give"))
+        body.append(display(*(Equation(pair) for pair in known)))
+    if rest.presupposed:
+        nonzero = series((math(e, ZERO, relation="≠"),) for e in rest.presupposed)
+        body.append(prose("where ", *nonzero, "."))
+    if rest.equations:
+        words = plural(len(rest.equations), "One equation contains no reaction and no friction: rest requires",
+                       "Some equations contain no reaction and no friction: rest requires")  # fmt: skip
+        body += [prose(words), display(*(Equation((e, ZERO)) for e in rest.equations), boxed=True, detail=Detail.BRIEF)]
+    if rest.open:
+        words = " is not determined: the system is statically indeterminate. It can be at rest if "
+        many = " are not determined: the system is statically indeterminate. It can be at rest if "
+        end = "some distribution of the forces satisfies all bounds"
+        body.append(prose(*listed(math(u) for u in rest.open), plural(len(rest.open), words, many), end, "."))
+    body += _conclusion(rest, suffix)
+    return Step(Rule.FRICTION_AT_REST, title_in("Rest with friction", rest.name), tuple(body))
+
+
+def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Block]:
+    """The friction in each contact, and its bound."""
+    for c in contacts:
+        name = f"the friction {spoken(c.name)} on {the(c.friction.on)}"
+        bound = c.coefficient * c.normal * _magnitude(c)
+        if len(c.components) == 1:
+            [force], [tangent] = c.components, c.tangents
+            first: tuple[Part, ...] = (f"At rest {name} is an unknown force ", math(force), " along ", math(tangent))
+            size: sp.Expr = sp.Abs(force)
+        else:
+            first = (f"At rest {name} is an unknown force with the components ", *listed(map(math, c.components)))
+            size = sp.sqrt(sp.Add(*(f**2 for f in c.components)))
+        opposite = f", with the opposite on {the(c.opposite)}" if c.opposite else ""
+        yield prose(*first, f"{opposite}, of at most the coefficient of static friction times the normal force: ",
+                    math(size, bound, relation="≤"), ".")  # fmt: skip
+    pressing = [r for r in newton.reactions if r.constraint.side is not None]
+    if pressing:
+        forces = series(
+            (math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in pressing
+        )
+        called = constraints_called(r.name for r in pressing)
+        words = plural(len(pressing), " is one-sided: ", " are one-sided: ")
+        yield prose(capital(called), words, *forces, ".")
+
+
+def _magnitude(c: RoughContact) -> sp.Expr:
+    return sp.Abs(c.reaction.force) if c.sign is None else c.sign * c.reaction.force
+
+
+def _conclusion(rest: AtRest, suffix: str) -> Iterator[Block]:
+    if rest.assumed:
+        positive = series((math(e, ZERO, relation=">"),) for e in rest.assumed)
+        yield prose("In what follows ", *positive, plural(len(rest.assumed), " is assumed.", " are assumed."))
+    if not rest.cases:
+        yield prose("No admissible forces satisfy the bounds: the system cannot be at rest.", detail=Detail.BRIEF)
+        return
+    if () in rest.cases:
+        also = "further " if rest.equations else ""
+        yield prose(f"The bounds can always be satisfied: there is no {also}condition.", detail=Detail.BRIEF)
+        return
+    several = len(rest.cases) > 1
+    if several:
+        yield prose("The system can be at rest in one of the following cases, in which all the conditions hold:")
+    else:
+        yield prose("The system can be at rest if and only if" if not rest.equations else "and, in addition,")
+    for n, case in enumerate(rest.cases, start=1):
+        number = f"-{n}" if several else ""
+        lines = [_line(c, f"rest{suffix}{number}-{k}") for k, c in enumerate(case, start=1)]
+        yield display(*lines, boxed=True, detail=Detail.BRIEF)
+
+
+def _line(condition: RestCondition, label: str) -> Equation:
+    return Equation((condition.left, condition.right), relation="≤", label=label)
+
+
+def explain_rolling(rolling: Rolling) -> Step:
+    """As long as what nothing slips."""
+    body: list[Block] = []
+    for c in rolling.contacts:
+        by = constraints_called(r.name for r in c.reactions)
+        body.append(prose(f"{capital(the(c.friction.on))} does not slip as long as the reaction of {by}, which acts at "
+                          "the point that touches, is at most the coefficient of static friction times the normal "
+                          f"force of {constraints_called([c.normal.name])}. They are"))  # fmt: skip
+        body.append(display(Equation((sp.Symbol(f"F_{c.friction.name}", real=True), c.size)),
+                            Equation((c.normal.force, c.pressed))))  # fmt: skip
+    suffix = suffix_of(rolling.configuration.name)
+    if rolling.assumed:
+        positive = series((math(e, ZERO, relation=">"),) for e in rolling.assumed)
+        body.append(prose("Here ", *positive, plural(len(rolling.assumed), " is assumed.", " are assumed.")))
+    if not rolling.cases:
+        body.append(prose("This is not possible: it slips, or leaves the surface.", detail=Detail.BRIEF))
+    elif () in rolling.cases:
+        body.append(prose("This always holds.", detail=Detail.BRIEF))
+    else:
+        lines = [_line(c, f"rolling{suffix}-{n}") for n, c in enumerate(rolling.cases[0], start=1)]
+        body += [prose("The condition is"), display(*lines, boxed=True, detail=Detail.BRIEF)]
+    return Step(Rule.FRICTION_AT_REST, title_in("Rolling without slipping", rolling.configuration.name), tuple(body))
+
+
+def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton) -> Step:
+    """Equilibrium with friction at its limit, for each direction of slip."""
+    name = motions[0].equilibrium.configuration.name
+    suffix = suffix_of(name)
+    contacts = motions[0].contacts
+    slips = "slip impends in every contact at once" if len(contacts) > 1 else "slip impends"
+    body: list[Block] = [prose(f"If {slips}, friction has its greatest value, against the direction of the slip.")]
+    open_ = [c.name for c in contacts if c.friction.toward is None and c.friction.slip is None]
+    if open_:
+        body.append(prose(f"For {joined(map(spoken, open_))} the direction is not given: both are tried."))
+    for n, m in enumerate(motions, start=1):
+        body += _one_direction(m, newton, f"{suffix}-{n}" if len(motions) > 1 else suffix)
+    return Step(Rule.FRICTION_AT_REST, title_in("Impending motion", name), tuple(body))
+
+
+def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[Block]:
+    slips = series(
+        (f"at {spoken(c.name)} along ", math(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts
+    )
+    yield prose("With slip ", *slips, " the equations of balance give")
+    pressed = [(r.force, m.pressed[r.name]) for r in newton.reactions]
+    yield display(*(Equation(pair) for pair in pressed))
+    work = m.equilibrium.work
+    coordinates = m.equilibrium.configuration.slots.coordinates
+    yield prose("so that, with the friction among the applied forces, the conditions of equilibrium are")
+    yield display(*(Equation((c.expression, ZERO)) for c in m.equilibrium.conditions))
+    assert len(work.forces) == len(coordinates)
+    for n, b in enumerate(m.equilibrium.branches, start=1):
+        number = f"-{n}" if len(m.equilibrium.branches) > 1 else ""
+        lines = [
+            Equation((r.lhs, r.rhs), label=f"impending{suffix}{number}-{k}") for k, r in enumerate(b.equations, start=1)
+        ]
+        yield prose("They hold if" if n == 1 else "or if")
+        yield display(*lines, boxed=True, detail=Detail.BRIEF)
+        if b.conditions:
+            listed_ = series((math(c.lhs, c.rhs, relation=c.relation),) for c in b.conditions)
+            yield prose("where ", *listed_, ".")
+    one_sided = [r for r in newton.reactions if r.constraint.side is not None]
+    unsure = [r for r in one_sided if not m.pressed[r.name].is_positive]
+    if unsure:
+        forces = series(
+            (math((1 if r.named else r.constraint.side or 1) * r.force, ZERO, relation="≥"),) for r in unsure
+        )
+        yield prose("Contact requires ", *forces, ".")

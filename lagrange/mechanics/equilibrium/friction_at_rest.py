@@ -1,0 +1,435 @@
+"""Friction at rest: for which parameters, and in which positions, a system with rough contacts can be at rest.
+
+At rest the friction in a contact is not given: it is an unknown F along the tangent, at most μ_s |N|. With multipliers
+for the reactions the forces balance if and only if
+
+    Q_k + Σ_j λ_j a_jk + Σ_i F_i t_i·∂r_i/∂q_k = 0     for every coordinate of the file,
+
+r_i being the point that touches, relative to what it touches. Rest is possible if these equations, the bounds |F_i| ≤
+μ_i |N_i| and N_j ≥ 0 for one-sided constraints have a solution. The equations are solved first. If they determine
+everything, the bounds are the conditions; otherwise the system is statically indeterminate, all distributions of the
+forces that satisfy the bounds are admitted, and the unknowns that remain are eliminated (`linear_inequalities`). An
+equation without unknowns is a condition as well.
+
+In space F has two components; there it must be determined. Where |N| occurs and the sign of N is not known, both are
+tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import islice, permutations, product
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.core.verdicts import all_hold
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.contact.touching import relative_partials
+from lagrange.mechanics.dynamics.free_bodies import without_root
+from lagrange.mechanics.dynamics.friction import (
+    normal_size,
+    other_side,
+    place_of_contact,
+    rough_reaction,
+    unit_toward,
+)
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.dynamics.newton import Newton, Reaction
+from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition, bounded_by, not_negative
+from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
+from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
+from lagrange.mechanics.equilibrium.linear_inequalities import (
+    Inequality,
+    NotEliminatedError,
+    Signs,
+    shortest,
+    solvable,
+)
+from lagrange.problem.model import Friction, Problem
+
+
+@record
+class RoughContact:
+    """A contact with friction at rest, in the coordinates of a configuration.
+
+    reaction     that presses
+    opposite     what takes the opposite friction; empty if it is at rest
+    place        the point that touches
+    coefficient  μ_s
+    normal       |N| is `normal` times the magnitude of the unknown in which the reaction is written
+    tangents     the unit vectors of the components of F; in the plane there is one
+    components   F, along these
+    generalized  for each component, shape (n,): its generalized forces for the file's coordinates, for F = 1
+    sign         of that unknown, +1 or −1; None if it is not known
+    """
+
+    friction: Friction
+    reaction: Reaction
+    opposite: str
+    place: Vector
+    coefficient: sp.Expr
+    normal: sp.Expr
+    tangents: tuple[Vector, ...]
+    components: tuple[sp.Symbol, ...]
+    generalized: tuple[tuple[sp.Expr, ...], ...]
+    sign: int | None
+
+    @property
+    def name(self) -> str:
+        """The name of the friction."""
+        return self.friction.name
+
+
+@record
+class AtRest:
+    """Where a system with rough contacts can be at rest, in one set of coordinates.
+
+    balance      the equations, each zero, by coordinate of the file
+    forces       every unknown, in terms of those that the equations leave open
+    open         these
+    equations    conditions that are equations, each zero
+    cases        the conditions: all those of one of the cases hold; none: rest is impossible
+    assumed      sines and cosines that are taken to be positive
+    presupposed  what the equations are divided by, if its sign is not known: it is not zero
+    verified     whether the forces satisfy Lagrange's equations at rest
+    """
+
+    configuration: Configuration
+    contacts: tuple[RoughContact, ...]
+    balance: Mapping[sp.Symbol, sp.Expr]
+    forces: Mapping[sp.Symbol, sp.Expr]
+    open: tuple[sp.Symbol, ...]
+    equations: tuple[sp.Expr, ...]
+    cases: tuple[tuple[RestCondition, ...], ...]
+    assumed: tuple[sp.Expr, ...]
+    presupposed: tuple[sp.Expr, ...]
+    verified: bool | None
+
+    @property
+    def name(self) -> str:
+        """The name of the choice of coordinates."""
+        return self.configuration.name
+
+    @property
+    def friction(self) -> dict[str, tuple[sp.Expr, ...]]:
+        """The components of each friction force that is determined, by name."""
+        unknown = {*self.open}
+        return {
+            c.name: tuple(self.forces[f] for f in c.components)
+            for c in self.contacts
+            if all(self.forces[f].free_symbols.isdisjoint(unknown) for f in c.components)
+        }
+
+
+def rough_contacts(
+    problem: Problem, newton: Newton, original: Configuration, configuration: Configuration
+) -> tuple[RoughContact, ...]:
+    """The contacts with static friction. Raises ProblemError, NotCoveredError."""
+    frictions = [f for f in problem.forces if isinstance(f, Friction)]
+    if len(frictions) > MOST_ROUGH_CONTACTS:
+        raise NotCoveredError(f"friction at rest in more than {MOST_ROUGH_CONTACTS} contacts", frictions[-1].span)
+    taken = {*problem.scope.names(), *(r.force.name for r in newton.reactions)}
+    return tuple(_contact(f, frictions, newton, original, configuration, taken) for f in frictions)
+
+
+def _contact(
+    friction: Friction,
+    frictions: Sequence[Friction],
+    newton: Newton,
+    original: Configuration,
+    configuration: Configuration,
+    taken: set[str],
+) -> RoughContact:
+    rule = configuration.substitution
+    reaction = rough_reaction(friction, newton, original)
+    opposite = other_side(friction, frictions, reaction, original)
+    place = place_of_contact(friction, reaction, opposite, original)
+    others = [f for f in frictions if f is not friction and f.constraint == friction.constraint]
+    if others:
+        what = f"friction at rest of `{friction.name}` and `{others[0].name}` on one constraint"
+        raise NotCoveredError(what, friction.span)
+    moved = [p.xreplace(rule) for p in relative_partials(original, friction.on, opposite, place)]
+    direction = reaction.on(friction.on)
+    assert direction is not None
+    normal = direction.xreplace(rule).fixed()
+    tangents = _tangents(friction, normal, moved, configuration)
+    letters = ("",) if len(tangents) == 1 else ("_x", "_y", "_z")
+    components = []
+    for letter in letters:
+        name = f"F_{friction.name}{letter}"
+        while name in taken:
+            name += "_"
+        components.append(sp.Symbol(name, real=True))
+    side = reaction.constraint.side
+    sign = friction.contact if side is None else 1 if reaction.named else side
+    assert friction.static is not None
+    size = sp.S.One if reaction.named else normal_size(direction.xreplace(rule), reaction, configuration)
+    return RoughContact(
+        friction,
+        reaction,
+        opposite,
+        place.xreplace(rule),
+        friction.static.xreplace(rule),
+        size,
+        tangents,
+        tuple(components),
+        tuple(tuple(shortest(t.dot(p)) for p in moved) for t in tangents),
+        sign,
+    )
+
+
+def _tangents(
+    friction: Friction, normal: Vector, moved: Sequence[Vector], configuration: Configuration
+) -> tuple[Vector, ...]:
+    """The unit vector of the friction if all displacements are in a plane; otherwise i, j, k."""
+    if friction.toward is not None:
+        against = -unit_toward(friction, normal, configuration)
+    units = [Vector(tuple(sp.Integer(n == k) for n in range(3)), normal.triad) for k in range(3)]  # type: ignore[arg-type]
+    flat = [u for u in units if all(_vanishes(u.dot(p), configuration) for p in (*moved, normal))]
+    if not flat:
+        return tuple(units)
+    if friction.toward is not None:
+        return (against,)
+    along = normal.cross(flat[-1])
+    return ((along / sp.sqrt(shortest(along.dot(along)))).map(shortest),)
+
+
+def _vanishes(e: sp.Expr, configuration: Configuration) -> bool:
+    return e == 0 or configuration.surface.is_zero(e) is True
+
+
+def at_rest(
+    problem: Problem, newton: Newton, original: Configuration, configuration: Configuration, work: VirtualWork
+) -> AtRest:
+    """Where the system can be at rest.
+
+    original  the file's coordinates; `work` that of the applied forces in them
+
+    Raises NotCoveredError if that cannot be decided, ProblemError if a contact is not as the file says.
+    """
+    contacts = rough_contacts(problem, newton, original, configuration)
+    system = _System(newton, contacts, original, configuration, work)
+    angles = {p.symbol for p in problem.parameters}
+    positions = angles | {*configuration.slots.coordinates}
+    for most, acute in product((0, MOST_CASES), (angles, positions)):
+        for order in islice(permutations(system.unknowns[system.fixed :]), MOST_ORDERS):
+            signs = Signs(acute)
+            try:
+                solved = system.solved(signs, order)
+                cases = _cases(solved, contacts, newton, signs, most)
+            except NotEliminatedError:
+                if not solved.open:
+                    break
+                continue
+            return AtRest(
+                configuration,
+                contacts,
+                {q: e for q, e in zip(original.slots.coordinates, system.balance, strict=True) if e != 0},
+                solved.forces,
+                solved.open,
+                solved.equations,
+                cases,
+                tuple(sorted(signs.used, key=str)),
+                solved.presupposed,
+                _verified(solved, contacts, newton, original, configuration),
+            )
+    raise NotCoveredError("friction at rest in contacts whose forces have no known signs", contacts[0].friction.span)
+
+
+@record
+class _Solved:
+    """The unknowns in terms of those left open; `linear` has (constant, coefficients) of each."""
+
+    forces: Mapping[sp.Symbol, sp.Expr]
+    linear: Mapping[sp.Symbol, Inequality]
+    open: tuple[sp.Symbol, ...]
+    equations: tuple[sp.Expr, ...]
+    presupposed: tuple[sp.Expr, ...]
+
+
+class _System:
+    """The equations of balance, in the coordinates of a configuration."""
+
+    def __init__(
+        self,
+        newton: Newton,
+        contacts: Sequence[RoughContact],
+        original: Configuration,
+        configuration: Configuration,
+        work: VirtualWork,
+    ) -> None:
+        write = configuration.rewritten
+        columns: dict[sp.Symbol, list[sp.Expr]] = {}
+        extra: list[dict[sp.Symbol, sp.Expr]] = []
+        for c in contacts:
+            columns |= {f: list(row) for f, row in zip(c.components, c.generalized, strict=True)}
+            if len(c.components) > 1:
+                normal = c.reaction.on(c.friction.on)
+                assert normal is not None
+                extra.append(dict(zip(c.components, map(write, normal.fixed().components), strict=True)))
+        two_sided = [r for r in newton.reactions if r.constraint.side is None]
+        for r in (*two_sided, *(r for r in newton.reactions if r.constraint.side is not None)):
+            form = without_root(r.row, original.slots).coefficients
+            columns[r.force] = [shortest(write(a * r.per_force)) for a in form]
+        self.unknowns = tuple(columns)
+        self.fixed = len(columns) - sum(r.constraint.side is not None for r in newton.reactions)
+        self.surface: Surface = configuration.surface
+        count = len(original.slots.coordinates)
+        right = [shortest(write(-q)) for q in work.forces]
+        self.rows = [[*(columns[u][k] for u in self.unknowns), right[k]] for k in range(count)]
+        self.balance = [
+            sp.Add(*(a * u for a, u in zip(row, self.unknowns, strict=False)), -row[-1]) for row in self.rows
+        ]
+        self.rows += [[*(e.get(u, sp.S.Zero) for u in self.unknowns), sp.S.Zero] for e in extra]
+
+    def solved(self, signs: Signs, last: Sequence[sp.Symbol]) -> _Solved:
+        """The unknowns by elimination, `last` after the others, so that these remain open."""
+        places = [*range(self.fixed), *(self.unknowns.index(u) for u in last)]
+        work = [list(row) for row in self.rows]
+        pivots: dict[int, int] = {}
+        presupposed: list[sp.Expr] = []
+        for column in places:
+            candidates = [
+                (signs.of(row[column]) is None, row[column].count_ops(), n)
+                for n, row in enumerate(work)
+                if n not in pivots.values() and not self._is_zero(row[column])
+            ]
+            if not candidates:
+                continue
+            unsure, _, chosen = min(candidates)
+            pivot = work[chosen][column]
+            if unsure:
+                presupposed.append(pivot)
+            work[chosen] = [shortest(e / pivot) for e in work[chosen]]
+            for n, row in enumerate(work):
+                if n != chosen and row[column] != 0:
+                    factor = row[column]
+                    work[n] = [shortest(a - factor * b) for a, b in zip(row, work[chosen], strict=True)]
+            pivots[column] = chosen
+        open_ = [k for k in range(len(self.unknowns)) if k not in pivots]
+        linear, forces = {}, {}
+        for k, unknown in enumerate(self.unknowns):
+            if k in pivots:
+                row = work[pivots[k]]
+                linear[unknown] = Inequality(tuple(-row[o] for o in open_), row[-1])
+            else:
+                linear[unknown] = Inequality(tuple(sp.Integer(o == k) for o in open_), sp.S.Zero)
+            terms = zip(linear[unknown].coefficients, open_, strict=True)
+            forces[unknown] = sp.Add(linear[unknown].constant, *(c * self.unknowns[o] for c, o in terms))
+        left = [row[-1] for n, row in enumerate(work) if n not in pivots.values()]
+        equations = tuple(e for e in left if not self._is_zero(e))
+        return _Solved(forces, linear, tuple(self.unknowns[k] for k in open_), equations, tuple(presupposed))
+
+    def _is_zero(self, e: sp.Expr) -> bool:
+        return e == 0 or self.surface.is_zero(e) is True
+
+
+def _cases(
+    solved: _Solved, contacts: Sequence[RoughContact], newton: Newton, signs: Signs, most: int
+) -> tuple[tuple[RestCondition, ...], ...]:
+    """The conditions, case by case."""
+    coefficients = tuple(dict.fromkeys(c.coefficient for c in contacts))
+    if not solved.open:
+        conditions = _determined(solved, contacts, newton, signs)
+        return () if conditions is None else (conditions,)
+    if any(len(c.components) > 1 for c in contacts):
+        raise NotEliminatedError
+    cases: list[tuple[RestCondition, ...]] = []
+    open_signs = [c for c in contacts if c.sign is None]
+    for chosen in product((1, -1), repeat=len(open_signs)):
+        settled = dict(zip((c.name for c in open_signs), chosen, strict=True))
+        signed = [replace(c, sign=settled.get(c.name, c.sign)) for c in contacts]
+        inequalities = [*_one_sided(solved, newton), *_in_cones(solved, signed)]
+        for case in solvable(inequalities, signs, most):
+            conditions = tuple(c for slack in case.slacks for c in not_negative(slack, coefficients, signs))
+            cases.append(_without_repetitions(conditions))
+    return tuple(dict.fromkeys(cases))
+
+
+def _scaled(factor: sp.Expr, i: Inequality) -> Inequality:
+    return Inequality(tuple(shortest(factor * c) for c in i.coefficients), shortest(factor * i.constant))
+
+
+def _sum(a: Inequality, b: Inequality) -> Inequality:
+    pairs = zip(a.coefficients, b.coefficients, strict=True)
+    return Inequality(tuple(shortest(x + y) for x, y in pairs), shortest(a.constant + b.constant))
+
+
+def _one_sided(solved: _Solved, newton: Newton) -> list[Inequality]:
+    """That one-sided constraints only push or pull."""
+    found = []
+    for r in newton.reactions:
+        side = r.constraint.side
+        if side is not None:
+            found.append(_scaled(sp.Integer(1 if r.named else side), solved.linear[r.force]))
+    return found
+
+
+def _in_cones(solved: _Solved, contacts: Sequence[RoughContact]) -> list[Inequality]:
+    """μ N ± F ≥ 0 in each contact, and N ≥ 0."""
+    found = []
+    for c in contacts:
+        assert c.sign is not None
+        pressed = _scaled(c.sign * c.normal, solved.linear[c.reaction.force])
+        most, [force] = _scaled(c.coefficient, pressed), c.components
+        found += [_sum(most, _scaled(sp.Integer(s), solved.linear[force])) for s in (1, -1)]
+        if c.reaction.constraint.side is None:
+            found.append(pressed)
+    return found
+
+
+def _determined(
+    solved: _Solved, contacts: Sequence[RoughContact], newton: Newton, signs: Signs
+) -> tuple[RestCondition, ...] | None:
+    """The bounds themselves; None if one of them never holds."""
+    conditions: list[RestCondition] = []
+    coefficients = tuple(dict.fromkeys(c.coefficient for c in contacts))
+    rough = {c.reaction.name for c in contacts}
+    for r in newton.reactions:
+        if r.constraint.side is None or r.name in rough:
+            continue
+        slack = solved.forces[r.force] * (1 if r.named else r.constraint.side)
+        sign = signs.of(slack)
+        if sign == -1:
+            return None
+        if sign is None:
+            conditions += not_negative(slack, coefficients, signs)
+            signs = signs.assuming(slack)
+    for c in contacts:
+        pressed = shortest(c.normal * solved.forces[c.reaction.force] * (1 if c.sign is None else c.sign))
+        friction = tuple(shortest(solved.forces[f]) for f in c.components)
+        found = bounded_by(friction, pressed, c.coefficient, c.sign is not None, signs)
+        if found is None:
+            return None
+        conditions += found
+    return _without_repetitions(conditions)
+
+
+def _without_repetitions(conditions: Sequence[RestCondition]) -> tuple[RestCondition, ...]:
+    return tuple(dict.fromkeys(conditions))
+
+
+def _verified(
+    solved: _Solved,
+    contacts: Sequence[RoughContact],
+    newton: Newton,
+    original: Configuration,
+    configuration: Configuration,
+) -> bool | None:
+    """Whether the forces satisfy Lagrange's equations at rest, but for the conditions that are equations."""
+    if solved.equations:
+        return None
+    slots = original.slots
+    at_rest = dict.fromkeys((*slots.velocities, *slots.accelerations), sp.S.Zero)
+    verdicts = []
+    for k, left in enumerate(lagrange_equations(original).left):
+        reactions = [r.force * r.per_force * without_root(r.row, slots).coefficients[k] for r in newton.reactions]
+        friction = [f * row[k] for c in contacts for f, row in zip(c.components, c.generalized, strict=True)]
+        balance = configuration.rewritten(left.xreplace(at_rest) - sp.Add(*reactions)) - sp.Add(*friction)
+        verdicts.append(configuration.surface.is_zero(balance.xreplace(dict(solved.forces))))
+    return all_hold(verdicts)

@@ -1,0 +1,227 @@
+"""Impending motion: equilibrium with friction at its limit in every rough contact.
+
+    F_i = μ_i N_i against the direction in which the point that touches is about to slip.
+
+With this law the reactions follow from as many of the equations of balance as there are constraints, those of the
+dependent coordinates. Put into F, they make friction a force that depends on the position alone; what remains is an
+equilibrium of applied forces, found by the principle of virtual work. At an equilibrium all equations of balance hold,
+so that the reactions found there are those of the system.
+
+Where the file gives no direction, both are tried. Several contacts are all taken to slip at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from itertools import product
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.fourier.linear_systems import solved_linear
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.records import record
+from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.constraints.kinematics import Configuration, Load
+from lagrange.mechanics.dynamics.contact.touching import point_on
+from lagrange.mechanics.dynamics.free_bodies import without_root
+from lagrange.mechanics.dynamics.friction import friction_forces
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.equilibrium.conditions_of_rest import not_negative
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
+from lagrange.mechanics.equilibrium.friction_at_rest import RoughContact, rough_contacts
+from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
+from lagrange.problem.model import Friction, Problem
+
+
+@record
+class ImpendingMotion:
+    """Equilibrium with friction at its limit, for one direction of slip in each contact.
+
+    senses       by friction: +1 if it acts along its tangent, −1 if against it
+    pressed      by constraint: the force in which its reaction is written
+    equilibrium  with the friction as applied forces
+    """
+
+    contacts: tuple[RoughContact, ...]
+    senses: Mapping[str, int]
+    pressed: Mapping[str, sp.Expr]
+    equilibrium: Equilibrium
+
+
+@record
+class _Statics:
+    """The file's coordinates: configuration, elimination, work of the applied forces."""
+
+    original: Configuration
+    elimination: Elimination
+    work: VirtualWork
+
+
+def impending_motions(
+    problem: Problem,
+    newton: Newton,
+    file: tuple[Configuration, Elimination, VirtualWork],
+    configuration: Configuration,
+    elimination: Elimination,
+) -> tuple[ImpendingMotion, ...]:
+    """The equilibria with friction at its limit, for each direction of slip that is possible.
+
+    file  the configuration, the elimination and the work of the applied forces in the file's coordinates
+
+    Raises NotCoveredError if the sign of a normal force is not known, ProblemError.
+    """
+    statics = _Statics(*file)
+    if statics.elimination.unused:
+        raise NotCoveredError(
+            "impending motion with redundant constraints, which share their reactions in no known way"
+        )
+    contacts = rough_contacts(problem, newton, statics.original, configuration)
+    spatial = [c for c in contacts if len(c.components) > 1]
+    if spatial:
+        raise NotCoveredError("impending motion in space, in a direction that is not given,", spatial[0].friction.span)
+    given = _given_senses(problem, newton, contacts, statics.original, configuration)
+    open_ = [c.name for c in contacts if c.name not in given]
+    signs = Signs({p.symbol for p in problem.parameters})
+    found = []
+    for chosen in product((1, -1), repeat=len(open_)):
+        senses = given | dict(zip(open_, chosen, strict=True))
+        for signed in _signed(contacts):
+            motion = _at_limit(problem, newton, statics, configuration, elimination, signed, senses, signs)
+            if motion is not None:
+                found.append(motion)
+    return tuple(found)
+
+
+def _given_senses(
+    problem: Problem,
+    newton: Newton,
+    contacts: Sequence[RoughContact],
+    original: Configuration,
+    configuration: Configuration,
+) -> dict[str, int]:
+    """The sense of each friction whose direction the file gives: the tangent of a vector `slip` is against it."""
+    senses = {c.name: 1 for c in contacts if c.friction.toward is not None}
+    along = [f for f in problem.forces if isinstance(f, Friction) and f.slip is not None]
+    for f in friction_forces(along, newton, original, configuration):
+        [contact] = (c for c in contacts if c.name == f.friction.name)
+        share = textbook_form((f.along * f.sense).fixed().dot(contact.tangents[0]))
+        senses[contact.name] = 1 if share.is_negative else -1
+    return senses
+
+
+def _signed(contacts: Sequence[RoughContact]) -> Iterator[tuple[RoughContact, ...]]:
+    """The contacts with each sign of the normal forces whose sign is not known."""
+    open_ = [n for n, c in enumerate(contacts) if c.sign is None]
+    for chosen in product((1, -1), repeat=len(open_)):
+        settled = dict(zip(open_, chosen, strict=True))
+        yield tuple(replace(c, sign=settled.get(n, c.sign)) for n, c in enumerate(contacts))
+
+
+def _at_limit(
+    problem: Problem,
+    newton: Newton,
+    statics: _Statics,
+    configuration: Configuration,
+    elimination: Elimination,
+    contacts: Sequence[RoughContact],
+    senses: Mapping[str, int],
+    signs: Signs,
+) -> ImpendingMotion | None:
+    """One direction of slip in each contact; None if it is impossible."""
+    write = configuration.rewritten
+    unknowns = [r.force for r in newton.reactions]
+    shares = {c.reaction.force: (c, senses[c.name] * (c.sign or 1) * c.coefficient * c.normal) for c in contacts}
+    rows, right = [], []
+    for k in statics.elimination.dependent:
+        row = []
+        for r in newton.reactions:
+            entry = write(without_root(r.row, statics.original.slots).coefficients[k] * r.per_force)
+            if r.force in shares:
+                contact, share = shares[r.force]
+                entry += share * contact.generalized[0][k]
+            row.append(shortest(entry))
+        rows.append(row)
+        right.append(shortest(write(-statics.work.forces[k])))
+    solved = solved_linear(rows, right, configuration.surface, shortest)
+    if solved is None or None in solved:
+        raise NotCoveredError("impending motion whose normal forces are not determined,", contacts[0].friction.span)
+    pressed = {u: shortest(v) for u, v in zip(unknowns, solved, strict=True) if v is not None}
+    loads = []
+    for contact, share in shares.values():
+        vector = (contact.tangents[0] * shortest(share * pressed[contact.reaction.force])).map(shortest)
+        loads.append(Load(contact.name, contact.friction.on, vector, contact.place))
+        if contact.opposite:
+            loads.append(
+                Load(contact.name, contact.opposite, -vector, point_on(configuration, contact.opposite, contact.place))
+            )
+    loaded = replace(configuration, loads=(*configuration.loads, *loads))
+    resting = _possible(equilibrium(loaded, elimination, problem.unknowns), contacts, signs)
+    if not resting.branches or _is_pulled_off(newton, pressed, signs):
+        return None
+    for c in contacts:
+        verdicts = {_sign_there(c, pressed, resting, signs)}
+        if -1 in verdicts:
+            return None
+        if None in verdicts and c.reaction.constraint.side is None and c.friction.contact is None:
+            what = f"impending motion without the sign of the reaction of `{c.reaction.name}` (give `contact`),"
+            raise NotCoveredError(what, c.friction.span)
+    by_name = {r.name: pressed[r.force] for r in newton.reactions}
+    return ImpendingMotion(tuple(contacts), dict(senses), by_name, resting)
+
+
+def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Signs) -> Equilibrium:
+    """The equilibria without those for parameters that have other signs: μ cos α + sin α = 0."""
+    kept = [
+        n
+        for n, b in enumerate(resting.branches)
+        if not (b.special and any(signs.of(r.residual) in (1, -1) for r in b.relations))
+    ]
+    known = {c.coefficient for c in contacts}
+    branches = tuple(_limits_solved(resting.branches[n], resting, known, signs) for n in kept)
+    idle = tuple(resting.idle[n] for n in kept if n < len(resting.idle))
+    return replace(resting, branches=branches, idle=idle)
+
+
+def _limits_solved(b: Branch, resting: Equilibrium, coefficients: set[sp.Expr], signs: Signs) -> Branch:
+    """The branch with its relations between parameters solved for a coefficient of friction: tan α = μ."""
+    if not b.special:
+        return b
+    relations = []
+    for r in b.relations:
+        written = ()
+        if r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
+            written = tuple(not_negative(r.residual, coefficients, signs))
+        relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]
+    return replace(b, relations=tuple(relations))
+
+
+def _is_pulled_off(newton: Newton, pressed: Mapping[sp.Symbol, sp.Expr], signs: Signs) -> bool:
+    """Whether one-sided constraints would have to pull, one of them or one of two."""
+    needed = []
+    for r in newton.reactions:
+        if r.constraint.side is not None:
+            needed.append(pressed[r.force] * (1 if r.named else r.constraint.side))
+    for n, force in enumerate(needed):
+        if any((signs.assuming(shortest(other)) if other != 0 else signs).of(force) == -1 for other in needed[:n]):
+            return True
+    return any(signs.of(force) == -1 for force in needed)
+
+
+def _sign_there(
+    c: RoughContact, pressed: Mapping[sp.Symbol, sp.Expr], resting: Equilibrium, signs: Signs
+) -> int | None:
+    """The sign of N, as `c` takes it, at all equilibria; None if it is not the same, or not known."""
+    force = (c.sign or 1) * pressed[c.reaction.force]
+    sign = signs.of(force)
+    if sign is not None:
+        return sign
+    try:
+        there = {signs.of(resting.solution.at(p, force)) for b in resting.branches for p in b.points}
+    except (NotAlgebraicError, DivisionByZeroError):
+        return None
+    return there.pop() if len(there) == 1 else None

@@ -1,0 +1,210 @@
+"""When linear inequalities have a solution: Fourier–Motzkin elimination with coefficients of known sign.
+
+    c_i + Σ_j c_ij s_j ≥ 0 ,     i = 1 ... m ,
+
+the c being functions of parameters and position. An unknown s is eliminated by combining each inequality that bounds it
+from below, p s ≥ q with p > 0, with each that bounds it from above, u s ≤ v with u > 0, to u q ≤ p v. This needs the
+signs of the coefficients. Where that of u is not known but v ≥ 0, and s ≥ 0 is among the inequalities, u s ≤ v may be
+taken for an upper bound all the same: if u ≤ 0 it says nothing, and u q ≤ p v, q ≥ 0, says nothing either. Otherwise
+the cases u > 0 and u < 0 are taken one by one.
+
+Signs are exact: of products and of sums of terms of one sign (`closed_forms.signs`). The sine and cosine of an angle
+count as positive where the caller says so; which of these were needed is part of the result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from itertools import product
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.core.records import record
+from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_INEQUALITIES
+
+
+class NotEliminatedError(Exception):
+    """The inequalities are too many, or a sign could not be decided in any number of cases that is allowed."""
+
+
+@record
+class Inequality:
+    """constant + Σ coefficients[j] s_j ≥ 0."""
+
+    coefficients: tuple[sp.Expr, ...]
+    constant: sp.Expr
+
+
+@dataclass
+class Signs:
+    """Signs of expressions of parameters and position.
+
+    acute  symbols of angles whose sine and cosine count as positive
+    known  further expressions that are positive
+    used   the sines and cosines whose sign mattered
+    """
+
+    acute: Collection[sp.Symbol] = ()
+    known: tuple[sp.Expr, ...] = ()
+    used: set[sp.Expr] = field(default_factory=set)
+    found: dict[sp.Expr, tuple[int | None, tuple[sp.Expr, ...]]] = field(default_factory=dict)
+
+    def of(self, e: sp.Expr) -> int | None:
+        """+1, −1 or 0; None where it may be either."""
+        if e == 0:
+            return 0
+        if e not in self.found:
+            self.found[e] = self._sign(e)
+        sign, atoms = self.found[e]
+        self.used.update(atoms)
+        return sign
+
+    def _sign(self, e: sp.Expr) -> tuple[int | None, tuple[sp.Expr, ...]]:
+        """The sign, and the sines and cosines that it needs."""
+        forms = [*_forms(e), *(sp.cancel(sp.together(in_sines_and_cosines(e) / k)) for k in self.known)]
+        for form in forms:
+            sign = sign_of(form)
+            if sign is not None:
+                return sign, ()
+        for form in forms:
+            atoms = self._assumed(form)
+            sign = sign_of(form, atoms) if atoms else None
+            if sign is not None:
+                return sign, atoms
+        return None, ()
+
+    def _assumed(self, e: sp.Expr) -> tuple[sp.Expr, ...]:
+        return tuple(sorted((f for f in e.atoms(sp.sin, sp.cos) if _angle_of(f) in self.acute), key=str))
+
+    def assuming(self, positive: sp.Expr) -> Signs:
+        """The same with one more expression that is positive; `used` is shared."""
+        return Signs(self.acute, (*self.known, in_sines_and_cosines(positive)), self.used)
+
+
+def _angle_of(f: sp.Expr) -> sp.Expr | None:
+    """θ of sin θ and cos θ."""
+    return f.args[0] if f.args[0].is_Symbol else None
+
+
+def _forms(e: sp.Expr) -> Iterator[sp.Expr]:
+    """An expression in sines and cosines, with the square of either replaced by that of the other."""
+    plain = in_sines_and_cosines(e)
+    yield plain
+    if plain.count_ops() > LONGEST_SLACK:
+        return
+    for one, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
+        rule = {f**2: 1 - other(f.args[0]) ** 2 for f in plain.atoms(one)}
+        turned = sp.expand(plain).xreplace(rule)
+        if turned != plain:
+            yield sp.factor(sp.expand(turned))
+
+
+@lru_cache(maxsize=4096)
+def in_sines_and_cosines(e: sp.Expr) -> sp.Expr:
+    """An expression over one denominator, in the sines and cosines of single angles."""
+    if e.count_ops() > LONGEST_SLACK:
+        return e
+    plain = sp.expand_trig(e)
+    plain = plain.replace(sp.tan, lambda x: sp.sin(x) / sp.cos(x)).replace(sp.cot, lambda x: sp.cos(x) / sp.sin(x))
+    return sp.factor(sp.together(plain))
+
+
+@lru_cache(maxsize=4096)
+def shortest(e: sp.Expr) -> sp.Expr:
+    """An expression over one denominator, factored; with sin² + cos² = 1 if that makes it shorter."""
+    if e.is_number or e.is_Symbol or e.count_ops() > LONGEST_SLACK:
+        return e
+    best = in_sines_and_cosines(e)
+    for one, other in ((sp.sin, sp.cos), (sp.cos, sp.sin)):
+        rule = {f**2: 1 - other(f.args[0]) ** 2 for f in best.atoms(one)}
+        over, under = (sp.expand(part) for part in sp.fraction(best))
+        turned = sp.factor(sp.expand(over.xreplace(rule)) / sp.expand(under.xreplace(rule)))
+        if turned.count_ops() < best.count_ops():
+            best = turned
+    return best
+
+
+@record
+class Case:
+    """Slacks that are not negative, all of them, where the unknowns exist."""
+
+    slacks: tuple[sp.Expr, ...]
+
+
+def solvable(inequalities: Sequence[Inequality], signs: Signs, most: int = 0) -> tuple[Case, ...]:
+    """The cases in one of which the inequalities have a solution; none: they never have.
+
+    most  coefficients of unknown sign of which both signs are tried
+
+    A slack is not negative where the unknowns exist. Raises NotEliminatedError.
+    """
+    return tuple(_cases(list(inequalities), signs, most))
+
+
+def _cases(inequalities: list[Inequality], signs: Signs, depth: int) -> Iterator[Case]:
+    if len(inequalities) > MOST_INEQUALITIES:
+        raise NotEliminatedError
+    width = max((len(i.coefficients) for i in inequalities), default=0)
+    if not width:
+        slacks = []
+        for i in inequalities:
+            sign = signs.of(i.constant)
+            if sign == -1:
+                return
+            if sign is None:
+                slacks.append(i.constant)
+        yield Case(tuple(slacks))
+        return
+    open_: list[tuple[int, sp.Expr]] = []
+    for j in range(width):
+        found = [signs.of(i.coefficients[j]) for i in inequalities]
+        unsure = [i.coefficients[j] for i, s in zip(inequalities, found, strict=True) if s is None]
+        reduced = _without(inequalities, j, found, signs)
+        if reduced is not None:
+            yield from _cases(reduced, signs, depth)
+            return
+        open_.append((len(set(unsure)), unsure[0]))
+    if depth == 0:
+        raise NotEliminatedError
+    _, coefficient = min(open_, key=lambda o: o[0])
+    for side in (coefficient, -coefficient):
+        for case in _cases(inequalities, signs.assuming(side), depth - 1):
+            yield Case((side, *case.slacks))
+
+
+def _without(
+    inequalities: Sequence[Inequality], j: int, found: Sequence[int | None], signs: Signs
+) -> list[Inequality] | None:
+    """The inequalities without the unknown s_j; None if a sign that matters is not known."""
+    rest = [(_drop(i, j), i.coefficients[j], s) for i, s in zip(inequalities, found, strict=True)]
+    kept = [i for i, _, s in rest if s == 0]
+    lower = [(i, c) for i, c, s in rest if s == 1]
+    upper = [(i, -c) for i, c, s in rest if s == -1]
+    unsure = [(i, -c) for i, c, s in rest if s is None]
+    if unsure:
+        alone = all(c == 0 for i, *_ in rest for c in i.coefficients)
+        if not alone or any(signs.of(i.constant) not in (0, 1) for i, _ in unsure):
+            return None
+        # p s ≥ q with q = −constant: where q ≤ 0, s ≥ 0 says more
+        bounds = [(i, p, signs.of(-i.constant)) for i, p in lower]
+        if not any(s in (0, 1) for *_, s in bounds) or any(s is None for *_, s in bounds):
+            return None
+        lower = [(i, p) for i, p, s in bounds if s in (0, 1)]
+    return [*kept, *(_combined(low, p, high, u) for (low, p), (high, u) in product(lower, [*upper, *unsure]))]
+
+
+def _drop(i: Inequality, j: int) -> Inequality:
+    return Inequality(tuple(c for k, c in enumerate(i.coefficients) if k != j), i.constant)
+
+
+def _combined(low: Inequality, p: sp.Expr, high: Inequality, u: sp.Expr) -> Inequality:
+    """p s + low ≥ 0 and high − u s ≥ 0 without s: u low + p high ≥ 0."""
+
+    def both(a: sp.Expr, b: sp.Expr) -> sp.Expr:
+        return shortest(u * a + p * b) if a != 0 or b != 0 else sp.S.Zero
+
+    pairs = zip(low.coefficients, high.coefficients, strict=True)
+    return Inequality(tuple(both(a, b) for a, b in pairs), both(low.constant, high.constant))

@@ -1,0 +1,123 @@
+"""Rolling without slipping: as long as what the friction that it takes is available.
+
+Where constraints keep the point that touches at rest relative to what it touches, friction does no work and is the
+reaction of these constraints. It is that of a contact at rest, so that
+
+    |F| ≤ μ_s |N| ,
+
+F being the sum of the reactions at the point that touches but for N, the reaction that presses.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field
+
+import sympy as sp
+
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.contact.touching import acts_at
+from lagrange.mechanics.dynamics.friction import normal_size, other_side, place_of_contact, rough_reaction
+from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition, bounded_by
+from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
+from lagrange.problem.model import Friction, Problem
+
+
+@record
+class RollingContact:
+    """A contact that does not slip.
+
+    reactions  that keep it from slipping
+    size       |F|
+    pressed    N, or the multiplier times |g|
+    """
+
+    friction: Friction
+    normal: Reaction
+    reactions: tuple[Reaction, ...]
+    size: sp.Expr
+    pressed: sp.Expr
+
+
+@record
+class Rolling:
+    """The conditions under which nothing slips, in one set of coordinates; no case: it always slips."""
+
+    configuration: Configuration
+    contacts: tuple[RollingContact, ...]
+    cases: tuple[tuple[RestCondition, ...], ...]
+    assumed: tuple[sp.Expr, ...] = ()
+    equations: tuple[sp.Expr, ...] = ()
+    open: tuple[sp.Symbol, ...] = ()
+    forces: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    @property
+    def friction(self) -> dict[str, tuple[sp.Expr, ...]]:
+        """|F|, by the name of the friction."""
+        return {c.friction.name: (c.size,) for c in self.contacts}
+
+
+def rolling(problem: Problem, law: NewtonLaw, motion: Motion, configuration: Configuration) -> Rolling | None:
+    """The conditions under which the contacts that roll do not slip; None if none rolls, or reactions are left out."""
+    reactions = motion.reactions
+    if not law.rolling or reactions is None:
+        return None
+    signs = Signs({p.symbol for p in problem.parameters})
+    contacts, conditions = [], []
+    possible = True
+    for f in law.rolling:
+        normal, keeping = _keeping(f, law)
+        values = [reactions.forces.get(r.name, {}).get(f.on) for r in keeping]
+        multiplier = reactions.multipliers.get(normal.name)
+        if multiplier is None or None in values:
+            return None
+        direction = normal.on(f.on)
+        assert direction is not None
+        pressed = reactions.sizes.get(normal.name) if normal.named else None
+        if pressed is None:
+            pressed = multiplier * normal_size(configuration_vector(direction, configuration), normal, configuration)
+        total = sum((v.fixed() for v in values if v is not None), Vector.zero()).map(textbook_form)
+        components = [shortest(c) for c in total.components if c != 0]
+        side = normal.constraint.side
+        sign = f.contact if side is None else 1 if normal.named else side
+        assert f.static is not None
+        mu = f.static.xreplace(configuration.substitution)
+        found = bounded_by(components or [sp.S.Zero], shortest(pressed * (sign or 1)), mu, sign is not None, signs)
+        possible = possible and found is not None
+        conditions += found or []
+        size = components[0] if len(components) == 1 else sp.sqrt(shortest(sp.Add(*(c**2 for c in components))))
+        sense = signs.of(size)
+        size = size * sense if sense is not None else sp.Abs(size)
+        contacts.append(RollingContact(f, normal, keeping, size, pressed))
+    cases = (tuple(dict.fromkeys(conditions)),) if possible else ()
+    return Rolling(configuration, tuple(contacts), cases, tuple(sorted(signs.used, key=str)))
+
+
+def configuration_vector(vector: Vector, configuration: Configuration) -> Vector:
+    """A vector of the file's coordinates in those of a configuration."""
+    return vector.xreplace(configuration.substitution)
+
+
+def _keeping(friction: Friction, law: NewtonLaw) -> tuple[Reaction, tuple[Reaction, ...]]:
+    """The reaction that presses, and those that keep the point that touches from slipping."""
+    original = law.configuration
+    normal = rough_reaction(friction, law.newton, original)
+    opposite = other_side(friction, law.all_frictions, normal, original)
+    place = place_of_contact(friction, normal, opposite, original)
+    keeping: Sequence[Reaction] = [
+        r
+        for r in law.newton.reactions
+        if r is not normal
+        and r.on(friction.on) is not None
+        and acts_at(r, friction.on, next((n for n in r.acts_on if n != friction.on), ""), place, original)
+    ]
+    if not keeping:
+        what = f"the friction `{friction.name}`, whose point does not slip although no constraint holds it,"
+        raise NotCoveredError(what, friction.span)
+    return normal, tuple(keeping)
