@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.support.nets import constraint_systems, motions, statics
+from tests.support.nets import constraint_systems, motions, statics, units
 from tests.support.nets.evaluate import NotReadError, evaluate, holds, names_in
 from tests.support.nets.rest import rests
 from tests.support.nets.run import Printed, TooLongError, limited, wrong_names
@@ -127,6 +127,31 @@ def test_names_of_the_program_are_found() -> None:
     assert {f.kind for f in wrong_names(shown, {"x"})} == {"strange symbol", "not for print"}
 
 
+@pytest.mark.parametrize(
+    ("keeper", "sign", "wrong"),
+    [("", 1, False), ("", -1, True), ("string", 1, False), ("wire", -1, False), ("wire", 1, True)],
+)
+def test_a_named_reaction_with_a_wrong_sign_is_found(keeper: str, sign: int, wrong: bool) -> None:
+    """A pendulum that hangs at rest: its rod pulls with m g = 20, upwards; a wire presses along the outer normal with −20."""
+    s = System("pendulum", ["x", "y"])
+    s.particle("P", "2", "x", "y")
+    s.constraints, s.named = {"rod": "x^2 + y^2 = 4"}, {"rod": "T"}
+    if keeper == "wire":
+        s.keepers = {"rod": "wire"}
+    else:
+        s.anchors = {"rod": ("P", ("0", "0"))}
+    s.weigh("10")
+    at = motions.accelerated(s, np.array([0.0, -2.0]), np.zeros(2), {}, 0.0)
+    assert at is not None
+    assert bool(list(motions._named_forces(s, {"T": 20.0 * sign}, at))) is wrong
+
+
+def test_a_wrong_unit_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(units, "UNITS", {name: {"g": 1.0, "in": 1.0, "lb": 1.0} for name in units.UNITS})
+    found = [f.kind for seed in (1, 2) for f in units.findings(seed)]
+    assert "value" in found
+
+
 def test_limit_of_time() -> None:
     with pytest.raises(TooLongError), limited(0.05):
         sum(1 for _ in iter(int, 1))
@@ -157,8 +182,16 @@ def test_a_state_is_consistent() -> None:
 
 @pytest.mark.parametrize(
     ("net", "seed"),
-    [(statics, 2), (statics, 6), (motions, 2), (motions, 4), (constraint_systems, 1), (constraint_systems, 4)],
+    [
+        (statics, 2),
+        (statics, 6),
+        (motions, 2),
+        (motions, 4),
+        (constraint_systems, 1),
+        (constraint_systems, 4),
+        (units, 1),
+    ],
 )
 def test_a_few_cases(net: Any, seed: int) -> None:
-    """Six cases that always run; several hundred are in truth/test_nets.py."""
+    """Seven cases that always run; several hundred are in truth/test_nets.py."""
     assert [str(f) for f in net.findings(seed)] == []

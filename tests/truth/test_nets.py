@@ -9,10 +9,11 @@ from dataclasses import dataclass
 
 import pytest
 
-from tests.support.nets import constraint_systems, motions, statics
+from tests.support.nets import constraint_systems, motions, statics, units
 from tests.support.nets.run import Finding
 
 NETS = {"statics": (statics, 160), "motions": (motions, 100), "constraint_systems": (constraint_systems, 60)}
+NETS |= {"units": (units, 36)}
 FIRST = 1000
 
 SOFT = ("undecided stability", "undecided linear stability")

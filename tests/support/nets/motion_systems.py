@@ -11,6 +11,15 @@ from tests.support.nets.system import System
 Rng = random.Random
 
 
+def kept(s: System, rng: Rng, constraint: str, particle: str, *anchor: str) -> None:
+    """A constraint that keeps a distance, by what the file says: a tension, or the force of a surface."""
+    by = rng.choice(["", "", "rod", "string", "wire", "surface"])
+    if by:
+        s.keepers[constraint] = by
+    if by not in ("wire", "surface"):
+        s.anchors[constraint] = (particle, anchor)
+
+
 def central(rng: Rng) -> System:
     s = System("particle in polar coordinates", ["r", "phi"], {"phi"})
     p = letters(s, rng, 0.6, m=whole(rng), a=whole(rng))
@@ -29,6 +38,7 @@ def pendulum_cartesian(rng: Rng) -> System:
         [f"x^2 + y^2 = {p['l']}^2", f"{p['l']} = sqrt(x^2 + y^2)", f"{p['l']}^2 - y^2 - x^2 = 0"]
     )
     s.named["rod"] = "S"
+    kept(s, rng, "rod", "P", "0", "0")
     s.weigh(p["g"])
     if rng.random() < 0.4:
         s.push("P", signed(rng), "0")
@@ -49,6 +59,7 @@ def wire(rng: Rng) -> System:
     )
     s.constraints["wire"] = rng.choice([f"y = {curve}", f"{curve} = y", f"2*y - 2*({curve}) = 0"])
     s.named["wire"] = "N"
+    s.keepers |= rng.choice([{}, {"wire": "wire"}, {"wire": "surface"}])
     s.weigh(p["g"])
     if rng.random() < 0.6:
         s.choose("abscissa", ["x"], {"y": curve}, set())
@@ -72,6 +83,8 @@ def sphere(rng: Rng) -> System:
         [f"x^2 + y^2 + z^2 = {p['R']}^2", f"z = {p['R']}*(x^2 + y^2)", f"x^2 + y^2 = {p['R']}^2*z^2"]
     )
     s.named["surface"] = "N"
+    if s.constraints["surface"].startswith("x^2 + y^2 + z^2"):
+        kept(s, rng, "surface", "P", "0", "0", "0")
     s.weigh(p["g"], 2)
     return s
 
@@ -96,6 +109,8 @@ def double_cartesian(rng: Rng) -> System:
     s.constraints["c1"] = rng.choice([f"x^2 + y^2 = {p['a']}^2", f"{p['a']}^2 = x^2 + y^2"])
     s.constraints["c2"] = rng.choice([f"(X - x)^2 + (Y - y)^2 = {p['b']}^2", f"{p['b']}^2 = (x - X)^2 + (y - Y)^2"])
     s.named = {"c1": "S", "c2": "T_r"}
+    kept(s, rng, "c1", "A", "0", "0")
+    s.anchors["c2"] = ("B", ("x", "y"))
     s.weigh(p["g"])
     if rng.random() < 0.5:
         x, y = f"{p['a']}*sin(theta)", f"-{p['a']}*cos(theta)"
@@ -150,6 +165,7 @@ def atwood(rng: Rng) -> System:
     s.particle("B", p["M"], "1", "-y")
     s.constraints["string"] = rng.choice([f"x + y = {p['L']}", f"{p['L']} = x + y", f"-2*x - 2*y + 2*{p['L']} = 0"])
     s.named["string"] = "T_s"
+    s.anchors["string"] = ("A", ("0", "1000"))
     s.weigh(p["g"])
     return s
 

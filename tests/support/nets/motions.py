@@ -28,8 +28,6 @@ from tests.support.nets.taylor import Taylor, variables
 Array = Any
 STATES = 2
 TOLERANCE = 1e-6
-SIDED = {"N"}
-"""Names of reactions along a normal; the others are tensions, positive where they pull."""
 
 
 @dataclass
@@ -61,13 +59,11 @@ def findings(seed: int) -> list[Finding]:
         other = rewritten(system, rng)
         again, others = check_system(other, random_states(other, random.Random(seed)), states[0] if states else None)
         found += [replace(f, kind=f"{f.kind} (rewritten)") for f in again]
+        sided = {name for c, name in system.named.items() if c not in system.anchors}
         for name in {*values} & {*others}:
             a, b = values[name], others[name]
-            if name in SIDED:
-                a, b = (
-                    abs(a),
-                    abs(b),
-                )  # n is along the gradient of left minus right, which exchanging the sides turns over
+            if name in sided:  # n is along the gradient of left minus right, which exchanging the sides turns over
+                a, b = abs(a), abs(b)
             if abs(a - b) > 1e-6 * (1 + abs(a)):
                 said = f"{name} = {values[name]:.6g}, and {others[name]:.6g} as {other.constraints or other.forms}"
                 found.append(Finding("named reaction", said, "one force", system.text))
@@ -98,7 +94,12 @@ def state(system: System, rng: random.Random) -> State | None:
     result = newton(broken, start) if system.constraints else (start, None)
     if result is None:
         return None
-    q = result[0]
+    return accelerated(system, result[0], np.array([rng.uniform(-1.5, 1.5) for _ in range(n)]), parameters, time)
+
+
+def accelerated(system: System, q: Array, velocities: Array, parameters: dict[str, float], time: float) -> State | None:
+    """The motion at a position, with the nearest velocities that the constraints admit; None where it is not determined."""
+    n = len(q)
     names = _series(system, q, time, parameters)
     zero = names["t"] * 0
     fs = [zero + difference(c, names) for c in system.constraints.values()]
@@ -111,7 +112,7 @@ def state(system: System, rng: random.Random) -> State | None:
     a = np.array([*rows.values()]).reshape(len(rows), n + 1)
     if len(rows) and np.linalg.svd(a[:, :n])[1][-1] < 1e-3:
         return None
-    v = np.array([rng.uniform(-1.5, 1.5) for _ in range(n)])
+    v = velocities
     if len(rows):
         v = v - np.linalg.lstsq(a[:, :n], a @ np.append(v, 1), rcond=None)[0]
     moving = np.append(v, 1)
@@ -188,7 +189,7 @@ def check_system(
         if reference is not None:
             values = _named(system, shown, reference)
         if states:
-            found += list(_sizes(system, _named(system, shown, states[0]), states[0]))
+            found += list(_named_forces(system, _named(system, shown, states[0]), states[0]))
     except NotReadError as error:
         found.append(Finding("not read back", str(error), "what is printed can be read", ""))
     return list({f.kind: replace(f, text=system.text) for f in reversed(found)}.values()), values
@@ -332,30 +333,27 @@ def _named(system: System, shown: Printed, s: State) -> dict[str, float]:
     return values
 
 
-def _sizes(system: System, values: dict[str, float], s: State) -> Iterator[Finding]:
-    """The size of a named reaction is that of the force on each particle that it acts on: |λ| |∂f/∂r|; a tension of a rod pulls."""
+def _named_forces(system: System, values: dict[str, float], s: State) -> Iterator[Finding]:
+    """A named reaction is λ ∂f/∂r on its particle: its part towards the other end, if it keeps a distance, otherwise
+    along ∇f/|∇f| with f the left side minus the right side."""
     names = _series(system, s.q, s.time, s.parameters)
     zero = names["t"] * 0
     for constraint, name in system.named.items():
         if name not in values:
             continue
         total = s.multipliers[constraint] * s.rows[constraint]
-        forces = []
-        for _, r in system.particles.values():
-            rows = np.array([(zero + evaluate(c, names)).gradient[: len(s.q)] for c in r])
-            if np.abs(rows @ total).max() > 1e-9:
-                forces.append(
-                    float(
-                        np.linalg.norm(np.linalg.lstsq(rows.T, rows.T @ np.linalg.pinv(rows.T) @ total, rcond=None)[0])
-                    )
-                )
-        if forces and min(abs(abs(values[name]) - f) for f in forces) > 1e-6 * (1 + max(forces)):
-            yield Finding("named reaction", f"{name} = {values[name]:.8g}", f"the force is {forces[0]:.8g}")
-        if constraint == "rod":
-            pulls = -float(total @ s.q / np.linalg.norm(s.q))  # x and y, in whatever order
-            if abs(values[name] - pulls) > 1e-6 * (1 + abs(pulls)):
-                yield Finding(
-                    "named reaction",
-                    f"the tension of the rod is {values[name]:.8g}",
-                    f"{pulls:.8g}, positive where it pulls",
-                )
+        on, anchor = system.anchors.get(constraint, (next(iter(system.particles)), ()))
+        places = [zero + evaluate(c, names) for c in system.particles[on][1]]
+        rows = np.array([c.gradient[: len(s.q)] for c in places])
+        pinned = np.linalg.pinv(rows.T)
+        force, normal = pinned @ total, pinned @ s.rows[constraint]
+        if anchor:
+            towards = np.array(
+                [float((zero + evaluate(a, names)).value - c.value) for a, c in zip(anchor, places, strict=True)]
+            )
+            true = float(force @ towards / np.linalg.norm(towards))
+            what = "the part of the force towards the other end"
+        else:
+            true, what = float(force @ normal / np.linalg.norm(normal)), "the part of the force along the gradient"
+        if abs(values[name] - true) > 1e-6 * (1 + abs(true)):
+            yield Finding("named reaction", f"{name} = {values[name]:.8g}", f"{what} is {true:.8g}")

@@ -58,9 +58,8 @@ def check_system(system: System, rng: random.Random, checking: bool = True) -> l
         found += _compared(system, shown, places, draws, rng)
         for name, (chart, _) in system.choices.items():
             in_chart = [r for parameters in draws for r in rests(chart, parameters, rng)]
-            found += _compared(
-                chart, shown.in_choice(name), [r for r in in_chart if not _is_of_chart(chart, r)], draws, rng
-            )
+            in_chart = [r for r in in_chart if not _is_of_chart(chart, r)]
+            found += _compared(chart, shown.in_choice(name), in_chart, draws, rng, system)
         if checking:
             found += list(_judged(system, shown, draws, rng))
     except NotReadError as error:
@@ -73,8 +72,10 @@ def _is_of_chart(system: System, r: Rest) -> bool:
 
 
 def _compared(
-    system: System, shown: Printed, places: Sequence[Rest], draws: Sequence[dict[str, float]], rng: random.Random
-) -> list[Finding]:
+    system: System, shown: Printed, places: Sequence[Rest], draws: Sequence[dict[str, float]], rng: random.Random,
+    file: System | None = None,
+) -> list[Finding]:  # fmt: skip
+    """file: the system in the coordinates of the file, where `system` is that in a choice."""
     branches = list(zip(shown.json.get("equilibrium", []), shown.json.get("equilibrium_conditions", []), strict=True))
     named_singular = "coordinates are singular there" in shown.page()
     open_existence = "whether there is one is left open" in shown.page()
@@ -87,7 +88,7 @@ def _compared(
     if not system.forms:
         found += _stability(system, shown, branches, places)
         found += _oscillations(system, shown, places)
-    return found + _reactions(system, shown, branches, places)
+    return found + _reactions(system, file or system, shown, branches, places)
 
 
 # Places
@@ -290,36 +291,62 @@ def _agree(a: Sequence[float], b: Sequence[float]) -> bool:
 
 
 def _reactions(
-    system: System, shown: Printed, branches: Sequence[tuple[list[str], list[str]]], places: Sequence[Rest]
-) -> list[Finding]:
-    """The forces of each finite constraint on each particle: λ ∂f/∂r, where the positions are the coordinates themselves."""
-    found: list[Finding] = []
+    system: System, file: System, shown: Printed, branches: Sequence[tuple[list[str], list[str]]],
+    places: Sequence[Rest],
+) -> list[Finding]:  # fmt: skip
+    """The forces of each finite constraint on each particle: λ ∂f/∂r, where the positions are the coordinates themselves.
+
+    Σ λ ∂f/∂q = ∂V/∂q is solved in the file's coordinates, also for what is printed in a choice.
+    """
     stated = shown.json.get("reactions", {})
-    for c, name in enumerate(system.constraints):
-        for n, at_rest in enumerate(stated.get(name, {}).get("at_equilibrium", [])):
-            for r in places if at_rest else ():
-                if r.degenerate or not satisfies(system, r, *branches[n]):
-                    continue
-                gradient = system.finite(r.q, r.parameters)[c].gradient
-                for particle, text in at_rest.get("on", {}).items():
-                    axes = dict(zip("ijk", np.eye(3), strict=True))
-                    force = evaluate(text, axes | system.scope(r.q, r.parameters)) + np.zeros(3)
-                    own = [
-                        system.coordinates.index(x) if x in system.coordinates else None
-                        for x in system.particles[particle][1]
-                    ]
-                    true = [float(r.multipliers[c] * gradient[k]) if k is not None else math.nan for k in own]
-                    errors = [abs(a - b) / (1 + abs(b)) for a, b in zip(force, true, strict=False) if not math.isnan(b)]
-                    if not all(e < 1e-4 for e in errors):
-                        found.append(
-                            Finding(
-                                "reaction",
-                                f"{name} on {particle}: {text} = {force.round(5).tolist()} at {_where(system, r)}",
-                                f"{true}",
-                            )
-                        )
-                        return found
-    return found
+    axes = dict(zip("ijk", np.eye(3), strict=True))
+    for n, r in [(n, r) for n in range(len(branches)) for r in places]:
+        given = {c: entries[n] for c in file.constraints if (entries := stated.get(c, {}).get("at_equilibrium"))}
+        if r.degenerate or not any(given.values()) or not satisfies(system, r, *branches[n]):
+            continue
+        scope = axes | system.scope(r.q, r.parameters)
+        q = _in_file(system, file, shown.choice, r)
+        gradients = dict(zip(file.constraints, (f.gradient for f in file.finite(q, r.parameters)), strict=True))
+        rows = np.array([*gradients.values()])
+        if np.linalg.svd(rows)[1][-1] < 1e-6:
+            continue
+        solved = np.linalg.lstsq(rows.T, file.energy(q, r.parameters).gradient, rcond=None)[0]
+        for (c, gradient), multiplier in zip(gradients.items(), solved, strict=True):
+            for said, value, true in _stated_reaction(given.get(c), file, gradient * multiplier, multiplier, scope):
+                errors = [abs(x - y) / (1 + abs(y)) for x, y in zip(value, true, strict=False) if not math.isnan(y)]
+                if not all(e < 1e-4 for e in errors):
+                    return [Finding("reaction", f"{c}, {said} = {value} at {_where(system, r)}", f"{true}")]
+    return []
+
+
+def _in_file(system: System, file: System, choice: str, r: Rest) -> Array:
+    """The file's coordinates at a place of rest of a choice."""
+    if system is file:
+        return r.q
+    substitute, names = file.choices[choice][1], system.names([float(x) for x in r.q], r.parameters)
+    return np.array([evaluate(substitute.get(x, x), names) for x in file.coordinates])
+
+
+def _stated_reaction(
+    given: dict[str, Any] | None, file: System, total: Array, multiplier: float, scope: dict[str, Any]
+) -> Iterator[tuple[str, list[float], list[float]]]:
+    """What is printed of one reaction, its value, and the true one; nan where a coordinate is not one of a particle."""
+    if not given:
+        return
+    if given.get("multiplier") is not None:
+        yield f"λ: {given['multiplier']}", [evaluate(given["multiplier"], scope)], [float(multiplier)]
+    forces = {p: evaluate(text, scope) + np.zeros(3) for p, text in given.get("on", {}).items()}
+    for particle, force in forces.items():
+        own = [file.coordinates.index(x) if x in file.coordinates else None for x in file.particles[particle][1]]
+        true = [float(total[k]) if k is not None else math.nan for k in own]
+        yield f"on {particle}: {given['on'][particle]}", [*map(float, force)], true
+    if forces and given.get("force") is not None and given.get("direction") is not None:
+        along = evaluate(given["force"], scope) * (evaluate(given["direction"], scope) + np.zeros(3))
+        yield (
+            f"N n: ({given['force']}) ({given['direction']})",
+            [*map(float, along)],
+            [*map(float, next(iter(forces.values())))],
+        )
 
 
 # What `check` says of the list

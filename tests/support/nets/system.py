@@ -29,7 +29,10 @@ class System:
     particles    name: (mass, components of the position); mass "0" for a massless point
     bodies       name: (mass, inertia about k, components of the position of the mass centre, angle)
     named        the constraints whose reaction has a name: {constraint: name}
+    keepers      what keeps a constraint, where the file says it: {constraint: word of `by`}
+    anchors      of constraints that keep a distance: the particle, and where the other end is
     constraints  name: equation between coordinates
+    values       what the file gives as the value of a parameter, a number with its unit
     forms        name: {coordinate: coefficient}, a kinematic constraint
     terms        of V: weights, springs, constant forces, potentials
     turns_as_a_whole  whether all coordinates together count modulo 2π
@@ -46,6 +49,9 @@ class System:
     bodies: dict[str, tuple[str, str, tuple[str, ...], str]] = field(default_factory=dict)
     constraints: dict[str, str] = field(default_factory=dict)
     named: dict[str, str] = field(default_factory=dict)
+    keepers: dict[str, str] = field(default_factory=dict)
+    anchors: dict[str, tuple[str, tuple[str, ...]]] = field(default_factory=dict)
+    values: dict[str, str] = field(default_factory=dict)
     dampers: list[tuple[str, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
     forms: dict[str, dict[str, str]] = field(default_factory=dict)
     gravity: str = ""
@@ -119,8 +125,9 @@ class System:
     def text(self) -> str:
         lines = [f"title: {self.family}"]
         if self.parameters:
-            assumed = ", ".join(f"{p}: {'real' if p in self.real else 'positive'}" for p in self.parameters)
-            lines.append(f"parameters: {{{assumed}}}")
+            assumed = {p: "real" if p in self.real else "positive" for p in self.parameters}
+            valued = {p: f"{{assume: {a}, value: {v}}}" for p, a in assumed.items() if (v := self.values.get(p))}
+            lines.append(f"parameters: {{{', '.join(f'{p}: {a}' for p, a in (assumed | valued).items())}}}")
         lines.append(f"coordinates: [{', '.join(self.coordinates)}]")
         if self.particles:
             lines.append("particles:")
@@ -139,6 +146,7 @@ class System:
             lines.append("constraints:")
             for name, equation in self.constraints.items():
                 reaction = f", reaction: {self.named[name]}" if name in self.named else ""
+                reaction += f", by: {self.keepers[name]}" if name in self.keepers else ""
                 lines.append(
                     f"  {name}: {{equation: '{equation}'{reaction}}}" if reaction else f"  {name}: '{equation}'"
                 )
