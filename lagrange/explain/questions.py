@@ -38,6 +38,8 @@ def _body(asked: Asked, initial: Sequence[InitialValue], conserved_shown: bool) 
         yield display(*(Equation((u.symbol, u.value)) for u in asked.used))
     if asked.route in (Route.INTEGRALS, Route.QUADRATURE) and asked.integrals:
         yield from _integrals(asked, initial, conserved_shown)
+    if asked.integrand is not None:
+        yield from _quadrature(asked.integrand)
     if asked.solutions:
         yield from _solutions(asked, initial)
     yield from _condition(asked)
@@ -112,6 +114,17 @@ def _multiplied(i: UsedIntegral, q: sp.Symbol, v: sp.Symbol) -> tuple[Part, ...]
             " and the integrating factor ", math(i.factor), " it can be integrated.")  # fmt: skip
 
 
+def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]) -> Iterator[Block]:
+    """The velocity, and between which places its inverse is integrated."""
+    q, speed, start, end = integrand
+    v = sp.Symbol(f"{q}'", real=True)
+    yield prose("This gives")
+    yield display(Equation((v, speed)))
+    yield prose(
+        "The time is the integral of ", math(1 / v), " over ", math(q), " from ", math(start), " to ", math(end), "."
+    )
+
+
 def _solutions(asked: Asked, initial: Sequence[InitialValue]) -> Iterator[Block]:
     """Coordinates as functions of time."""
     one = len(asked.solutions) == 1
@@ -170,7 +183,7 @@ def _how(asked: Asked) -> tuple[Part, ...]:
     if asked.route is Route.STATE:
         return ("In this state",)
     if asked.route is Route.QUADRATURE:
-        return ("With the velocity from this integral, the time is an integral over the coordinate, which gives",)
+        return ("It is elementary, as differentiation shows:",)
     return ("Together these give",)
 
 
