@@ -37,7 +37,8 @@ def _product(e: sp.Expr) -> sp.Expr:
         else:
             outside.append(under_one_root(f))
     if len(inside) < 2 and not (inside and inside[0].is_Rational is False and _fits(number, inside[0])):
-        return e
+        parts = [under_one_root(f) for f in e.args]
+        return e if list(e.args) == parts else sp.Mul(*parts, evaluate=False)
     radicand = without_leading_minus(sp.Mul(*inside))
     if _fits(number, radicand):  # √(2/3 g R) for √6/3 √(g R)
         radicand, number = number**2 * radicand, sp.sign(number)

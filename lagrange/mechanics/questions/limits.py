@@ -22,3 +22,5 @@ MOST_CASES = 6
 # Sets of values that are tried for the conditions of an answer to hold, and states of an answer that are checked.
 SAMPLES_TRIED = 12
 MOST_SAMPLED_STATES = 4
+# A zero of a condition before this share of the horizon is that of the initial state.
+SMALLEST_TIME = 1e-9

@@ -26,6 +26,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
@@ -155,7 +156,32 @@ class _Search:
             raise ProblemError(self._changes())
         if free and self._not_given():
             raise ProblemError(self._not_determined(free))
-        return self._asked(Route.INTEGRALS, free=free)
+        return self._in_numbers() or self._asked(Route.INTEGRALS, free=free)
+
+    def _in_numbers(self) -> Asked | None:
+        """The answer at the first time at which the condition holds, in numbers; None where values are missing."""
+        values = {p.symbol: p.value for p in self.setting.problem.parameters if p.value is not None}
+        known, moving = self.setting.known.accelerations, {*self.place.moving}
+        expressions = [*known.values(), *self.setting.initial.values(), self.quantity, *self.when]
+        if self.configuration.rows or len(known) < len(self.slots.coordinates) or self._not_given():
+            return None
+        if len(self.when) != 1 or not all(e.free_symbols <= moving | values.keys() for e in expressions):
+            return None
+        if not numerical.is_available():
+            return replace(self._asked(Route.NUMBERS), needs=numerical.EXTRA)
+        found = numerical.first_value(
+            {a: e.xreplace(values) for a, e in known.items()},
+            {s: e.xreplace(values) for s, e in self.setting.initial.items()},
+            self.slots.coordinates,
+            self.slots.velocities,
+            self.when[0].xreplace(values),
+            self.quantity.xreplace(values),
+        )
+        if found is None:
+            return None
+        number = sp.Float(found, 6)
+        branch = AnswerBranch(self.question.quantity, number, (number,))
+        return replace(self._asked(Route.NUMBERS, How.NUMERICAL, ()), branches=(branch,), verified=None)
 
     def _not_given(self) -> list[sp.Symbol]:
         """The coordinates and velocities that have no value at t = 0."""
@@ -234,6 +260,8 @@ class _Search:
             self.quantity,
             missing=tuple(sorted(self.setting.missing, key=str)),
             open=tuple(sorted(free, key=str)),
+            initial=tuple(Substituted(v.symbol, under_one_root(v.value)) for v in self.setting.problem.initial),
+            senses=self.setting.known.senses,
         )
 
     # -- in time -------------------------------------------------------------------------------------------------------
@@ -257,7 +285,7 @@ class _Search:
         return replace(
             self._asked(Route.SOLUTION, How.EXACT, ()),
             branches=tuple(_shown(b) for b in branches),
-            solutions=motions[0].solutions if len(motions) == 1 else {},
+            solutions={q: under_one_root(e) for q, e in motions[0].solutions.items()} if len(motions) == 1 else {},
         )
 
     def _at_time_of(self, motion: ClosedMotion) -> list[AnswerBranch] | None:
@@ -338,7 +366,7 @@ class _Search:
             return None
         branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
         asked = self._asked(Route.QUADRATURE, How.EXACT, used)
-        return replace(asked, branches=(_shown(branch),), integrand=(q, speed, initial[q], end))
+        return replace(asked, branches=(_shown(branch),), integrand=(q, under_one_root(speed), initial[q], end))
 
     def _changes(self) -> Diagnostic:
         message = f"the quantity of the question `{self.question.name}` changes during the motion"

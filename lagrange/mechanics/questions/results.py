@@ -96,6 +96,8 @@ class Substituted:
 class Asked:
     """The answer to a question.
 
+    initial     the state at t = 0 as the file gives it
+    senses      velocities whose modulus was taken with the sign that they have at first
     choice      the coordinates in which it was answered; empty for the file's own
     integrals   those that were used
     used        reactions and accelerations in the question, in terms of positions and velocities
@@ -127,6 +129,8 @@ class Asked:
     missing: tuple[sp.Symbol, ...] = ()
     integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr] | None = None
     open: tuple[sp.Symbol, ...] = ()
+    initial: tuple[Substituted, ...] = ()
+    senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
     needs: str = ""
     verified: bool | None = True
 

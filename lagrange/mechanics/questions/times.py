@@ -134,7 +134,7 @@ def _of_waves(e: sp.Expr) -> list[TimeRoot] | None:
     c = sp.expand(e - a * sp.cos(phase) - b * sp.sin(phase))
     if any(t in x.free_symbols for x in (a, b, c)):
         return None
-    return _first_of_wave(*(sp.factor(x) for x in (a, b, c)), sp.Abs(w))
+    return _first_of_wave(sp.factor(a), sp.factor(b), sp.factor(c), sp.Abs(w))
 
 
 def _first_of_wave(a: sp.Expr, b: sp.Expr, c: sp.Expr, w: sp.Expr) -> list[TimeRoot] | None:
