@@ -235,7 +235,7 @@ def _states(
             found = _coordinate(u, b, point, solved)
             if found is not None:
                 state[u] = found
-        state |= {s: point[s] for s in point if s not in squares.values()}
+        state |= {s: value for s, value in point.items() if s not in squares.values() and s not in unknowns}
         for roots in product(*(roots for _, roots in signed)):
             whole = {**state, **dict(zip([v for v, _ in signed], roots, strict=True))}
             groups.setdefault(tuple(conditions), []).append(whole)
