@@ -247,9 +247,9 @@ def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[t
             left = _at_start(form).xreplace(dict(known))
             if left.free_symbols & moving or is_zero(left) is not False:
                 continue
-            kind = "its rate" if velocity and row.finite is not None else "it"
+            kind = "the rate of left minus right" if velocity and row.finite is not None else "left minus right"
             message = f"the initial state contradicts the constraint `{row.name}`"
-            label = f"{kind} should be 0, and is {text(tidy_quotient(left))}"
+            label = f"{kind} would be {text(tidy_quotient(left))}, not 0"
             help_ = "change the values, or leave out those that follow from the others"
             raise ProblemError(Diagnostic("initial-contradicts", message, last, label, help_))
     for e, v in conditions:
