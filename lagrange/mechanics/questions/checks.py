@@ -102,7 +102,6 @@ class _SecondRoute:
         numbers: dict[sp.Symbol, sp.Expr],
     ) -> bool | None:
         """Whether all holds at one state; None where the state is not known in full."""
-        own, present = self.own.configuration.slots, configuration.slots
         question = asked.question
         at = dict(numbers)
         if question.quantity in self.parameters:
@@ -110,7 +109,22 @@ class _SecondRoute:
             if number is None:
                 return None
             at[question.quantity] = number
-        place: dict[sp.Symbol, sp.Expr] = {}
+        verdicts = {self._holds_at(asked, configuration, state, value, at, sp.Rational(filled, 7)) for filled in (3, 5)}
+        return verdicts.pop() if len(verdicts) == 1 else None
+
+    def _holds_at(
+        self,
+        asked: Asked,
+        configuration: Configuration,
+        state: Numbers,
+        value: sp.Expr,
+        at: dict[sp.Symbol, sp.Expr],
+        filled: sp.Expr,
+    ) -> bool | None:
+        """Whether all holds at one state, with a number for the coordinates that it leaves open."""
+        own, present = self.own.configuration.slots, configuration.slots
+        question = asked.question
+        place: dict[sp.Symbol, sp.Expr] = {q: filled for q in present.coordinates if q not in state}
         for s, e in state.items():
             if s in (t, *present.coordinates, *present.velocities) and s != question.by:
                 number = _number(e, at)

@@ -47,6 +47,20 @@ def _product(e: sp.Expr) -> sp.Expr:
     return factors[0] if len(factors) == 1 else sp.Mul(*factors, evaluate=False)
 
 
+def without_roots_in_logarithms(e: sp.Expr) -> sp.Expr:
+    """log √x as log(x)/2, also where the root is in a denominator."""
+
+    def shorter(f: sp.Expr) -> sp.Expr:
+        inner = f.args[0]
+        if not inner.is_Mul or not inner.is_positive or inner.is_number:
+            return f
+        square = sp.cancel(sp.together(inner**2))
+        has_root = any(p.exp.is_Rational and not p.exp.is_Integer for p in square.atoms(sp.Pow))
+        return f if has_root or square.count_ops() >= inner.count_ops() else sp.log(square) / 2
+
+    return e.replace(lambda f: isinstance(f, sp.log), shorter)
+
+
 def _fits(number: sp.Expr, radicand: sp.Expr) -> bool:
     """Whether a fraction goes under a root without leaving a larger number there."""
     inner = radicand.as_coeff_Mul()[0]

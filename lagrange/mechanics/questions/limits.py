@@ -24,3 +24,5 @@ SAMPLES_TRIED = 12
 MOST_SAMPLED_STATES = 4
 # A zero of a condition before this share of the horizon is that of the initial state.
 SMALLEST_TIME = 1e-9
+# What a finite constraint may be off zero after an integration in dependent coordinates.
+LARGEST_DRIFT = 1e-6

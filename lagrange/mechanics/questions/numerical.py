@@ -15,7 +15,7 @@ from typing import Any
 import sympy as sp
 
 from lagrange.core.symbols import t
-from lagrange.mechanics.questions.limits import HORIZONS, MOST_EVALUATIONS, SMALLEST_TIME
+from lagrange.mechanics.questions.limits import HORIZONS, LARGEST_DRIFT, MOST_EVALUATIONS, SMALLEST_TIME
 
 Function = Callable[[Sequence[float]], float]
 EXTRA = "sim"
@@ -49,10 +49,12 @@ def first_value(
     velocities: Sequence[sp.Symbol],
     condition: sp.Expr,
     quantity: sp.Expr,
+    constraints: Sequence[sp.Expr] = (),
 ) -> float | None:
     """The quantity at the first time t > 0 at which the condition is zero; None where none was found.
 
-    All expressions have numbers in place of parameters.
+    All expressions have numbers in place of parameters. In dependent coordinates the finite constraints must still hold
+    where the search ends, up to `LARGEST_DRIFT`.
     """
     from scipy.integrate import solve_ivp
 
@@ -60,6 +62,7 @@ def first_value(
     try:
         rates = [_function(a, order) for a in accelerations.values()]
         event, value = _function(condition, order), _function(quantity, order)
+        kept = [_function(f, order) for f in constraints]
         start = [float(initial[s]) for s in (*coordinates, *velocities)]
     except (_UnknownError, TypeError):
         return None
@@ -82,7 +85,8 @@ def first_value(
             run = solve_ivp(rate, (0.0, horizon), start, events=crossing, rtol=1e-10, atol=1e-12, max_step=horizon / 50)
             found = _first(run, horizon)
             if found is not None:
-                return value((*found[1], found[0]))
+                here = (*found[1], found[0])
+                return value(here) if all(abs(f(here)) < LARGEST_DRIFT for f in kept) else None
             if not run.success:
                 return None
     except (_TooLongError, ValueError, ZeroDivisionError, OverflowError):

@@ -30,7 +30,12 @@ from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import joined, under_one_root, without_leading_minus
+from lagrange.mechanics.questions.forms import (
+    joined,
+    under_one_root,
+    without_leading_minus,
+    without_roots_in_logarithms,
+)
 from lagrange.mechanics.questions.integrals_of_motion import integrals
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
@@ -163,7 +168,7 @@ class _Search:
         values = {p.symbol: p.value for p in self.setting.problem.parameters if p.value is not None}
         known, moving = self.setting.known.accelerations, {*self.place.moving}
         expressions = [*known.values(), *self.setting.initial.values(), self.quantity, *self.when]
-        if self.configuration.rows or len(known) < len(self.slots.coordinates) or self._not_given():
+        if len(known) < len(self.slots.coordinates) or self._not_given():
             return None
         if len(self.when) != 1 or not all(e.free_symbols <= moving | values.keys() for e in expressions):
             return None
@@ -176,6 +181,7 @@ class _Search:
             self.slots.velocities,
             self.when[0].xreplace(values),
             self.quantity.xreplace(values),
+            [f.xreplace(values) for f in self.configuration.finite_constraints],
         )
         if found is None:
             return None
@@ -240,7 +246,31 @@ class _Search:
     def _beginning(self) -> Beginning:
         known = self.setting.known
         free = len(self.slots.coordinates) - len(self.configuration.rows)
-        return Beginning(self.setting.initial, known.accelerations, self.slots, free)
+        frame = self.setting.problem.frame
+        first = frame.names[0] if frame is not None and frame.turning else ""
+        radii = tuple(q for q in self.slots.coordinates if first == f"e_{q}" and self._starts_positive(q))
+        angles = frozenset(
+            s for a in known.accelerations.values() for f in a.atoms(sp.sin, sp.cos) for s in f.args[0].free_symbols
+        )
+        return Beginning(self.setting.initial, known.accelerations, self.slots, free, radii, self._turning, angles)
+
+    def _starts_positive(self, q: sp.Symbol) -> bool:
+        return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1
+
+    def _turning(self) -> Sequence[sp.Expr] | None:
+        """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
+        moving = [q for q in self.slots.coordinates if self.setting.known.accelerations.get(prime(q, 2), 0) != 0]
+        if len(moving) != 1 or not self.setting.integrals:
+            return None
+        [q] = moving
+        used = [i.expression - i.value for i in self.setting.integrals]
+        rates = [r.velocity_form(self.slots) for r in self.configuration.rows]
+        equations = [*used, *self.configuration.finite_constraints, *rates, prime(q)]
+        unknowns = [*self.slots.velocities, *self.slots.coordinates]
+        found = eliminated(equations, q, unknowns, self.slots.velocities, q)
+        if not found.solved or found.free or found.never:
+            return () if found.never else None
+        return [v for b in found.branches for v in b.values]
 
     def _asked(
         self,
@@ -333,7 +363,7 @@ class _Search:
             return [replace(b, conditions=b.conditions) for b in right]
         if any(is_zero(e) is not True for e in left):
             return None
-        at = shortest_form(factored_quotient(value.xreplace(rule)))
+        at = without_roots_in_logarithms(shortest_form(factored_quotient(value.xreplace(rule))))
         rates = {prime(q): e.diff(t) for q, e in motion.solutions.items()}
         senses = self.setting.known.senses
         if not all(_keeps_sign(rates[v], senses[v], root) for v in rates if v in senses):
