@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
 import sympy as sp
 
@@ -20,26 +20,39 @@ from lagrange.mechanics.questions.results import (
     UsedIntegral,
 )
 from lagrange.mechanics.solution import Solution
-from lagrange.problem.model import InitialValue, Question
+from lagrange.problem.model import Question
 
 
 def explain_questions(solution: Solution) -> Iterator[Step]:
     """A step for each question."""
     shown = {v.name for v in solution.views if v.conserved is not None}
+    seen: dict[tuple[str, sp.Expr], str] = {}
     for asked in solution.asked:
-        body = tuple(_body(asked, solution.problem.initial, asked.choice in shown))
+        body = tuple(_body(asked, asked.choice in shown, seen))
         yield Step(Rule.QUESTION, f"Question: {spoken(asked.question.name)}", body)
 
 
-def _body(asked: Asked, initial: Sequence[InitialValue], conserved_shown: bool) -> Iterator[Block]:
+def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], str]) -> Iterator[Block]:
+    """The step; `seen` has the labels of integrals that earlier questions have shown with their values."""
     yield prose(*_asked(asked.question), detail=Detail.BRIEF)
     if asked.used:
-        yield prose("In terms of ", _terms_of(asked), ", ", detail=Detail.STEPS)
+        yield prose(_terms_of(asked))
         yield display(*(Equation((u.symbol, u.value)) for u in asked.used))
+    if asked.senses and asked.route in (Route.INTEGRALS, Route.QUADRATURE, Route.SOLUTION):
+        yield _senses(asked)
     if asked.route in (Route.INTEGRALS, Route.QUADRATURE) and asked.integrals:
-        yield from _integrals(asked, initial, conserved_shown)
+        labels = [seen.get((asked.choice, i.expression)) for i in asked.integrals]
+        if None in labels:
+            yield from _integrals(asked, conserved_shown)
+            for n, i in enumerate(asked.integrals, start=1):
+                seen.setdefault((asked.choice, i.expression), _label(asked, "integral", n))
+        else:
+            known = listed(Ref(x) for x in labels if x is not None)
+            yield prose("Throughout the motion, as before, ", *known, plural(len(labels), " holds.", " hold."))
+    if asked.integrand is not None:
+        yield from _quadrature(asked.integrand)
     if asked.solutions:
-        yield from _solutions(asked, initial)
+        yield from _solutions(asked)
     yield from _condition(asked)
     if not asked.answered:
         yield prose(*_unanswered(asked), detail=Detail.BRIEF)
@@ -57,20 +70,24 @@ def _asked(question: Question) -> tuple[Part, ...]:
     return (*words, ".")
 
 
-def _terms_of(asked: Asked) -> Part:
-    return "position and velocity" if any(_moves(u.value) for u in asked.used) else "the position"
+def _terms_of(asked: Asked) -> str:
+    values = [u.value for u in asked.used]
+    if any(_moves(e) for e in values):
+        return "In terms of position and velocity,"
+    moving = any(not s.is_positive for e in values for s in e.free_symbols)
+    return "In terms of the position," if moving else "The equations of motion give"
 
 
 def _moves(e: sp.Expr) -> bool:
     return any(s.name.endswith("'") for s in e.free_symbols)
 
 
-def _initial(initial: Sequence[InitialValue]) -> tuple[Part, ...]:
+def _initial(asked: Asked) -> tuple[Part, ...]:
     """`At t = 0, θ = 0 and θ̇ = 0`."""
-    return listed(math(v.symbol, v.value) for v in initial)
+    return listed(math(v.symbol, v.value) for v in asked.initial)
 
 
-def _integrals(asked: Asked, initial: Sequence[InitialValue], conserved_shown: bool) -> Iterator[Block]:
+def _integrals(asked: Asked, conserved_shown: bool) -> Iterator[Block]:
     """The integrals with their values at t = 0."""
     suffix = suffix_of(asked.choice)
     own = [i for i in asked.integrals if i.kind is IntegralKind.CONSERVED]
@@ -85,7 +102,7 @@ def _integrals(asked: Asked, initial: Sequence[InitialValue], conserved_shown: b
         several = len(asked.integrals) > 1
         what = ("these integrals have the values" if several else "this integral has the value",)
     had = plural(len(asked.integrals), " that it has at ", " that they have at ")
-    at_start = (had, math(t, sp.S.Zero), ", where ", *_initial(initial), ":") if initial else (":",)
+    at_start = (had, math(t, sp.S.Zero), ", where ", *_initial(asked), ":") if asked.initial else (":",)
     yield prose("Throughout the motion ", *what, *at_start)
     yield display(*(Equation((i.expression, i.value), label=_label(asked, "integral", n))
                     for n, i in enumerate(asked.integrals, start=1)))  # fmt: skip
@@ -112,10 +129,31 @@ def _multiplied(i: UsedIntegral, q: sp.Symbol, v: sp.Symbol) -> tuple[Part, ...]
             " and the integrating factor ", math(i.factor), " it can be integrated.")  # fmt: skip
 
 
-def _solutions(asked: Asked, initial: Sequence[InitialValue]) -> Iterator[Block]:
+def _senses(asked: Asked) -> Block:
+    """`At first ẏ > 0, and as long as this holds the modulus of ẏ is ẏ.`"""
+    signs = listed(math(v, sp.S.Zero, relation=">" if s > 0 else "<") for v, s in asked.senses.items())
+    one = len(asked.senses) == 1
+    what = "its modulus is it, or its opposite" if not one else ""
+    [v, *_] = asked.senses
+    same: tuple[Part, ...] = (math(sp.Abs(v), v if asked.senses[v] > 0 else -v),) if one else (what,)
+    return prose("The motion begins with ", *signs, ", and as long as this holds, ", *same, ".")
+
+
+def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]) -> Iterator[Block]:
+    """The velocity, and between which places its inverse is integrated."""
+    q, speed, start, end = integrand
+    v = sp.Symbol(f"{q}'", real=True)
+    yield prose("This gives")
+    yield display(Equation((v, speed)))
+    yield prose(
+        "The time is the integral of ", math(1 / v), " over ", math(q), " from ", math(start), " to ", math(end), "."
+    )
+
+
+def _solutions(asked: Asked) -> Iterator[Block]:
     """Coordinates as functions of time."""
     one = len(asked.solutions) == 1
-    start = (", where ", *_initial(initial)) if initial else ()
+    start = (", where ", *_initial(asked)) if asked.initial else ()
     what = "The solution of the equation of motion that begins at " if one else (
         "The solutions of the equations of motion that begin at ")  # fmt: skip
     yield prose(what, math(t, sp.S.Zero), *start, ", is" if one else ", are", ", as substitution shows,")
@@ -150,7 +188,7 @@ def _answer(asked: Asked) -> Iterator[Block]:
     if asked.mirrored:
         yield prose("The initial state is an equilibrium, from which the motion may start in either direction: "
                     "one value belongs to each.")  # fmt: skip
-    elif several:
+    elif several and not all(b.conditions for b in asked.branches):
         yield prose("Which of these comes first depends on more than was decided here.")
     for b, because in asked.dropped:
         yield prose(*_dropped(b, because))
@@ -163,6 +201,11 @@ def _where(b: AnswerBranch) -> tuple[Part, ...]:
 def _how(asked: Asked) -> tuple[Part, ...]:
     if asked.how is How.NUMERICAL:
         return ("Integrating the equations of motion numerically gives, for the first time that this holds,",)
+    if asked.route is Route.SOLUTION and not asked.solutions:
+        return ("The equation of motion can be integrated. For the initial state there are several cases, and in "
+                "each of them, as substitution shows,",)  # fmt: skip
+    if asked.question.by is not None and asked.route is Route.INTEGRALS and not _has_velocities(asked):
+        return ("Solving this for the quantity gives",)
     if asked.question.by is not None:
         return ("Eliminating the velocities gives",) if asked.route is Route.INTEGRALS else ("Therefore",)
     if asked.route is Route.STATE and not asked.question.when:
@@ -170,8 +213,13 @@ def _how(asked: Asked) -> tuple[Part, ...]:
     if asked.route is Route.STATE:
         return ("In this state",)
     if asked.route is Route.QUADRATURE:
-        return ("With the velocity from this integral, the time is an integral over the coordinate, which gives",)
+        return ("It is elementary, as differentiation shows:",)
     return ("Together these give",)
+
+
+def _has_velocities(asked: Asked) -> bool:
+    """Whether the quantity is more than velocities and constant factors."""
+    return not all(s.name.endswith("'") or s.is_positive for s in asked.quantity.free_symbols)
 
 
 def _dropped(b: AnswerBranch, because: Because) -> tuple[Part, ...]:
@@ -189,6 +237,8 @@ def _dropped(b: AnswerBranch, because: Because) -> tuple[Part, ...]:
             return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
         case Because.LATER:
             return ("The solution ", equation, " comes later.")
+        case Because.START:
+            return ("The solution ", equation, " does not begin with the initial state.")
 
 
 def _unanswered(asked: Asked) -> tuple[Part, ...]:

@@ -454,6 +454,7 @@ def _with_numbers(solution: Solution) -> Solution:
 
 def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the answers to the questions of the file."""
+    from lagrange.mechanics.questions.checks import check_questions
     from lagrange.mechanics.questions.questions import answers_to_questions
     from lagrange.mechanics.questions.states import Place
 
@@ -471,7 +472,7 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
             dynamics = motion(law, view.coordinates.configuration, view.elimination)
         places.append(Place(dynamics, integrals, law))
     asked = answers_to_questions(solution.problem, places, [v.configuration for v in solution.views])
-    return replace(solution, asked=asked)
+    return replace(solution, asked=asked, checks=(*solution.checks, *check_questions(asked, places)))
 
 
 def _with_rest(solution: Solution, on_stage: OnStage) -> Solution:

@@ -34,7 +34,7 @@ from lagrange.problem.frames import read_frame
 from lagrange.problem.keys import AXES, PROBLEM, Find
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
-from lagrange.problem.model import Choice, Constraint, Problem, Speed
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
 from lagrange.problem.questions import read_initial, read_questions, scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
@@ -94,6 +94,9 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     initial = read_initial(root.section("initial"), context, asking)
     questions = read_questions(root.section("ask"), context, asking)
     scope = _scope_of_answers(context.scope, constraints, choices, speeds)
+    if questions:
+        energies = {s.name: s for s in (KINETIC_ENERGY, ENERGY) if s.name not in scope.names()}
+        scope = replace(scope, scalars={**energies, **scope.scalars})
     answers = AnswerReader(context, constraints, choices, scope, questions)
     problem = Problem(
         title=diagnostics.attempt(lambda: _title(root)) or "",

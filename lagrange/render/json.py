@@ -564,7 +564,8 @@ def _asked(asked: Asked, write: Write) -> dict[str, Any]:
         "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
     }
     found |= {"by": question.by.name} if question.by is not None else {}
-    found |= {"value": " or ".join(stated) or None, "number": None, "unit": None}
+    number = float(asked.branches[0].rhs) if asked.how is not None and asked.how.value == "numerical" else None
+    found |= {"value": " or ".join(stated) or None, "number": number, "unit": None}
     found |= {"how": None if asked.how is None else asked.how.value, "conditions": list(conditions)}
     if len(stated) > 1:
         found["branches"] = [

@@ -51,6 +51,7 @@ ROOMS = {
     "rich": {"lagrange.render.terminal", "lagrange.render.terminal_layout", "lagsolve.grading.table"},
     "distributed": {"lagsolve.grading.pool"},
     "numpy": {"lagrange.api.numerical"},
+    "scipy": {"lagrange.mechanics.questions.numerical"},
     "yaml": {"lagrange.problem.yaml_composer", "lagsolve.shipped"},
     "sympy": None,
     "mpmath": None,

@@ -172,6 +172,23 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-arguments": ("A function names its arguments; `u: [t]` is a prescribed motion.", problem("functions: {f: []}")),
     "no-substitution": ("Say how the old coordinates follow from the new one.", problem(
         PARTICLE + "generalized_coordinates: {c: {coordinates: [theta]}}")),
+    "no-state": ("The state at t = 0 is given by coordinates and velocities.", problem("initial: {m: 2}")),
+    "initial-contradicts": ("The state at t = 0 must satisfy the constraints; leave out what follows from the rest.",
+        problem(PARTICLE + ROD + "initial: {x: l, y: l, x': 0, y': 0}\nask: {tension: {quantity: lambda_rod, when: x = 0}}")),
+    "nothing-asked": ("A question asks for something that has to be found.",
+        problem(PARTICLE + "ask: {what: {quantity: 2}}")),
+    "no-variable": ("A quantity is wanted as a function of one coordinate or of t.",
+        problem(PARTICLE + "ask: {height: {quantity: y, by: m}}")),
+    "not-determined": ("Say at which state it is wanted, or give what is missing of the initial state.",
+        problem(PARTICLE + "gravity: -g*j\ninitial: {y: l, y': 0}\nask: {height: {quantity: y}}")),
+    "never-holds": ("The condition of a question contradicts the initial state.", problem(
+        PARTICLE + "gravity: -g*j\ninitial: {y: 0, y': 0}\nask: {speed: {quantity: \"y'\", when: y = l}}")),
+    "mixed-choices": ("A question uses the file's coordinates and those of one choice.", problem(
+        PARTICLE + ROD + "generalized_coordinates:\n"
+        "  a: {coordinates: [p], substitute: {x: l*sin(p), y: l*cos(p)}}\n"
+        "  b: {coordinates: [q], substitute: {x: l*cos(q), y: l*sin(q)}}\n"
+        "ask: {both: {quantity: p, when: q = 0}}")),
+    "too-many-questions": ("A file asks 20 questions at most.", None),
     "no-velocity": ("A quasi-velocity is made of velocities.", problem("speeds: {u: x}")),
     "not-a-form": ("In differentials a constraint is linear and homogeneous.",
         problem("constraints: {a: d(x)*d(y) = 0}")),

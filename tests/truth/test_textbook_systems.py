@@ -39,13 +39,14 @@ from tests.support.second_route import (
     states,
 )
 from tests.support.shared import reported
+from tests.truth.asked_systems import ASKED
 from tests.truth.body_systems import BODIES
 from tests.truth.further_systems import FURTHER
 from tests.truth.shipped_systems import SHIPPED as FIRST
 from tests.truth.textbook_systems import SYSTEMS as PARTICLES
 from tests.truth.textbook_systems import Textbook
 
-SHIPPED = {**FIRST, **FURTHER}
+SHIPPED = {**FIRST, **FURTHER, **ASKED}
 SYSTEMS = {**PARTICLES, **BODIES, **SHIPPED}
 STATES = 3
 

@@ -9,6 +9,7 @@ the opposite force or for the multiplier. A remark says so.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 
 import sympy as sp
@@ -34,6 +35,8 @@ _SPEED = "it is taken as a speed, without the sign that the velocity has here"
 _SIGN = "it leaves the sign open"
 _OTHER = "it has other solutions as well"
 _ONE_OF_SEVERAL = "there are other values as well"
+_ONE_CASE = "it is right in one of several cases"
+_ROUNDED = "it is taken as a rounded number"
 _NOT_ANSWERED = "the derivation did not find an answer to compare with"
 _SAYS_NOTHING = "it says nothing about the quantity that is asked for"
 
@@ -70,12 +73,13 @@ class _Claim:
         self.solution = solution
         self.values = dict(reference.values)
         self.scope = scope_of_questions(reference.scope, (), ())
+        self.places = _decimal_places(fragment.text)
         self.expression, self.equation = _read(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
 
     def verdict(self) -> tuple[Verdict, str]:
         """The verdict, with a remark or a diagnosis. Raises DivisionByZeroError."""
-        if not self.asked.answered or self.asked.how is How.NUMERICAL:
+        if not self.asked.answered:
             return Verdict.UNDECIDED, _NOT_ANSWERED
         if self.expression is not None:
             return self._of_expression(self.expression)
@@ -101,20 +105,40 @@ class _Claim:
 
     def _of_expression(self, claim: sp.Expr) -> tuple[Verdict, str]:
         derived = self._derived()
+        if self.asked.how is How.NUMERICAL:
+            rounded = any(self._rounds_to(claim, v) for v in derived)
+            return (Verdict.EQUIVALENT, _ROUNDED) if rounded else (Verdict.WRONG, "")
         same = [self._same(claim, v) for v in derived]
         if True in same:
-            alike = len(derived) == 1 or all(s is True for s in same)
-            if alike:
+            if len(derived) == 1 or all(s is True for s in same):
                 return Verdict.EQUIVALENT, ""
             if len(self.asked.branches) == 1 or self.asked.mirrored:
                 return Verdict.EQUIVALENT, _SIDES
-            return Verdict.INCOMPLETE, _ONE_OF_SEVERAL
+            return self._in_some_cases([any(self._same(claim, v) for v in b.values) for b in self.asked.branches])
+        if any(self._rounds_to(claim, v) for v in derived):
+            return Verdict.EQUIVALENT, _ROUNDED
         if None in same:
             return Verdict.UNDECIDED, UNDECIDED
         for ratio, remark in self._ratios():
             if any(self._same(claim, ratio * v) for v in derived):
                 return Verdict.EQUIVALENT, remark
         return Verdict.WRONG, ""
+
+    def _in_some_cases(self, holds: Sequence[bool]) -> tuple[Verdict, str]:
+        """The verdict on an answer that is right in some branches; a relation between parameters makes none needed."""
+        pairs = list(zip(self.asked.branches, holds, strict=True))
+        if all(right or any(c.relation == "=" for c in b.conditions) for b, right in pairs):
+            return Verdict.EQUIVALENT, ""
+        cases = all(b.conditions for b in self.asked.branches)
+        return Verdict.INCOMPLETE, _ONE_CASE if cases else _ONE_OF_SEVERAL
+
+    def _rounds_to(self, claim: sp.Expr, value: sp.Expr) -> bool:
+        """Whether a decimal number is the value, rounded; the value needs the numbers that the file gives."""
+        exact = value.xreplace(self.values)
+        if self.places is None or not claim.is_Rational or exact.free_symbols:
+            return False
+        number = exact.evalf()
+        return bool(number.is_Float and abs(claim - number) <= (1 + sp.Rational(1, 1000)) / 2 / 10**self.places)
 
     def _ratios(self) -> Iterator[tuple[sp.Expr, str]]:
         """What a value may be multiplied by, with the remark that says so."""
@@ -133,11 +157,14 @@ class _Claim:
             return Verdict.TRIVIAL, "it is an identity"
         if claim.free_symbols.isdisjoint(self.quantity.free_symbols):
             return Verdict.WRONG, _SAYS_NOTHING
-        holds: list[bool | None] = []
+        if self.asked.how is How.NUMERICAL:
+            stated = self._stated_value(claim)
+            return self._of_expression(stated) if stated is not None else (Verdict.UNDECIDED, UNDECIDED)
+        by_branch: list[list[bool | None]] = []
         for b in self.asked.branches:
-            for state in self._states(b.values, b.states):
-                residual = claim.xreplace(state).xreplace(self.values)
-                holds.append(None if self._is_open(residual) else is_zero(residual))
+            residuals = [claim.xreplace(s).xreplace(self.values) for s in self._states(b.values, b.states)]
+            by_branch.append([None if self._is_open(e) else is_zero(e) for e in residuals])
+        holds = [h for each in by_branch for h in each]
         if not holds or None in holds:
             return Verdict.UNDECIDED, UNDECIDED
         if not any(holds):
@@ -146,7 +173,7 @@ class _Claim:
         if not all(holds):
             if self.asked.mirrored or len(self.asked.branches) == 1:
                 return Verdict.EQUIVALENT, _SIDES
-            return Verdict.INCOMPLETE, _ONE_OF_SEVERAL
+            return self._in_some_cases([any(h) for h in by_branch])
         return self._alone(claim)
 
     def _stated_value(self, claim: sp.Expr) -> sp.Expr | None:
@@ -190,6 +217,12 @@ class _Claim:
             if None not in same:
                 return Verdict.INCOMPLETE, _OTHER
         return Verdict.EQUIVALENT, ""
+
+
+def _decimal_places(text: str) -> int | None:
+    """The decimal places of a number that a text ends with; None where it has no decimal point."""
+    found = re.search(r"\d*[.](\d+)\s*$", text)
+    return len(found[1]) if found else None
 
 
 def _moves(e: sp.Expr) -> bool:

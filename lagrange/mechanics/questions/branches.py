@@ -1,25 +1,30 @@
 """Which of several branches is meant: the first one after t = 0, where that can be decided.
 
-For one degree of freedom q, which starts at q_0:
-
+    an unknown parameter has the sign that the file gives it
+    a radius of the frame of the file stays positive
     the initial state itself is left out, where there is another branch
-    q reaches a value q_1 ≠ q_0 for the first time moving towards it: q' has the sign of q_1 − q_0, or is 0
-    q starts with the sign of q'_0, or of q''_0 where it starts at rest, and keeps its direction up to the first turning
-    point: of the turning points in that direction the nearest comes first
+    a coordinate reaches a value q_1 ≠ q_0 for the first time moving towards it: q' has the sign of q_1 − q_0, or is 0
+    as a function of a coordinate, the branch is meant that begins with the initial state
+    with one degree of freedom q starts with the sign of q'_0, or of q''_0 where it starts at rest, and keeps its
+    direction up to the first turning point: of the turning points in that direction the nearest comes first
 
-All of these are signs of expressions in the parameters; where one is not known, the branch stays.
+The second of these is about a value that the conditions give, or about one degree of freedom. All are signs of
+expressions in the parameters; where one is not known, the branch stays. That a turning point lies in the direction of
+the start may be a condition: r_1 > R, where 2k > R v².
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import sign_of
-from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, prime
+from lagrange.core.symbols import Slots, base, prime
 from lagrange.mechanics.questions.results import AnswerBranch, Because
 
 State = Mapping[sp.Symbol, sp.Expr]
@@ -32,100 +37,315 @@ class Chosen:
     branches: tuple[AnswerBranch, ...]
     dropped: tuple[tuple[AnswerBranch, Because], ...] = ()
     mirrored: bool = False
-    first: Because | None = None
 
 
-def first_branches(branches: Sequence[AnswerBranch], initial: State, accelerations: State, slots: Slots) -> Chosen:
-    """The branches without those that cannot come first."""
-    left = tuple(branches)
+@record
+class Beginning:
+    """The initial state, and what is known of the motion from it.
+
+    accelerations  as functions of the state
+    free           the number of degrees of freedom
+    radii          coordinates that are radii, and positive at first
+    turning        the coordinate at all turning points of a motion with one degree of freedom; None: not known
+    angles         coordinates that count modulo 2π
+    """
+
+    initial: State
+    accelerations: State
+    slots: Slots
+    free: int
+    radii: tuple[sp.Symbol, ...] = ()
+    turning: Callable[[], Sequence[sp.Expr] | None] = lambda: None
+    angles: frozenset[sp.Symbol] = frozenset()
+
+    def direction(self, q: sp.Symbol) -> int | None:
+        """The sign with which q starts; 0 where it is at rest and not accelerated; None: not known."""
+        speed = self.initial.get(prime(q))
+        if speed is None:
+            return None
+        sign = sign_of_value(speed)
+        if sign != 0:
+            return sign
+        a = self.accelerations.get(prime(q, 2))
+        if a is None:
+            return None
+        value = a.xreplace(dict(self.initial))
+        if value.free_symbols & {*self.slots.coordinates, *self.slots.velocities}:
+            return None
+        return sign_of_value(value)
+
+    def is_initial(self, state: State) -> bool:
+        """Whether a state is the initial one."""
+        used = set().union(*(a.free_symbols for a in self.accelerations.values()))
+        slots = [s for s in (*self.slots.coordinates, *self.slots.velocities) if s in state or s in used]
+        if not slots or not all(s in state and s in self.initial for s in slots):
+            return False
+        return all(is_zero(state[s] - self.initial[s]) is True for s in slots)
+
+
+def first_branches(
+    branches: Sequence[AnswerBranch],
+    beginning: Beginning,
+    reached: Collection[sp.Symbol],
+    by: sp.Symbol | None,
+    quantity: sp.Expr,
+) -> Chosen:
+    """The branches without those that cannot come first.
+
+    reached  coordinates whose value the conditions give
+    by       the coordinate as a function of which the quantity is wanted
+    """
     dropped: list[tuple[AnswerBranch, Because]] = []
-    if len(slots.coordinates) != 1 or not all(s in initial for s in (*slots.coordinates, *slots.velocities)):
-        return Chosen(left, mirrored=_are_mirrored(left))
-    [q], [v] = slots.coordinates, slots.velocities
-    start = _direction(q, v, initial, accelerations)
-    first = None
+    left = [b for b in branches if not _has_wrong_sign(b, quantity)]
+    left = [_with_radius(b, beginning) for b in left if not _has_negative_radius(b, beginning)]
+    if by is not None:
+        left, gone = _beginning_right(left, beginning, by, quantity)
+        return Chosen(tuple(left), tuple((b, Because.START) for b in gone), _are_mirrored(left))
+    one = beginning.free == 1
+    arriving = beginning.slots.coordinates if one else tuple(reached)
     for reason in (Because.INITIAL, Because.ARRIVAL, Because.TURNING):
-        if len(left) == 1 and len(left[0].states) <= 1:
-            break
-        parted = [_parted(b, reason, q, v, initial, start) for b in left]
+        parted = [_parted(b, reason, beginning, arriving, one) for b in left]
         kept = [b for b, _ in parted if b is not None]
         gone = [b for _, b in parted if b is not None]
         if kept and gone:
-            left, first = tuple(kept), reason
+            left = kept
             dropped += [(b, reason) for b in gone]
-    left, later = _nearest(left, q, v, initial, start)
-    dropped += [(b, Because.LATER) for b in later]
-    return Chosen(left, tuple(dropped), len(left) > 1 and _are_mirrored(left) and start == 0, first)
+    if one:
+        for choose in (_nearest, _reached_first):
+            left, later = choose(left, beginning)
+            dropped += [(b, Because.LATER) for b in later]
+    if one:
+        left = [_with_direction(b, beginning) for b in left]
+    still = all(beginning.direction(q) == 0 for q in beginning.slots.coordinates)
+    return Chosen(tuple(left), tuple(dropped), _are_mirrored(left) and still)
 
 
-def _direction(q: sp.Symbol, v: sp.Symbol, initial: State, accelerations: State) -> int | None:
-    """The sign with which q starts; 0 where it is at rest in equilibrium; None: not known."""
-    sign = sign_of(initial[v])
-    if sign != 0:
-        return sign
-    a = accelerations.get(prime(q, 2))
-    if a is None:
-        return None
-    value = a.xreplace(dict(initial))
-    if value.free_symbols & {q, v}:
-        return None
-    return 0 if is_zero(value) else sign_of(value)
+def _has_wrong_sign(b: AnswerBranch, quantity: sp.Expr) -> bool:
+    """Whether a parameter that the file says to be positive would be negative."""
+    if not quantity.is_nonnegative:
+        return False
+    return all(sign_of(v) == -1 or (v == 0 and quantity.is_positive) for v in b.values)
+
+
+def _beginning_right(
+    branches: Sequence[AnswerBranch], beginning: Beginning, by: sp.Symbol, quantity: sp.Expr
+) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
+    """The branches that have the initial value of the quantity at the initial place, and the others."""
+    way = beginning.direction(by)
+    if way in (1, -1):
+        right = [replace(b, states=kept) for b in branches if (kept := _moving(b, by, way or 0)) or not b.states]
+        gone = [b for b in branches if b.states and not _moving(b, by, way or 0)]
+        if right and gone:
+            return right, gone
+    start = quantity.xreplace(dict(beginning.initial))
+    slots = {*beginning.slots.coordinates, *beginning.slots.velocities}
+    if len(branches) < 2 or by not in beginning.initial or start.free_symbols & slots:
+        return list(branches), []
+    at = {by: beginning.initial[by]}
+    begins: list[bool] = []
+    for b in branches:
+        try:
+            begins.append(any(is_zero(v.xreplace(at) - start) is not False for v in b.values))
+        except DivisionByZeroError:
+            begins.append(True)
+    if not any(begins):
+        return list(branches), []
+    pairs = list(zip(branches, begins, strict=True))
+    return [b for b, keeps in pairs if keeps], [b for b, keeps in pairs if not keeps]
+
+
+def _moving(b: AnswerBranch, q: sp.Symbol, way: int) -> tuple[State, ...]:
+    """The states in which q does not move against a direction."""
+    return tuple(s for s in b.states if prime(q) not in s or sign_of_value(s[prime(q)], b.conditions) != -way)
+
+
+def _has_negative_radius(b: AnswerBranch, beginning: Beginning) -> bool:
+    """Whether a radius is negative in all states of a branch."""
+    return any(
+        all(q in s and sign_of_value(s[q], b.conditions) == -1 for s in b.states) and b.states for q in beginning.radii
+    )
+
+
+def _with_radius(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
+    """A branch with the condition that a radius is positive, where that is open."""
+    conditions = list(b.conditions)
+    for q in beginning.radii:
+        if len(b.states) == 1 and q in b.states[0] and sign_of_value(b.states[0][q], b.conditions) is None:
+            conditions.append(more_than_zero(b.states[0][q]))
+    return replace(b, conditions=tuple(conditions))
 
 
 def _parted(
-    b: AnswerBranch, reason: Because, q: sp.Symbol, v: sp.Symbol, initial: State, start: int | None
+    b: AnswerBranch, reason: Because, beginning: Beginning, arriving: Collection[sp.Symbol], one: bool
 ) -> tuple[AnswerBranch | None, AnswerBranch | None]:
-    """The part of a branch that may come first, and the part that cannot."""
-    kept = tuple(s for s in b.states if not _is_ruled_out(s, reason, q, v, initial, start))
-    gone = tuple(s for s in b.states if s not in kept)
-    if not gone:
+    """The part of a branch that may come first, and the branch if no part of it may."""
+    kept = tuple(s for s in b.states if not _is_ruled_out(s, reason, beginning, arriving, one, b.conditions))
+    if len(kept) == len(b.states):
         return b, None
-    if not kept:
-        return None, b
-    return AnswerBranch(b.lhs, b.rhs, b.values, kept, b.conditions), None
+    return (replace(b, states=kept), None) if kept else (None, b)
 
 
-def _is_ruled_out(state: State, reason: Because, q: sp.Symbol, v: sp.Symbol, initial: State, start: int | None) -> bool:
-    here, speed = state.get(q), state.get(v)
-    if here is None or speed is None:
-        return False
-    way = _sign(here - initial[q])
+def _is_ruled_out(
+    state: State,
+    reason: Because,
+    beginning: Beginning,
+    arriving: Collection[sp.Symbol],
+    one: bool,
+    conditions: Sequence[SignCondition],
+) -> bool:
     if reason is Because.INITIAL:
-        return way == 0 and is_zero(speed - initial[v]) is True
+        return beginning.is_initial(state)
     if reason is Because.ARRIVAL:
-        sign = sign_of(speed)
-        if way == 0:  # it comes back: with one degree of freedom, in the other direction
-            return start in (1, -1) and sign == start
-        return way in (1, -1) and sign == -way
-    return speed == 0 and start in (1, -1) and way == -start
+        return any(_comes_from_beyond(state, q, beginning, conditions) for q in arriving)
+    return one and any(_is_behind(state, q, beginning) for q in beginning.slots.coordinates)
 
 
-def _sign(e: sp.Expr) -> int | None:
+def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition]) -> bool:
+    """Whether q has the wrong sense for its first arrival."""
+    way, speed = _way(state, q, beginning, conditions), state.get(prime(q))
+    if way is None or speed is None:
+        return False
+    sign = sign_of_value(speed, conditions)
+    if way == 0:  # it comes back, from the side to which it went
+        start = beginning.direction(q)
+        return start in (1, -1) and sign == start
+    return sign == -way
+
+
+def _is_behind(state: State, q: sp.Symbol, beginning: Beginning) -> bool:
+    """Whether a state is a turning point on the other side than that to which q starts."""
+    start = beginning.direction(q)
+    return state.get(prime(q)) == 0 and start in (1, -1) and _way(state, q, beginning) == -(start or 0)
+
+
+def _way(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[SignCondition] = ()) -> int | None:
+    """The sign of q_1 − q_0; 0 where they are equal, and ±1 where the conditions exclude the other sign."""
+    if q not in state or q not in beginning.initial:
+        return None
+    return sign_of_value(state[q] - beginning.initial[q], conditions)
+
+
+def sign_of_value(e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
+    """The sign of a value, where conditions hold; of a number by its digits, where it is not zero."""
     if is_zero(e) is True:
         return 0
-    if e.is_number:
-        return 1 if e.evalf() > 0 else -1
-    return sign_of(e)
+    sign = _sign(e, conditions)
+    return _sign(factored_quotient(sp.expand(e)), conditions) if sign is None else sign
 
 
-def _nearest(
-    branches: tuple[AnswerBranch, ...], q: sp.Symbol, v: sp.Symbol, initial: State, start: int | None
-) -> tuple[tuple[AnswerBranch, ...], list[AnswerBranch]]:
+def _sign(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
+    """The sign of an expression that is not zero."""
+    number, rest = e.as_independent(*e.free_symbols, as_Add=False) if e.free_symbols else (e, sp.S.One)
+    if not number.is_real:
+        return None
+    above = [(c.lhs - c.rhs) * (1 if c.relation in (">", "≥") else -1) for c in conditions if c.relation in "><≥≤"]
+    sign = sign_of(rest, above)
+    if sign is None:
+        sign = _by_squares(sp.factor_terms(rest))
+    return None if sign is None else sign * (1 if number.evalf() > 0 else -1)
+
+
+def _by_squares(e: sp.Expr) -> int | None:
+    """The sign of a product with sums A − B of two positive terms in it, A² − B² deciding: m v − √m √(m v² + b)."""
+    sign = 1
+    for f in sp.Mul.make_args(e):
+        own = sign_of(f)
+        if own is None and f.is_Add and len(f.args) == 2:
+            a, b = f.args
+            of_a, of_b = sign_of(a), sign_of(b)
+            larger = sign_of(sp.expand(a**2 - b**2))
+            own = None if None in (of_a, of_b, larger) else (of_a or 0) if larger in (0, 1) else of_b
+        if own is None:
+            return None
+        sign *= own
+    return sign
+
+
+def _with_direction(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
+    """A turning point, with the condition that it lies in the direction of the start, where that is not certain."""
+    conditions: list[SignCondition] = []
+    for q in beginning.slots.coordinates:
+        start = beginning.direction(q)
+        if start not in (1, -1) or len(b.states) != 1 or b.states[0].get(prime(q)) != 0:
+            continue
+        if _way(b.states[0], q, beginning) is None and q in b.states[0] and q in beginning.initial:
+            conditions.append(more_than_zero(start * (b.states[0][q] - beginning.initial[q])))
+    new = {c.lhs - c.rhs for c in conditions}
+    kept = [c for c in b.conditions if not (c.relation == "≠" and {c.lhs - c.rhs, c.rhs - c.lhs} & new)]
+    return replace(b, conditions=(*kept, *(c for c in conditions if c not in kept)))
+
+
+def _nearest(branches: Sequence[AnswerBranch], beginning: Beginning) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
     """Of several turning points in the direction of the start the nearest, and the others."""
-    if len(branches) < 2 or start not in (1, -1) or not all(len(b.states) == 1 for b in branches):
+    branches = list(branches)
+    if len(branches) < 2 or not all(len(b.states) == 1 for b in branches):
         return branches, []
-    if not all(b.states[0].get(v) == 0 and q in b.states[0] for b in branches):
-        return branches, []
-    places = [b.states[0][q] for b in branches]
-    if not all(_sign(p - initial[q]) == start for p in places):
-        return branches, []
-    for b, place in zip(branches, places, strict=True):
-        if all(_sign(other - place) in (0, start) for other in places):
-            return (b,), [o for o in branches if o is not b]
+    for q in beginning.slots.coordinates:
+        start = beginning.direction(q)
+        states = [b.states[0] for b in branches]
+        if start not in (1, -1) or not all(s.get(prime(q)) == 0 for s in states):
+            continue
+        if not all(_way(s, q, beginning) == start for s in states):
+            continue
+        for b, s in zip(branches, states, strict=True):
+            if all(sign_of_value(o[q] - s[q]) in (0, start) for o in states):
+                return [b], [o for o in branches if o is not b]
     return branches, []
+
+
+def _reached_first(
+    branches: Sequence[AnswerBranch], beginning: Beginning
+) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
+    """The part of the branches that the motion reaches first, where it is certain that no turning point lies before it.
+
+    One coordinate goes on in the direction of the start up to the first turning point; what lies behind comes later.
+    """
+    branches = list(branches)
+    [*coordinates] = [q for q in beginning.slots.coordinates if beginning.direction(q) in (1, -1)]
+    pairs = [(b, s) for b in branches for s in b.states]
+    if len(coordinates) != 1 or len(pairs) < 2:
+        return branches, []
+    [q] = coordinates
+    way = beginning.direction(q) or 0
+    if not all(q in s and _way(s, q, beginning) in (1, -1) for _, s in pairs):
+        return branches, []
+    ahead = [(b, s) for b, s in pairs if _way(s, q, beginning) == way]
+    nearest = [(b, s) for b, s in ahead if all(sign_of_value(o[q] - s[q]) in (0, way) for _, o in ahead)]
+    if not nearest or q not in beginning.initial or not _is_free(nearest[0][1][q], q, way, beginning):
+        return branches, []
+    [b, state], *_ = nearest
+    at = next((n for n, (other, s) in enumerate(pairs) if s is state and other is b), 0)
+    values = b.values
+    if len(b.values) == len(b.states):
+        values = (b.values[list(b.states).index(pairs[at][1])],)
+    return [replace(b, states=(state,), values=values)], [o for o in branches if o is not b]
+
+
+def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: Beginning) -> bool:
+    """Whether no turning point lies between the start and a place; those of an angle are repeated every turn."""
+    turning = beginning.turning()
+    if turning is None:
+        return False
+    turns = range(-2, 3) if q in beginning.angles else range(1)
+    for p in (p + 2 * sp.pi * n for p in turning for n in turns):
+        past_start = sign_of_value(p - beginning.initial[q])
+        before_end = sign_of_value(place - p)
+        if past_start not in (0, -way) and before_end != -way:
+            return False
+    return True
 
 
 def _are_mirrored(branches: Sequence[AnswerBranch]) -> bool:
     """Whether there are two values, one the opposite of the other."""
     values = [v for b in branches for v in b.values]
-    return len(values) == 2 and is_zero(values[0] + values[1]) is True
+    return len(values) == 2 and len(branches) == 2 and is_zero(values[0] + values[1]) is True
+
+
+def outright(conditions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> list[sp.Symbol]:
+    """The coordinates whose value a condition gives."""
+    alone = [e.free_symbols & {*coordinates} for e in conditions if not _moves(e)]
+    return [next(iter(s)) for s in alone if len(s) == 1]
+
+
+def _moves(e: sp.Expr) -> bool:
+    return any(base(s) != s for s in e.free_symbols)

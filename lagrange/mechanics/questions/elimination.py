@@ -235,7 +235,7 @@ def _states(
             found = _coordinate(u, b, point, solved)
             if found is not None:
                 state[u] = found
-        state |= {s: point[s] for s in point if s not in squares.values()}
+        state |= {s: value for s, value in point.items() if s not in squares.values() and s not in unknowns}
         for roots in product(*(roots for _, roots in signed)):
             whole = {**state, **dict(zip([v for v, _ in signed], roots, strict=True))}
             groups.setdefault(tuple(conditions), []).append(whole)
@@ -293,7 +293,14 @@ def _stated(
     values = tuple(dict.fromkeys(value for value, _ in pairs))
     relation = _relation(b.relations, called)
     if relation is not None:
-        yield AnswerBranch(relation.lhs, relation.rhs, values, tuple(state for _, state in pairs), conditions)
+        states = tuple(state for _, state in pairs)
+        if isinstance(relation.lhs, sp.cos) and isinstance(relation.rhs, sp.cos):  # cos θ = cos α: θ = α or −α
+            share = called / relation.lhs.args[0]
+            for angle in (relation.rhs.args[0], -relation.rhs.args[0]):
+                turned = tuple({**s, called: angle * share} for s in states)
+                yield AnswerBranch(called, angle * share, (angle * share,), turned[:1], conditions)
+            return
+        yield AnswerBranch(relation.lhs, relation.rhs, values, states, conditions)
         return
     for value in values:
         yield AnswerBranch(called, value, (value,), tuple(s for v, s in pairs if v == value), conditions)

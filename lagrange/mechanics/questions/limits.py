@@ -17,3 +17,12 @@ DIGITS = 30
 # the equations of motion in one search.
 HORIZONS = (1.0, 10.0, 100.0, 1000.0)
 MOST_EVALUATIONS = 200_000
+# Cases of a solution in closed form: signs of discriminants, resonance.
+MOST_CASES = 6
+# Sets of values that are tried for the conditions of an answer to hold, and states of an answer that are checked.
+SAMPLES_TRIED = 12
+MOST_SAMPLED_STATES = 4
+# A zero of a condition before this share of the horizon is that of the initial state.
+SMALLEST_TIME = 1e-9
+# What a finite constraint may be off zero after an integration in dependent coordinates.
+LARGEST_DRIFT = 1e-6

@@ -15,17 +15,33 @@ An answer found by one of them is exact, but for the last one. What is not found
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.solution_sets import shortest_form
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
-from lagrange.core.symbols import t
+from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.questions.branches import first_branches
+from lagrange.mechanics.questions import numerical
+from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
+from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
+from lagrange.mechanics.questions.forms import (
+    joined,
+    under_one_root,
+    without_leading_minus,
+    without_roots_in_logarithms,
+)
 from lagrange.mechanics.questions.integrals_of_motion import integrals
-from lagrange.mechanics.questions.results import Asked, How, Route, Substituted, UsedIntegral
-from lagrange.mechanics.questions.states import Meanings, Place, Values, initial_state, meanings
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION
+from lagrange.mechanics.questions.quadrature import time_between
+from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Route, Substituted, UsedIntegral
+from lagrange.mechanics.questions.states import Meanings, Place, Values, initial_state, meanings, with_senses
+from lagrange.mechanics.questions.times import TimeRoot, in_order, times
 from lagrange.problem.model import Problem, Question
 
 
@@ -51,7 +67,7 @@ class _Setting:
         self.place = place
         self.problem = problem
         self.initial: Values = initial_state(place, problem, configurations)
-        self.known: Meanings = meanings(place)
+        self.known: Meanings = with_senses(meanings(place), self.initial)
         self.integrals, self.missing = integrals(place, self.known, self.initial)
 
 
@@ -118,19 +134,81 @@ class _Search:
 
     def answer(self) -> Asked:
         """The answer, or what is known of it. Raises ProblemError where there is none."""
-        unknown = [r for e in (self.question.quantity, *(c.function for c in self.question.when))
-                   for r in self.setting.known.unknown(e)]  # fmt: skip
-        if unknown:
+        mentioned = (self.question.quantity, *(c.function for c in self.question.when))
+        if any(self.setting.known.unknown(e) for e in mentioned):
             return self._asked(Route.STATE)
-        for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
-            if route is Route.INTEGRALS and not used:
-                break
-            found = self._eliminated(used)
-            if found.never:
-                raise ProblemError(self._never_holds())
-            if found.branches and found.solved and not found.free:
-                return self._chosen(route, found, used)
-        return self._asked(Route.INTEGRALS)
+        free: frozenset[sp.Symbol] = frozenset()
+        if self._is_about_time:
+            asked = self._in_time() or self._by_quadrature()
+            if asked is not None:
+                return asked
+        elif not self.question.when and self.question.by is None and (constant := self._constant()) is not None:
+            return constant
+        else:
+            for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
+                if route is Route.INTEGRALS and not used:
+                    break
+                found = self._eliminated(used)
+                if found.never:
+                    raise ProblemError(self._never_holds())
+                if found.branches and found.solved and not found.free and self._keeps_sense(found):
+                    return self._chosen(route, found, used)
+                free = found.free
+            asked = self._in_time()
+            if asked is not None:
+                return asked
+        if not self.question.when and self.question.by is None and self.parameter is None:
+            raise ProblemError(self._changes())
+        if free and self._not_given():
+            raise ProblemError(self._not_determined(free))
+        return self._in_numbers() or self._asked(Route.INTEGRALS, free=free)
+
+    def _in_numbers(self) -> Asked | None:
+        """The answer at the first time at which the condition holds, in numbers; None where values are missing."""
+        values = {p.symbol: p.value for p in self.setting.problem.parameters if p.value is not None}
+        known, moving = self.setting.known.accelerations, {*self.place.moving}
+        expressions = [*known.values(), *self.setting.initial.values(), self.quantity, *self.when]
+        if len(known) < len(self.slots.coordinates) or self._not_given():
+            return None
+        if len(self.when) != 1 or not all(e.free_symbols <= moving | values.keys() for e in expressions):
+            return None
+        if not numerical.is_available():
+            return replace(self._asked(Route.NUMBERS), needs=numerical.EXTRA)
+        found = numerical.first_value(
+            {a: e.xreplace(values) for a, e in known.items()},
+            {s: e.xreplace(values) for s, e in self.setting.initial.items()},
+            self.slots.coordinates,
+            self.slots.velocities,
+            self.when[0].xreplace(values),
+            self.quantity.xreplace(values),
+            [f.xreplace(values) for f in self.configuration.finite_constraints],
+        )
+        if found is None:
+            return None
+        number = sp.Float(found, 6)
+        branch = AnswerBranch(self.question.quantity, number, (number,))
+        return replace(self._asked(Route.NUMBERS, How.NUMERICAL, ()), branches=(branch,), verified=None)
+
+    def _not_given(self) -> list[sp.Symbol]:
+        """The coordinates and velocities that have no value at t = 0."""
+        return [s for s in (*self.slots.coordinates, *self.slots.velocities) if s not in self.setting.initial]
+
+    def _constant(self) -> Asked | None:
+        """The answer where the quantity is a multiple of an integral; None where it is none."""
+        moving = {*self.place.moving}
+        for i in self.setting.integrals:
+            ratio = sp.cancel(self.quantity / i.expression) if i.expression.count_ops() < LONGEST_EQUATION else None
+            if ratio is None or ratio.free_symbols & moving:
+                continue
+            value = shortest_form(ratio * i.value)
+            branch = AnswerBranch(self.question.quantity, value, (value,))
+            return replace(self._asked(Route.INTEGRALS, How.EXACT, [i]), branches=(_shown(branch),))
+        return None
+
+    @property
+    def _is_about_time(self) -> bool:
+        """Whether the question mentions t, or asks for a function of it."""
+        return self.question.by == t or any(t in e.free_symbols for e in (self.quantity, *self.when))
 
     def _eliminated(self, used: Sequence[UsedIntegral]) -> Eliminated:
         """The quantity from the integrals, the constraints and the conditions."""
@@ -142,37 +220,212 @@ class _Search:
             unknowns.append(self.parameter)
         return eliminated(equations, self.quantity, unknowns, self.slots.velocities, self.question.quantity)
 
-    def _chosen(self, route: Route, found: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
-        chosen = first_branches(found.branches, self.setting.initial, self.setting.known.accelerations, self.slots)
-        asked = self._asked(route, How.EXACT, used)
-        return Asked(
-            **{
-                **{f: getattr(asked, f) for f in ("question", "choice", "how", "route", "used", "conditions")},
-                "integrals": tuple(used),
-                "quantity": self.quantity,
-                "branches": chosen.branches,
-                "dropped": chosen.dropped,
-                "mirrored": chosen.mirrored,
-                "first": chosen.first,
-                "verified": found.verified,
-            }
+    def _keeps_sense(self, found: Eliminated) -> bool:
+        """Whether velocities whose modulus was replaced have the sign of the start, or may have it."""
+        return all(
+            any(sign_of_value(sense * s[v]) in (0, 1, None) for s in b.states if v in s) or not b.states
+            for v, sense in self.setting.known.senses.items()
+            for b in found.branches[:1]
         )
 
-    def _asked(self, route: Route, how: How | None = None, used: Sequence[UsedIntegral] = ()) -> Asked:
+    def _chosen(self, route: Route, found: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
+        reached = outright(self.when, self.slots.coordinates)
+        quantity = self.question.quantity if self.parameter is not None else self.quantity
+        chosen = first_branches(found.branches, self._beginning, reached, self.question.by, quantity)
+        if not chosen.branches:
+            raise ProblemError(self._never_holds())
+        return replace(
+            self._asked(route, How.EXACT, used),
+            branches=tuple(_shown(b) for b in chosen.branches),
+            dropped=tuple((_shown(b), why) for b, why in chosen.dropped),
+            mirrored=chosen.mirrored,
+            verified=found.verified,
+        )
+
+    @property
+    def _beginning(self) -> Beginning:
+        known = self.setting.known
+        free = len(self.slots.coordinates) - len(self.configuration.rows)
+        frame = self.setting.problem.frame
+        first = frame.names[0] if frame is not None and frame.turning else ""
+        radii = tuple(q for q in self.slots.coordinates if first == f"e_{q}" and self._starts_positive(q))
+        angles = frozenset(
+            s for a in known.accelerations.values() for f in a.atoms(sp.sin, sp.cos) for s in f.args[0].free_symbols
+        )
+        return Beginning(self.setting.initial, known.accelerations, self.slots, free, radii, self._turning, angles)
+
+    def _starts_positive(self, q: sp.Symbol) -> bool:
+        return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1
+
+    def _turning(self) -> Sequence[sp.Expr] | None:
+        """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
+        moving = [q for q in self.slots.coordinates if self.setting.known.accelerations.get(prime(q, 2), 0) != 0]
+        if len(moving) != 1 or not self.setting.integrals:
+            return None
+        [q] = moving
+        used = [i.expression - i.value for i in self.setting.integrals]
+        rates = [r.velocity_form(self.slots) for r in self.configuration.rows]
+        equations = [*used, *self.configuration.finite_constraints, *rates, prime(q)]
+        unknowns = [*self.slots.velocities, *self.slots.coordinates]
+        found = eliminated(equations, q, unknowns, self.slots.velocities, q)
+        if not found.solved or found.free or found.never:
+            return () if found.never else None
+        return [v for b in found.branches for v in b.values]
+
+    def _asked(
+        self,
+        route: Route,
+        how: How | None = None,
+        used: Sequence[UsedIntegral] | None = None,
+        free: frozenset[sp.Symbol] = frozenset(),
+    ) -> Asked:
         return Asked(
             self.question,
             self.place.name,
             how,
             route,
-            tuple(used) or tuple(self.setting.integrals),
+            tuple(self.setting.integrals if used is None else used),
             self.used,
             self.conditions,
             self.quantity,
             missing=tuple(sorted(self.setting.missing, key=str)),
+            open=tuple(sorted(free, key=str)),
+            initial=tuple(Substituted(v.symbol, under_one_root(v.value)) for v in self.setting.problem.initial),
+            senses=self.setting.known.senses,
         )
+
+    # -- in time -------------------------------------------------------------------------------------------------------
+
+    def _in_time(self) -> Asked | None:
+        """The answer from the solution of the equations of motion; None where that is not found."""
+        state = {*self.slots.coordinates, *self.slots.velocities}
+        mentioned = {s for e in (self.quantity, *self.when) for s in e.free_symbols & state}
+        wanted = {base(s) for s in mentioned} | ({self.question.by} - {t, None})
+        motions = closed_motions(self.setting.known.accelerations, self.setting.initial, wanted)
+        branches: list[AnswerBranch] = []
+        for m in motions:
+            found = self._at_time_of(m)
+            if found is None:
+                return None
+            branches += found
+        if not motions:
+            return None
+        if not branches:
+            raise ProblemError(self._never_holds())
+        return replace(
+            self._asked(Route.SOLUTION, How.EXACT, ()),
+            branches=tuple(_shown(b) for b in branches),
+            solutions={q: under_one_root(e) for q, e in motions[0].solutions.items()} if len(motions) == 1 else {},
+        )
+
+    def _at_time_of(self, motion: ClosedMotion) -> list[AnswerBranch] | None:
+        """The quantity in one case of the motion, at the first time at which the conditions hold."""
+        called = self.question.quantity
+        value = motion.at_time(self.quantity)
+        when = [motion.at_time(e) for e in self.when]
+        if self.question.by not in (t, None):
+            when.append(motion.solutions[self.question.by] - self.question.by)
+        if self.question.by == t:
+            return None if when else [AnswerBranch(called, value, (value,), ({},), motion.conditions)]
+        given = next(
+            (
+                e
+                for e in when
+                if e.is_Add and e.coeff(t, 1) in (1, -1) and t not in (e - e.coeff(t, 1) * t).free_symbols
+            ),
+            None,
+        )
+        timed = sorted((e for e in when if t in e.free_symbols), key=lambda e: (e is not given, e.count_ops()))
+        for equation in timed:
+            roots = times(equation, positive=self.question.by is None)
+            if roots is None:
+                continue
+            branches: list[AnswerBranch] | None = []
+            for root in in_order(roots):
+                rest = [e for e in when if e is not equation]
+                more = self._at(root, value, rest, motion, called)
+                branches = None if more is None or branches is None else [*branches, *more]
+            return branches
+        return None
+
+    def _at(
+        self, root: TimeRoot, value: sp.Expr, rest: Sequence[sp.Expr], motion: ClosedMotion, called: sp.Expr
+    ) -> list[AnswerBranch] | None:
+        """The quantity at one time, where the other conditions hold too; a parameter may be found from these."""
+        rule = {t: root.value}
+        conditions = tuple(dict.fromkeys((*motion.conditions, *root.conditions)))
+        left = [e.xreplace(rule) for e in rest]
+        if self.parameter is not None:
+            found = eliminated(left, called, [self.parameter], [], called)
+            if not found.solved or found.free:
+                return None
+            right = [b for b in found.branches if not all(sign_of(v) == -1 for v in b.values)]
+            return [replace(b, conditions=b.conditions) for b in right]
+        if any(is_zero(e) is not True for e in left):
+            return None
+        at = without_roots_in_logarithms(shortest_form(factored_quotient(value.xreplace(rule))))
+        rates = {prime(q): e.diff(t) for q, e in motion.solutions.items()}
+        senses = self.setting.known.senses
+        if not all(_keeps_sign(rates[v], senses[v], root) for v in rates if v in senses):
+            return None
+        state = {t: root.value} | {q: e.xreplace(rule) for q, e in motion.solutions.items()}
+        state |= {v: e.xreplace(rule) for v, e in rates.items()}
+        return [AnswerBranch(called, at, (at,), (state,), conditions)]
+
+    def _by_quadrature(self) -> Asked | None:
+        """t = ∫ dq/q' from q_0 to q_1, where one coordinate moves and an integral gives q'; None if it is not found."""
+        reached = outright(self.when, self.slots.coordinates)
+        if self.question.quantity != t or len(reached) != 1 or len(self.when) != 1 or self._beginning.free != 1:
+            return None
+        [q], initial = reached, self.setting.initial
+        end = self.when[0].xreplace({q: sp.S.Zero}) / -self.when[0].diff(q)
+        if q not in initial or end.free_symbols & {*self.place.moving}:
+            return None
+        used = [i for i in self.setting.integrals if prime(q) in i.expression.free_symbols]
+        rates = [r.velocity_form(self.slots) for r in self.configuration.rows]
+        equations = [*(i.expression - i.value for i in used), *self.configuration.finite_constraints, *rates]
+        unknowns = [s for s in (*self.slots.velocities, *self.slots.coordinates) if s != q]
+        found = eliminated(equations, prime(q), unknowns, self.slots.velocities, prime(q))
+        way = sign_of_value(end - initial[q])
+        if way not in (1, -1) or not found.branches:
+            return None
+        conditions = found.branches[0].conditions
+        speed = next((v for b in found.branches for v in b.values if sign_of_value(v) in (way, None)), None)
+        taken = None if speed is None else time_between(q, speed, initial[q], end, way)
+        if speed is None or taken is None:
+            return None
+        branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
+        asked = self._asked(Route.QUADRATURE, How.EXACT, used)
+        return replace(asked, branches=(_shown(branch),), integrand=(q, under_one_root(speed), initial[q], end))
+
+    def _changes(self) -> Diagnostic:
+        message = f"the quantity of the question `{self.question.name}` changes during the motion"
+        help_ = "say at which state it is wanted, with `when`, or as a function of what, with `by`"
+        return Diagnostic("not-determined", message, self.question.written.whole, help=help_)
+
+    def _not_determined(self, free: frozenset[sp.Symbol]) -> Diagnostic:
+        listed = ", ".join(f"`{s}`" for s in sorted(free, key=str))
+        message = f"the quantity of the question `{self.question.name}` is not determined: it depends on {listed}"
+        missing = ", ".join(f"`{s}`" for s in self._not_given())
+        help_ = f"give {missing} at t = 0 in `initial`, or another condition in `when`"
+        return Diagnostic("not-determined", message, self.question.written.whole, help=help_)
 
     def _never_holds(self) -> Diagnostic:
         first = self.question.when[0].span if self.question.when else self.question.span
         message = f"the `when` of the question `{self.question.name}` never holds in this motion"
         help_ = "no state with the given initial values satisfies it: check the condition, and `initial`"
         return Diagnostic("never-holds", message, first, help=help_)
+
+
+def _keeps_sign(rate: sp.Expr, sense: int, root: TimeRoot) -> bool:
+    """Whether a velocity keeps the sign of the start, with which |q'| was replaced, up to a time."""
+    turns = times(rate)
+    if turns is None:
+        return False
+    if all(sign_of_value(turn.value - root.value) in (0, 1) for turn in turns):
+        return True
+    return sign_of_value(sense * rate.xreplace({t: root.value})) in (0, 1)
+
+
+def _shown(b: AnswerBranch) -> AnswerBranch:
+    return replace(b, rhs=under_one_root(without_leading_minus(b.rhs)), conditions=joined(b.conditions))

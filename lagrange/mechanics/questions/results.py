@@ -42,6 +42,7 @@ class Because(StrEnum):
     """Why a branch was left out, or comes first."""
 
     INITIAL = "initial"  # it is the state at t = 0 itself
+    START = "start"  # it does not begin with the initial state
     ARRIVAL = "arrival"  # a coordinate that reaches a value for the first time moves towards it
     TURNING = "turning"  # the motion starts in one direction, and goes on in it up to the first turning point
     PAST = "past"  # t would be negative
@@ -95,6 +96,8 @@ class Substituted:
 class Asked:
     """The answer to a question.
 
+    initial     the state at t = 0 as the file gives it
+    senses      velocities whose modulus was taken with the sign that they have at first
     choice      the coordinates in which it was answered; empty for the file's own
     integrals   those that were used
     used        reactions and accelerations in the question, in terms of positions and velocities
@@ -104,8 +107,9 @@ class Asked:
     dropped     branches that are not meant, with the reason
     mirrored    whether the branches differ in the sense of the motion alone, and the initial state leaves that open
     solutions   coordinates as functions of time
-    first       why the branch that is left comes first
     missing     initial values that are not given and would be needed
+    integrand   q, q' as a function of it, q_0 and q_1, where the time is an integral over q
+    open        coordinates and velocities on which the quantity depends, and which nothing determines
     needs       an extra of the package that is missing for a numerical answer
     verified    whether it satisfies all equations, exactly; None: undecided
     """
@@ -122,8 +126,11 @@ class Asked:
     dropped: tuple[tuple[AnswerBranch, Because], ...] = ()
     mirrored: bool = False
     solutions: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
-    first: Because | None = None
     missing: tuple[sp.Symbol, ...] = ()
+    integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr] | None = None
+    open: tuple[sp.Symbol, ...] = ()
+    initial: tuple[Substituted, ...] = ()
+    senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
     needs: str = ""
     verified: bool | None = True
 

@@ -11,11 +11,12 @@ which are linear. What contradicts a constraint is an error.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
@@ -70,11 +71,15 @@ class Place:
 
 @record
 class Meanings:
-    """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known."""
+    """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known.
+
+    senses  the signs with which velocities start, where |q'| or sign q' is replaced by means of them
+    """
 
     accelerations: Values
     reactions: Mapping[sp.Symbol, sp.Expr | None]
     energies: Values = field(default_factory=dict)
+    senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
 
     def unknown(self, e: sp.Expr) -> set[sp.Symbol]:
         """The reactions in an expression that are not known."""
@@ -122,6 +127,23 @@ def _accelerations(place: Place) -> Values:
         return {}
     pairs = zip(wanted, solved or [], strict=False)
     return {a: v for a, v in pairs if v is not None and v.count_ops() <= LONGEST_EQUATION}
+
+
+def with_senses(known: Meanings, initial: Values) -> Meanings:
+    """The same for the sense in which the motion starts, where |q'| or the sign of q' occurs: c |q'| q' is c q'^2."""
+    senses: dict[sp.Symbol, int] = {}
+    for a, value in known.accelerations.items():
+        v = sp.Symbol(a.name[:-1], real=True)
+        if v not in initial or not value.has(sp.Abs(v), sp.sign(v)):
+            continue
+        sign = sign_of(initial[v])
+        if sign == 0 and not value.has(sp.sign(v)):
+            sign = sign_of(value.xreplace(dict(initial)))
+        if sign in (1, -1):
+            senses[v] = sign
+    rule = {f: e for v, s in senses.items() for f, e in ((sp.Abs(v), s * v), (sp.sign(v), sp.Integer(s)))}
+    accelerations = {a: e.xreplace(rule) for a, e in known.accelerations.items()}
+    return replace(known, accelerations=accelerations, senses=senses)
 
 
 # The initial state
@@ -225,9 +247,9 @@ def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[t
             left = _at_start(form).xreplace(dict(known))
             if left.free_symbols & moving or is_zero(left) is not False:
                 continue
-            kind = "its rate" if velocity and row.finite is not None else "it"
+            kind = "the rate of left minus right" if velocity and row.finite is not None else "left minus right"
             message = f"the initial state contradicts the constraint `{row.name}`"
-            label = f"{kind} should be 0, and is {text(tidy_quotient(left))}"
+            label = f"{kind} would be {text(tidy_quotient(left))}, not 0"
             help_ = "change the values, or leave out those that follow from the others"
             raise ProblemError(Diagnostic("initial-contradicts", message, last, label, help_))
     for e, v in conditions:

@@ -1,0 +1,269 @@
+"""Solutions of equations of motion in closed form, for the initial state.
+
+Of an equation for one coordinate q alone:
+
+    q'' + c q' + k q = F(t)     with constant c and k; F a sum of constants, powers of t, cosines and sines
+    q'' = α − β q'^2            drag with the square of the velocity: u = exp(β (q − q_0)) satisfies u'' = α β u
+
+The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be
+the natural one, resonance is a case of its own.
+
+Every solution is put back: it satisfies the equation and both initial values, exactly, or is not used. A case that
+holds for a relation between parameters is put back where the relation holds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import product
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
+from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.core.records import record
+from lagrange.core.symbols import Unspecified, base, prime, t
+from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS
+from lagrange.mechanics.questions.states import Values
+
+
+@record
+class ClosedMotion:
+    """Coordinates as functions of time, in one case.
+
+    conditions  under which it is the solution; the relation `=` is one between parameters
+    """
+
+    solutions: Mapping[sp.Symbol, sp.Expr]
+    conditions: tuple[SignCondition, ...] = ()
+
+    def at_time(self, e: sp.Expr) -> sp.Expr:
+        """An expression of the state as a function of time."""
+        rule: dict[sp.Symbol, sp.Expr] = {}
+        for q, s in self.solutions.items():
+            rule |= {q: s, prime(q): s.diff(t)}
+        return e.xreplace(rule)
+
+
+def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol]) -> list[ClosedMotion]:
+    """The wanted coordinates as functions of time, in each case; empty where one of them is not found."""
+    cases: list[list[ClosedMotion]] = []
+    for q in sorted(wanted, key=str):
+        a = accelerations.get(prime(q, 2))
+        if a is None or q not in initial or prime(q) not in initial or a.count_ops() > LONGEST_INTEGRATED:
+            return []
+        found = _of_one(q, a, initial[q], initial[prime(q)])
+        if not found:
+            return []
+        cases.append(found)
+    joined = []
+    for combination in product(*cases):
+        solutions: dict[sp.Symbol, sp.Expr] = {}
+        conditions: list[SignCondition] = []
+        for motion in combination:
+            solutions |= motion.solutions
+            conditions += [c for c in motion.conditions if c not in conditions]
+        joined.append(ClosedMotion(solutions, tuple(conditions)))
+    return joined if len(joined) <= MOST_CASES else []
+
+
+def _of_one(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> list[ClosedMotion]:
+    """The solutions of q'' = a, verified."""
+    v = prime(q)
+    others = {s for s in a.free_symbols if s not in (q, v) and (base(s) != s)}
+    if others or a.has(Unspecified):
+        return []
+    found = [*_linear(q, a, place, speed)] or [*_quadratic_drag(q, a, place, speed)]
+    verified = [m for m in found if _is_solution(m, q, a, place, speed)]
+    return verified if len(verified) == len(found) else []
+
+
+def _is_solution(motion: ClosedMotion, q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> bool:
+    """Whether the equation and the initial values are satisfied, exactly; where a relation holds, if there is one."""
+    solution = motion.solutions[q]
+    rate = solution.diff(t)
+    residuals = [
+        rate.diff(t) - a.xreplace({q: solution, prime(q): rate}),
+        solution.xreplace({t: sp.S.Zero}) - place,
+        rate.xreplace({t: sp.S.Zero}) - speed,
+    ]
+    for c in motion.conditions:
+        if c.relation == "=":
+            rule = _solved_relation(c.lhs - c.rhs)
+            if rule is None:
+                return False
+            residuals = [e.xreplace(rule) for e in residuals]
+    try:
+        return all(is_zero(e) is True for e in residuals)
+    except DivisionByZeroError:
+        return False
+
+
+def _solved_relation(e: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:
+    """A relation between parameters, solved for one in which it is linear."""
+    above = sp.expand(sp.fraction(sp.together(e))[0])
+    for s in sorted(above.free_symbols, key=str):
+        slope = above.diff(s)
+        if s not in slope.free_symbols and slope != 0:
+            return {s: sp.cancel(-above.xreplace({s: sp.S.Zero}) / slope)}
+    return None
+
+
+# Linear equations with constant coefficients
+
+
+def _linear(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> Iterator[ClosedMotion]:
+    v = prime(q)
+    k, c = -a.diff(q), -a.diff(v)
+    if {q, v, t} & (k.free_symbols | c.free_symbols):
+        return
+    forcing = sp.expand(a.xreplace({q: sp.S.Zero, v: sp.S.Zero}))
+    k, c = sp.factor(k), sp.factor(c)
+    for particular, conditions in _particular(forcing, c, k):
+        rest = (place - particular.xreplace({t: sp.S.Zero}), speed - particular.diff(t).xreplace({t: sp.S.Zero}))
+        for free, more in _homogeneous(c, k, *rest):
+            solution = _tidy(particular + free)
+            yield ClosedMotion({q: solution}, tuple(dict.fromkeys((*conditions, *more))))
+
+
+def _tidy(e: sp.Expr) -> sp.Expr:
+    """The terms of a solution with the same function of time together."""
+    expanded = sp.expand(e, deep=False, power_exp=False, log=False)
+    parts: dict[sp.Expr, sp.Expr] = {}
+    for term in sp.Add.make_args(sp.expand_mul(expanded)):
+        share, rest = term.as_independent(t, as_Add=False)
+        parts[rest] = parts.get(rest, sp.S.Zero) + share
+    return sp.Add(*(factored_quotient(share) * rest for rest, share in parts.items()))
+
+
+def _homogeneous(
+    c: sp.Expr, k: sp.Expr, place: sp.Expr, speed: sp.Expr
+) -> Iterator[tuple[sp.Expr, tuple[SignCondition, ...]]]:
+    """The solutions of q'' + c q' + k q = 0 with these initial values."""
+    if k == 0 and c == 0:
+        yield place + speed * t, ()
+    elif k == 0:
+        yield place + speed / c * (1 - sp.exp(-c * t)), ()
+    else:
+        yield from _by_discriminant(c, k, place, speed)
+
+
+def _by_discriminant(
+    c: sp.Expr, k: sp.Expr, place: sp.Expr, speed: sp.Expr
+) -> Iterator[tuple[sp.Expr, tuple[SignCondition, ...]]]:
+    d = sp.factor(c**2 / 4 - k)
+    sign = sign_of(d)
+    decay = sp.exp(-c * t / 2) if c != 0 else sp.S.One
+    inner = speed + c * place / 2
+    if sign in (-1, None):
+        w = square_root(-d)
+        yield decay * (place * sp.cos(w * t) + inner / w * sp.sin(w * t)), _if_open(sign, more_than_zero(-d))
+    if sign in (0, None):
+        yield decay * (place + inner * t), () if sign == 0 else (_equal(d),)
+    if sign in (1, None):
+        w = square_root(d)
+        if c == 0:
+            yield place * sp.cosh(w * t) + inner / w * sp.sinh(w * t), _if_open(sign, more_than_zero(d))
+            return
+        slow, fast = w - c / 2, -w - c / 2
+        both = ((speed - fast * place) * sp.exp(slow * t) - (speed - slow * place) * sp.exp(fast * t)) / (2 * w)
+        yield both, _if_open(sign, more_than_zero(d))
+
+
+def _if_open(sign: int | None, condition: SignCondition) -> tuple[SignCondition, ...]:
+    return () if sign is not None else (condition,)
+
+
+def _equal(e: sp.Expr) -> SignCondition:
+    """e = 0 as a relation between parameters, with the negative terms on the other side."""
+    condition = more_than_zero(e)
+    return SignCondition(condition.lhs, "=", condition.rhs)
+
+
+def _particular(forcing: sp.Expr, c: sp.Expr, k: sp.Expr) -> Iterator[tuple[sp.Expr, tuple[SignCondition, ...]]]:
+    """Solutions of q'' + c q' + k q = F, for each case of resonance."""
+    terms = [f for f in sp.Add.make_args(forcing) if f != 0]
+    if len(terms) > MOST_FORCING_TERMS:
+        return
+    steady = sp.S.Zero
+    waves: list[tuple[sp.Expr, sp.Expr, bool]] = []
+    for f in terms:
+        share, rest = f.as_independent(t, as_Add=False)
+        power = _of_power(share, rest, c, k)
+        if power is not None:
+            steady += power
+        elif isinstance(rest, sp.cos | sp.sin) and t not in rest.args[0].diff(t).free_symbols:
+            waves.append((share, rest.args[0], isinstance(rest, sp.cos)))
+        else:
+            return
+    for cases in product(*(list(_of_wave(*wave, c, k)) for wave in waves)):
+        conditions = tuple(dict.fromkeys(x for _, more in cases for x in more))
+        if sum(x.relation == "=" for x in conditions) <= 1:
+            yield steady + sp.Add(*(e for e, _ in cases)), conditions
+
+
+def _of_power(share: sp.Expr, rest: sp.Expr, c: sp.Expr, k: sp.Expr) -> sp.Expr | None:
+    """The particular solution for share · t^n, n = 0, 1, 2 ..."""
+    n = 0 if rest == 1 else int(rest.as_base_exp()[1]) if rest.is_Pow or rest == t else None
+    if n is None or rest != t**n or not 0 <= n <= 4:
+        return None
+    letters = sp.symbols(f"c_0:{n + 3}")
+    trial = sp.Add(*(letter * t**m for m, letter in enumerate(letters)))
+    residual = sp.Poly(sp.expand(trial.diff(t, 2) + c * trial.diff(t) + k * trial - share * t**n), t)
+    free = [0, 1] if k == 0 and c == 0 else [0] if k == 0 else []
+    rule: dict[sp.Symbol, sp.Expr] = {letters[m]: sp.S.Zero for m in free}
+    for equation in residual.all_coeffs():
+        equation = equation.xreplace(rule)
+        unknown = [x for x in letters if x in equation.free_symbols]
+        if not unknown:
+            continue
+        x = unknown[-1]
+        slope = equation.diff(x)
+        rule[x] = sp.cancel(-equation.xreplace({x: sp.S.Zero}) / slope)
+        rule = {y: e.xreplace({x: rule[x]}) for y, e in rule.items()}
+    return trial.xreplace(rule).xreplace(dict.fromkeys(letters, sp.S.Zero))
+
+
+def _of_wave(
+    share: sp.Expr, phase: sp.Expr, cosine: bool, c: sp.Expr, k: sp.Expr
+) -> Iterator[tuple[sp.Expr, tuple[SignCondition, ...]]]:
+    """The particular solutions for share · cos(Ω t + φ) or sin: forced oscillation, and resonance without damping."""
+    w = phase.diff(t)
+    wave, other = (sp.cos(phase), sp.sin(phase)) if cosine else (sp.sin(phase), -sp.cos(phase))
+    detuning = sp.factor(k - w**2)
+    if c != 0:
+        yield share * (detuning * wave + c * w * other) / (detuning**2 + (c * w) ** 2), ()
+        return
+    if detuning != 0:
+        yield share * wave / detuning, different_from_zero(detuning)
+    if detuning == 0 or (sign_of(detuning) is None and w != 0):
+        yield share * t * other / (2 * w), () if detuning == 0 else (_equal(detuning),)
+
+
+# Drag
+
+
+def _quadratic_drag(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> Iterator[ClosedMotion]:
+    """q'' = α − β q'²: q = q_0 + log(u)/β, u'' = α β u, u(0) = 1, u'(0) = β q'_0."""
+    v = prime(q)
+    if not a.is_polynomial(v) or {q, t} & a.free_symbols:
+        return
+    powers = dict(sp.Poly(a, v).terms())
+    if set(powers) - {(0,), (2,)} or (2,) not in powers:
+        return
+    alpha, beta = sp.factor(powers.get((0,), sp.S.Zero)), sp.factor(-powers[(2,)])
+    for u, conditions in _growth(sp.factor(alpha * beta), beta * speed):
+        yield ClosedMotion({q: place + sp.log(u) / beta}, conditions)
+
+
+def _growth(square: sp.Expr, rate: sp.Expr) -> Iterator[tuple[sp.Expr, tuple[SignCondition, ...]]]:
+    sign = sign_of(square)
+    if sign == 0:
+        yield 1 + rate * t, ()
+    if sign == 1:
+        w = square_root(square)
+        yield sp.cosh(w * t) + factored_quotient(rate / w) * sp.sinh(w * t), ()
+    if sign == -1:
+        w = square_root(-square)
+        yield sp.cos(w * t) + factored_quotient(rate / w) * sp.sin(w * t), ()

@@ -1,0 +1,122 @@
+"""How values and conditions are written: square roots of products under one root, √(2 g h) for √2 √g √h."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+
+
+def under_one_root(e: sp.Expr) -> sp.Expr:
+    """The expression with the square roots of a product under one root. It is to be shown, not to be computed with."""
+    if e.is_Atom:
+        return e
+    if e.is_Mul:
+        return _product(e)
+    if e.is_Add:
+        return sp.Add(*(under_one_root(a) for a in e.args), evaluate=False)
+    if e.is_Function:
+        return e.func(*(under_one_root(a) for a in e.args), evaluate=False)
+    if e.is_Pow and e.base.is_Function:
+        return sp.Pow(under_one_root(e.base), e.exp, evaluate=False)
+    return e
+
+
+def _product(e: sp.Expr) -> sp.Expr:
+    inside: list[sp.Expr] = []
+    outside: list[sp.Expr] = []
+    number: sp.Expr = sp.S.One
+    for f in e.args:
+        base, exponent = f.as_base_exp()
+        if f.is_Rational:
+            number = number * f
+        elif exponent in (sp.S.Half, -sp.S.Half):
+            inside.append(base if exponent == sp.S.Half else 1 / base)
+        else:
+            outside.append(under_one_root(f))
+    if len(inside) < 2 and not (inside and inside[0].is_Rational is False and _fits(number, inside[0])):
+        parts = [under_one_root(f) for f in e.args]
+        return e if list(e.args) == parts else sp.Mul(*parts, evaluate=False)
+    radicand = without_leading_minus(sp.Mul(*inside))
+    if _fits(number, radicand):  # √(2/3 g R) for √6/3 √(g R)
+        radicand, number = number**2 * radicand, sp.sign(number)
+    root = sp.Pow(radicand, sp.S.Half, evaluate=False)
+    factors = [*([number] if number != 1 else []), *outside, root]
+    return factors[0] if len(factors) == 1 else sp.Mul(*factors, evaluate=False)
+
+
+def without_roots_in_logarithms(e: sp.Expr) -> sp.Expr:
+    """log √x as log(x)/2, also where the root is in a denominator."""
+
+    def shorter(f: sp.Expr) -> sp.Expr:
+        inner = f.args[0]
+        if not inner.is_Mul or not inner.is_positive or inner.is_number:
+            return f
+        square = sp.cancel(sp.together(inner**2))
+        has_root = any(p.exp.is_Rational and not p.exp.is_Integer for p in square.atoms(sp.Pow))
+        return f if has_root or square.count_ops() >= inner.count_ops() else sp.log(square) / 2
+
+    return e.replace(lambda f: isinstance(f, sp.log), shorter)
+
+
+def _fits(number: sp.Expr, radicand: sp.Expr) -> bool:
+    """Whether a fraction goes under a root without leaving a larger number there."""
+    inner = radicand.as_coeff_Mul()[0]
+    return bool(number.q > 1 and inner != 1 and (number**2 * inner).q < number.q**2)
+
+
+def without_leading_minus(e: sp.Expr) -> sp.Expr:
+    """A product with a minus sign before it and a sum in it, without the sign: (R − h)/R for −(h − R)/R."""
+    if e.is_Add:
+        return sp.Add(*(without_leading_minus(a) for a in e.args))
+    if not e.is_Mul:
+        return e
+    factors = [_turned(f) for f in e.args]
+    if not e.could_extract_minus_sign():
+        return sp.Mul(*factors)
+    for n, f in enumerate(factors):
+        base, exponent = f.as_base_exp()
+        if base.is_Add and exponent.is_Integer and exponent % 2 and _negative(base) >= _negative(-base):
+            rest = [*factors[:n], *factors[n + 1 :]]
+            return sp.Mul(sp.S.NegativeOne, *rest) * sp.Pow(sp.Add(*(-a for a in base.args)), exponent)
+    return sp.Mul(*factors)
+
+
+def _negative(e: sp.Expr) -> int:
+    return sum(a.could_extract_minus_sign() for a in sp.Add.make_args(sp.expand_mul(e)))
+
+
+def _turned(f: sp.Expr) -> sp.Expr:
+    base, exponent = f.as_base_exp()
+    if base.is_Mul and exponent.is_Rational:
+        return sp.Pow(without_leading_minus(base), exponent)
+    return f
+
+
+def joined(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:
+    """Each condition once, without what always holds; a ≥ b and a ≠ b are a > b."""
+    kept = [c for c in dict.fromkeys(conditions) if not _always(c)]
+    different = [c for c in kept if c.relation == "≠"]
+    result: list[SignCondition] = []
+    for c in kept:
+        pair = {sp.expand(c.lhs - c.rhs), sp.expand(c.rhs - c.lhs)}
+        if c.relation == "≠" and any(o.relation in (">", "<", "≥", "≤") and _between(o) in pair for o in kept):
+            continue
+        strict = c.relation in ("≥", "≤") and any(_between(o) in pair for o in different)
+        relation = {"≥": ">", "≤": "<"}[c.relation] if strict else c.relation
+        if SignCondition(c.lhs, relation, c.rhs) not in result:
+            result.append(SignCondition(c.lhs, relation, c.rhs))
+    return tuple(result)
+
+
+def _between(c: SignCondition) -> sp.Expr:
+    return sp.expand(c.lhs - c.rhs)
+
+
+def _always(c: SignCondition) -> bool:
+    """Whether a condition is |cos α| ≤ 1, or compares e^a with e^b where a − b has a sign."""
+    if c.relation == "≥" and all(isinstance(e, sp.exp) or e == 1 for e in (c.lhs, c.rhs)):
+        return sign_of(sp.log(c.lhs) - sp.log(c.rhs)) in (0, 1)
+    return c.relation == "≤" and c.rhs == 1 and isinstance(c.lhs, sp.Abs) and isinstance(c.lhs.args[0], sp.cos | sp.sin)

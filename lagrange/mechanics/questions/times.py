@@ -1,0 +1,229 @@
+"""The time at which a condition holds, for motions in closed form.
+
+    powers of t                         the roots of a polynomial
+    A cos ωt + B sin ωt + C = 0         the first root after t = 0, where its place can be told from the signs
+    e^{λt}, cosh λt, sinh λt            a polynomial in E = e^{λt}; t = log(E)/λ
+    A log(u(t)) + B = 0                 u(t) = e^{−B/A}
+
+Roots of which it is certain that they are not positive are not listed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, factors, numerator, polynomial_roots
+from lagrange.algebra.closed_forms.signs import (
+    SignCondition,
+    between_minus_one_and_one,
+    more_than_zero,
+    sign_of,
+)
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.records import record
+from lagrange.core.symbols import t
+from lagrange.mechanics.questions.branches import sign_of_value
+from lagrange.mechanics.questions.limits import LONGEST_EQUATION
+
+
+@record
+class TimeRoot:
+    """A time, and the conditions under which it is real and positive; `certain` where it is positive in any case."""
+
+    value: sp.Expr
+    conditions: tuple[SignCondition, ...] = ()
+    certain: bool = False
+
+
+def times(equation: sp.Expr, positive: bool = True) -> list[TimeRoot] | None:
+    """The positive roots, of a periodic function the first; None where they are not found in closed form.
+
+    positive  whether roots of unknown sign get the condition that they are positive
+    """
+    if equation.count_ops() > LONGEST_EQUATION:
+        return None
+    above, _ = sp.fraction(sp.together(equation))
+    for form in (sp.expand(equation), sp.expand(above)):
+        roots = _without_logarithm(form)
+        if roots is not None:
+            return [r for r in map(_positive, roots) if r is not None] if positive else roots
+    return None
+
+
+def _positive(root: TimeRoot) -> TimeRoot | None:
+    """The root with the condition that it is positive, where that is open; None where it is not."""
+    sign = 1 if root.certain else sign_of_value(root.value)
+    if sign in (0, -1):
+        return None
+    if sign is None:
+        condition = _positive_logarithm(root.value) or more_than_zero(root.value)
+        if condition not in root.conditions:
+            return TimeRoot(root.value, (*root.conditions, condition))
+    return root
+
+
+def _positive_logarithm(value: sp.Expr) -> SignCondition | None:
+    """E > 1 for c log E > 0, where c has a sign."""
+    logs = list(value.atoms(sp.log))
+    if len(logs) != 1:
+        return None
+    share = value / logs[0]
+    sign = None if share.has(sp.log) else sign_of(share)
+    if sign not in (1, -1):
+        return None
+    above, below = sp.fraction(sp.together(logs[0].args[0]))
+    if sign_of(below) != 1:
+        return None
+    return more_than_zero(sign * (above - below))
+
+
+def _without_logarithm(e: sp.Expr) -> list[TimeRoot] | None:
+    logs = [f for f in e.atoms(sp.log) if t in f.free_symbols]
+    if len(logs) > 1:
+        return None
+    if logs:
+        [log] = logs
+        slope = e.coeff(log, 1)
+        rest = sp.expand(e - slope * log)
+        if t in (slope.free_symbols | rest.free_symbols) or slope == 0:
+            return None
+        return _without_logarithm(sp.expand(log.args[0] - sp.exp(factored_quotient(-rest / slope))))
+    if e.has(sp.cos, sp.sin) and any(t in f.free_symbols for f in e.atoms(sp.cos, sp.sin)):
+        return _of_waves(e)
+    if any(t in f.free_symbols for f in e.atoms(sp.exp, sp.cosh, sp.sinh)):
+        return _of_exponentials(e)
+    return _of_polynomial(e)
+
+
+def _of_polynomial(e: sp.Expr) -> list[TimeRoot] | None:
+    if not e.is_polynomial(t):
+        return None
+    parts = numerator(e)
+    pieces = factors(parts[0]) if parts is not None else None
+    if pieces is None:
+        return None
+    roots: list[TimeRoot] = []
+    for piece in pieces:
+        if t not in piece.free_symbols:
+            continue
+        values = polynomial_roots(piece, t)
+        if values is None:
+            return None
+        roots += [TimeRoot(v.value, v.conditions) for v in values]
+    return roots
+
+
+def _of_waves(e: sp.Expr) -> list[TimeRoot] | None:
+    """A cos ωt + B sin ωt + C = 0, and a product of this with what has no roots."""
+    common = sp.factor_terms(e)
+    factors_with_time = [f for f in sp.Mul.make_args(common) if t in f.free_symbols and not isinstance(f, sp.exp)]
+    if len(factors_with_time) != 1:
+        return None
+    e = sp.expand(factors_with_time[0].as_base_exp()[0])
+    waves = [f for f in e.atoms(sp.cos, sp.sin) if t in f.free_symbols]
+    frequencies = {sp.expand(f.args[0]) for f in waves}
+    if len(frequencies) != 1:
+        return None
+    [phase] = frequencies
+    w = phase.diff(t)
+    if phase.xreplace({t: sp.S.Zero}) != 0 or t in w.free_symbols or sign_of(w) not in (1, -1):
+        return None
+    a, b = e.coeff(sp.cos(phase), 1), e.coeff(sp.sin(phase), 1)
+    c = sp.expand(e - a * sp.cos(phase) - b * sp.sin(phase))
+    if any(t in x.free_symbols for x in (a, b, c)):
+        return None
+    return _first_of_wave(sp.factor(a), sp.factor(b), sp.factor(c), sp.Abs(w))
+
+
+def _first_of_wave(a: sp.Expr, b: sp.Expr, c: sp.Expr, w: sp.Expr) -> list[TimeRoot] | None:
+    """The first positive root of a cos ωt + b sin ωt + c = 0."""
+    if b == 0:
+        ratio = factored_quotient(-c / a)
+        conditions = between_minus_one_and_one(ratio)
+        if conditions is None:
+            return []
+        if ratio == 1:
+            return [TimeRoot(2 * sp.pi / w)]
+        return [TimeRoot(sp.acos(ratio) / w, conditions)]
+    if a == 0 and c == 0:
+        return [TimeRoot(sp.pi / w)]
+    if a == 0:
+        ratio = factored_quotient(-c / b)
+        conditions = between_minus_one_and_one(ratio)
+        if conditions is None:
+            return []
+        sign = sign_of_value(ratio)
+        if sign is None:
+            return None
+        return [TimeRoot((sp.asin(ratio) if sign > 0 else sp.pi - sp.asin(ratio)) / w, conditions)]
+    if c == 0:
+        tangent = factored_quotient(-a / b)
+        sign = sign_of_value(tangent)
+        if sign is None:
+            return None
+        return [TimeRoot((sp.atan(tangent) if sign > 0 else sp.pi + sp.atan(tangent)) / w)]
+    if is_zero(a + c):  # it holds at t = 0: a (cos − 1) + b sin = 0, tan(ωt/2) = b/a
+        tangent = factored_quotient(b / a)
+        sign = sign_of_value(tangent)
+        if sign is None:
+            return None
+        return [TimeRoot(2 * (sp.atan(tangent) if sign > 0 else sp.pi + sp.atan(tangent)) / w)]
+    return None
+
+
+def _of_exponentials(e: sp.Expr) -> list[TimeRoot] | None:
+    """A polynomial in E = e^{λt} and 1/E."""
+    e = sp.expand(e.replace(lambda f: isinstance(f, sp.cosh | sp.sinh), lambda f: f.rewrite(sp.exp)))
+    exponents = {sp.expand(f.args[0]) for f in e.atoms(sp.exp) if t in f.free_symbols}
+    rates = {x.diff(t) for x in exponents}
+    if any(x != sp.expand(r * t) for x in exponents for r in [x.diff(t)]) or not rates:
+        return None
+    first = min(rates, key=lambda r: (r.count_ops(), str(r)))
+    ratios = {r: sp.cancel(r / first) for r in rates}
+    if not all(q.is_Integer for q in ratios.values()):
+        return None
+    letter = sp.Dummy("E", positive=True)
+    rule = {sp.exp(r * t): letter**q for r, q in ratios.items()}
+    rule |= {f: letter ** ratios[f.args[0].diff(t)] for f in e.atoms(sp.exp) if t in f.free_symbols}
+    polynomial = sp.fraction(sp.together(e.xreplace(rule)))[0]
+    if t in polynomial.free_symbols:
+        return None
+    pieces = factors(sp.expand(polynomial))
+    if pieces is None:
+        return None
+    return _logarithms(pieces, letter, first)
+
+
+def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list[TimeRoot] | None:
+    roots: list[TimeRoot] = []
+    for piece in pieces:
+        if letter not in piece.free_symbols:
+            continue
+        values = polynomial_roots(piece, letter)
+        if values is None:
+            return None
+        for v in values:
+            sign = sign_of_value(v.value)
+            if sign in (0, -1):
+                continue
+            below = () if sign == 1 else (more_than_zero(v.value),)
+            conditions = tuple(dict.fromkeys((*v.conditions, *below)))
+            roots.append(TimeRoot(factored_quotient(sp.log(v.value) / rate), conditions))
+        if len(values) == 2 and len(roots) == 2 and is_zero(values[0].value * values[1].value - 1):
+            larger = sign_of_value(values[0].value - values[1].value)
+            rising = sign_of(rate)
+            if larger in (1, -1) and rising in (1, -1):  # E and 1/E: times of opposite signs
+                kept = roots[0] if larger == rising else roots[1]
+                roots = [TimeRoot(kept.value, kept.conditions, certain=True)]
+    return roots
+
+
+def in_order(roots: list[TimeRoot]) -> Iterator[TimeRoot]:
+    """The first of several roots where that can be told; all of them otherwise."""
+    for r in roots:
+        if all(o is r or sign_of_value(o.value - r.value) in (0, 1) for o in roots):
+            yield r
+            return
+    yield from roots

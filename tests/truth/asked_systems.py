@@ -1,0 +1,113 @@
+"""The shipped problems of motion that ask questions, each with its equations by a second route.
+
+As in `shipped_systems`. The answers to their questions have a second route of their own, in `test_questions`.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+from sympy import cos, sin
+
+from tests.support.second_route import Route, constants, lagrange, literature, moving, newton, newton_euler, t
+from tests.truth.body_systems import flat
+from tests.truth.textbook_systems import HOLONOMIC, Textbook, d
+
+
+def leaving_a_sphere() -> tuple[Route, ...]:
+    r, theta = moving("r theta")
+    m, radius, g = constants("m R g")
+    at = (r * sin(theta), r * cos(theta))
+    return (newton("r theta", [(m, at, (0, -m * g))], {"sphere": r - radius}),)
+
+
+def loop_the_loop() -> tuple[Route, ...]:
+    r, theta = moving("r theta")
+    m, radius, g = constants("m R g")
+    at = (r * sin(theta), -r * cos(theta))
+    return (newton("r theta", [(m, at, (0, -m * g))], {"track": radius - r}),)
+
+
+def released_pendulum() -> tuple[Route, ...]:
+    x, y = moving("x y")
+    m, l, g = constants("m l g")
+    return (newton("x y", [(m, (x, y), (0, m * g))], {"string": x**2 + y**2 - l**2}),)
+
+
+def radial() -> tuple[Route, ...]:
+    r = moving("r")[0]
+    m, strength = constants("m K")
+    return (newton("r", [(m, (r, sp.S.Zero), (-m * strength / r**2, 0))]),)
+
+
+def sledge_up_a_slope() -> tuple[Route, ...]:
+    x, y = moving("x y")
+    m, mu, alpha, g = constants("m mu alpha g")
+    normal = sp.Symbol("lambda_slope")
+    along = m * d(x, 2) + m * g * sin(alpha) + mu * normal
+    away = m * d(y, 2) + m * g * cos(alpha) - normal
+    return (literature("x y", (along, away), {"slope": y}, multipliers="lambda_slope"),)
+
+
+def bead_slowed_on_a_ring() -> tuple[Route, ...]:
+    """The ring presses inwards: its multiplier is negative, and friction is mu times its opposite."""
+    r, theta = moving("r theta")
+    m, radius, mu = constants("m R mu")
+    outward = sp.Symbol("lambda_ring")
+    radial_law = m * (d(r, 2) - r * d(theta) ** 2) - outward
+    around = m * (r * d(theta, 2) + 2 * d(r) * d(theta)) - mu * outward
+    return (literature("r theta", (radial_law, around), {"ring": r - radius}, multipliers="lambda_ring"),)
+
+
+def weight_let_go_on_a_spring() -> tuple[Route, ...]:
+    x = moving("x")[0]
+    m, k, g = constants("m k g")
+    return (lagrange("x", m * d(x) ** 2 / 2, k * x**2 / 2 - m * g * x),)
+
+
+def thrown_stone() -> tuple[Route, ...]:
+    x, y = moving("x y")
+    m, g = constants("m g")
+    return (newton("x y", [(m, (x, y), (0, -m * g))]),)
+
+
+def fall_through_air() -> tuple[Route, ...]:
+    y = moving("y")[0]
+    m, c, g = constants("m c g")
+    return (literature("y", (m * d(y, 2) - m * g + c * sp.Abs(d(y)) * d(y),)),)
+
+
+def boat_that_drifts() -> tuple[Route, ...]:
+    x = moving("x")[0]
+    m, b = constants("m b")
+    return (literature("x", (m * d(x, 2) + b * d(x),)),)
+
+
+def shaken_into_resonance() -> tuple[Route, ...]:
+    x = moving("x")[0]
+    m, k, force, w = constants("m k F w")
+    return (newton("x", [(m, (x, sp.S.Zero), (-k * x + force * cos(w * t), 0))]),)
+
+
+def rolling_without_slip() -> tuple[Route, ...]:
+    x, y, theta = moving("x y theta")
+    m, radius, alpha, g = constants("m R alpha g")
+    weight = (m * g * sin(alpha), -m * g * cos(alpha), 0)
+    cylinder = flat(m, (x, y), m * radius**2 / 2, -theta, force=weight)
+    return (newton_euler("x y theta", [cylinder], {"contact": y - radius}, {"rolling": radius * d(theta) - d(x)}),)
+
+
+ASKED: dict[str, Textbook] = {
+    "bead-slowed-on-a-ring": Textbook(bead_slowed_on_a_ring, HOLONOMIC, 1, 1),
+    "boat-that-drifts": Textbook(boat_that_drifts, HOLONOMIC, 1, 0),
+    "coasting-away": Textbook(radial, HOLONOMIC, 1, 0),
+    "escape-from-a-planet": Textbook(radial, HOLONOMIC, 1, 0),
+    "fall-through-air": Textbook(fall_through_air, HOLONOMIC, 1, 0),
+    "leaving-a-sphere": Textbook(leaving_a_sphere, HOLONOMIC, 1, 1),
+    "loop-the-loop": Textbook(loop_the_loop, HOLONOMIC, 1, 1),
+    "released-pendulum": Textbook(released_pendulum, HOLONOMIC, 1, 1, ranges={"l": (2, 3)}),
+    "rolling-without-slip": Textbook(rolling_without_slip, HOLONOMIC, 1, 2),
+    "shaken-into-resonance": Textbook(shaken_into_resonance, HOLONOMIC, 1, 0),
+    "sledge-up-a-slope": Textbook(sledge_up_a_slope, HOLONOMIC, 1, 1),
+    "thrown-stone": Textbook(thrown_stone, HOLONOMIC, 2, 0),
+    "weight-let-go-on-a-spring": Textbook(weight_let_go_on_a_spring, HOLONOMIC, 1, 0),
+}
