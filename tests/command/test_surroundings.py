@@ -185,3 +185,15 @@ def test_a_journal_that_is_a_link_is_not_followed(batch: GradingRun, tmp_path: P
     with pytest.raises(ProblemError, match="it is a link, which is not followed"):
         graded(batch)
     assert (tmp_path / "mine").read_text() == "mine"
+
+
+def test_a_template_is_not_left_half_written(tmp_path: Path) -> None:
+    program = (
+        "import resource; resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)); from lagsolve.main import main; main()"
+    )
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(map(str, (ROOT, ROOT / "cli")))}
+    called = [sys.executable, "-B", "-c", program, "new", str(tmp_path / "a.yaml")]
+    done = subprocess.run(called, env=environment, capture_output=True, timeout=PATIENCE)
+    assert done.returncode == 2
+    assert b"error[cannot-write]" in done.stderr
+    assert os.listdir(tmp_path) == []
