@@ -6,16 +6,34 @@ import sys
 
 def run() -> None:
     """Runs the command line."""
+    _import_nothing_from_here()
     try:
         from lagsolve.main import main
 
         main(prog_name="lagsolve")
     except KeyboardInterrupt:
-        sys.stderr.write("interrupted\n")
+        if sys.stderr is not None:
+            sys.stderr.write("interrupted\n")
         sys.exit(130)  # command_group.INTERRUPTED, which may not be imported yet
     except SystemExit as end:
         _leave_at_once(end.code)
         raise
+
+
+def _import_nothing_from_here() -> None:
+    """Takes the current folder off the path: a folder of submissions may have a `sympy.py` in it.
+
+    `python -m lagsolve` puts it there, and so does an empty entry of PYTHONPATH. It stays where this program itself
+    lies in it, as in its sources.
+    """
+    package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    own = {os.path.realpath(package), os.path.realpath(os.path.dirname(package))}
+    try:
+        here = os.path.realpath(os.getcwd())
+    except OSError:  # it has been removed
+        return
+    if here not in own:
+        sys.path[:] = [p for p in sys.path if p and os.path.realpath(p) != here]
 
 
 def _leave_at_once(status: object) -> None:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Callable
+from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
 import click
@@ -37,8 +38,11 @@ _OF_VERDICTS = {
 
 
 def write_stderr(text: str) -> None:
-    """A message, on standard error."""
-    click.echo(text, err=True)
+    """A message, on standard error. Where that is closed or full nobody can be told; the exit status still says it."""
+    from lagrange.core.printable import visible
+
+    with suppress(OSError, ValueError):
+        click.echo(visible(text), err=True)
 
 
 def status_of_verdict(verdict: Verdict) -> int:
@@ -67,6 +71,10 @@ def report_error(error: Exception, heading: str = "") -> int:
     if isinstance(error, ProblemError):
         write_stderr(heading + error.show())
         return status_of_error(error)
+    if isinstance(error, MemoryError):
+        help_ = "close other programs, or ask for less: `--detail brief`, one choice of coordinates, a smaller system"
+        write_stderr(heading + str(Diagnostic("out-of-memory", "there is not enough memory for this", help=help_)))
+        return UNDECIDED
     if os.environ.get("LAGSOLVE_DEBUG"):
         import traceback
 
@@ -124,10 +132,15 @@ class CommandLine(click.Group):
         use_utf8()
         try:
             return super().invoke(ctx)
-        except (click.ClickException, click.exceptions.Exit, click.Abort):
+        except click.ClickException as error:
+            from lagrange.core.printable import visible
+
+            vars(error)["message"] = visible(error.message)  # it may repeat the name of a file
+            raise
+        except (click.exceptions.Exit, click.Abort):
             raise  # click shows these
         except KeyboardInterrupt:
-            click.echo("interrupted", err=True)
+            write_stderr("interrupted")
             sys.exit(INTERRUPTED)
         except BrokenPipeError:
             sys.exit(BROKEN_PIPE)

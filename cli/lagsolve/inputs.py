@@ -124,4 +124,8 @@ def stated_answers(file: str, problem: Problem) -> Answers:
 def _standard_input() -> Source:
     if sys.stdin is None:
         raise ProblemError(Diagnostic("no-standard-input", "standard input is closed", help="name a file"))
-    return decode(sys.stdin.buffer.read(MAX_BYTES + 1), "<stdin>")
+    try:
+        return decode(sys.stdin.buffer.read(MAX_BYTES + 1), "<stdin>")
+    except OSError as error:
+        message = f"standard input cannot be read: {error.strerror}"
+        raise ProblemError(Diagnostic("no-standard-input", message, help="name a file")) from None

@@ -5,6 +5,9 @@
 NARROWEST = 20
 """Columns of a terminal that formulas are still broken for."""
 
+WIDEST = 1_000
+"""Columns that are believed: no terminal has more, and lines are filled up to the width that COLUMNS says."""
+
 PIPED_WIDTH = 80
 """Columns where there is no terminal and COLUMNS says nothing: what terminals and mail have by convention."""
 
@@ -26,6 +29,12 @@ LONGEST_PAGE_NAME = 80
 """Bytes of the name of a page without its extension; with a hash and `.md` that is less than half of the 255 that file
 systems allow.
 """
+
+MAX_JOURNAL_LINE = 1 << 16
+"""Bytes of a line of the journal; a row with a name of 255 bytes and the longest remark has 4,000, escaped."""
+
+MOST_COUNTED = 10_000
+"""Equations that a row of the journal may count; problems ask for a dozen."""
 
 # -- grading: processes ------------------------------------------------------------------------------------------------
 

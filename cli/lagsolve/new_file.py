@@ -147,7 +147,12 @@ def create(file: str, name: str | None) -> None:
     path = _place(file)
     try:
         with path.open("xb") as target:
-            target.write(content)
+            try:
+                target.write(content)
+                target.flush()
+            except BaseException:  # a full disk, or Ctrl-C: half a template helps nobody, and would be in the way
+                path.unlink()
+                raise
     except FileExistsError:
         help_ = "nothing was written: give the new file another name, or remove the old one first"
         raise ProblemError(Diagnostic("file-exists", f"{path} already exists", help=help_)) from None

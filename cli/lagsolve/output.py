@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from lagrange.core.records import record
-from lagsolve.limits import NARROWEST, PIPED_WIDTH
+from lagsolve.limits import NARROWEST, PIPED_WIDTH, WIDEST
 from lagsolve.progress_line import stage_shown
 
 if TYPE_CHECKING:
@@ -75,10 +75,9 @@ class Destination:
         if self.path is None:
             write_stdout(text)
             return
-        try:
-            self.path.write_text(text, encoding="utf-8", newline="\n")
-        except OSError as error:
-            raise _unwritable(str(self.path), error.strerror) from None
+        from lagsolve.written_files import write_file
+
+        write_file(self.path, text)
 
     def _text(self, reports: Sequence[Report | None]) -> str:
         from lagrange.document.derivation import Detail
@@ -112,9 +111,9 @@ class Destination:
 def write_verdict(answer: Judgement, format_: str, revealed: Sequence[Any] = ()) -> None:
     """Prints the verdict on an answer to a problem, and the derived equations to be revealed."""
     if format_ == "json":
-        import json
+        from lagrange.core.printable import json_text
 
-        write_stdout(json.dumps(answer.as_json(revealed), ensure_ascii=False, indent=1) + "\n")
+        write_stdout(json_text(answer.as_json(revealed), indent=1) + "\n")
     else:
         write_stdout(answer.text(terminal_width(), revealed))
 
@@ -136,7 +135,7 @@ def wrapped(line: str, width: int, indent: str) -> str:
 
 def terminal_width() -> int:
     """The width to print at: that of the terminal, or COLUMNS; 80 where there is neither."""
-    return max(NARROWEST, shutil.get_terminal_size().columns) if _has_width() else PIPED_WIDTH
+    return min(max(NARROWEST, shutil.get_terminal_size().columns), WIDEST) if _has_width() else PIPED_WIDTH
 
 
 def styled() -> bool:
@@ -145,7 +144,7 @@ def styled() -> bool:
 
 
 def _has_width() -> bool:
-    return os.environ.get("COLUMNS", "").isdigit() or (sys.stdout is not None and sys.stdout.isatty())
+    return os.environ.get("COLUMNS", "").isdecimal() or (sys.stdout is not None and sys.stdout.isatty())
 
 
 def write_stdout(text: str) -> None:

@@ -21,6 +21,7 @@ import sympy as sp
 
 from lagrange.answers.limits import MAX_SHOWN_CHARACTERS, WIDEST
 from lagrange.core.diagnostics import Diagnostic
+from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text as plain
@@ -329,5 +330,7 @@ def _breakable(equation: str, room: int) -> str:
 
 def _wrapped(line: str, width: int, first: str, others: str) -> list[str]:
     """A line, broken at blanks where it is too wide, and inside a word only where that is wider than a line."""
-    lines = textwrap.wrap(line, max(width, 20), initial_indent=first, subsequent_indent=others, break_on_hyphens=False)
+    lines = textwrap.wrap(
+        visible(line), max(width, 20), initial_indent=first, subsequent_indent=others, break_on_hyphens=False
+    )
     return [x.replace(_NO_BREAK, " ") for x in lines] or [first.rstrip()]

@@ -18,6 +18,7 @@ from dataclasses import field, replace
 from enum import StrEnum
 from functools import cached_property
 
+from lagrange.core.printable import one_line, visible
 from lagrange.core.records import record
 
 
@@ -103,11 +104,11 @@ class Diagnostic:
         return replace(self, level=Severity.NOTE)
 
     def __str__(self) -> str:
-        head = f"{self.level}[{self.code}]: {self.message}"
+        head = f"{self.level}[{self.code}]: {one_line(self.message)}"
         lines = [head, *_window(self.span, self.label)] if self.span else [head]
         if self.help:
             gutter = " " * _gutter(self.span)
-            lines.append(f"{gutter} = help: {self.help}")
+            lines.append(f"{gutter} = help: {one_line(self.help)}")
         return "\n".join(lines)
 
 
@@ -175,10 +176,10 @@ def _window(span: Span, label: str) -> list[str]:
     marked = shown[column_shown : column_shown + max(1, span.end - span.start)]
     carets = "^" * max(1, sum(_cells(c) for c in marked))
     return [
-        f"{gutter}--> {span.source.name}:{number}:{column}",
+        f"{gutter}--> {one_line(span.source.name)}:{number}:{column}",
         f"{gutter} |",
-        f"{number} | {_visible(shown)}",
-        f"{gutter} | {before}{carets}{' ' + label if label else ''}",
+        f"{number} | {visible(shown)}",
+        f"{gutter} | {before}{carets}{' ' + one_line(label) if label else ''}",
     ]
 
 
@@ -196,9 +197,3 @@ def _cells(char: str) -> int:
     if unicodedata.combining(char):
         return 0
     return 2 if unicodedata.east_asian_width(char) in "WF" else 1
-
-
-def _visible(text: str) -> str:
-    """The text with invisible characters as boxes, so that no control sequence of a file reaches the terminal."""
-    hidden = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
-    return "".join(c if c == "\t" or unicodedata.category(c) not in hidden else "\N{WHITE SQUARE}" for c in text)

@@ -15,6 +15,7 @@ from collections.abc import Collection
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span
 from lagrange.core.records import record
 from lagrange.expressions.characters import VARIANTS
+from lagrange.expressions.limits import MAX_CHARACTERS
 from lagrange.expressions.reader import RESERVED
 from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS
 from lagrange.expressions.tokens import Token, TokenKind, tokens
@@ -170,7 +171,9 @@ def derivatives_in(text: str) -> tuple[tuple[str, int], ...]:
 
 
 def _tokens(text: str) -> list[Token]:
-    """The tokens of a text without the last, which marks its end; none where it cannot be read."""
+    """The tokens of a text without the last, which marks its end; none where it cannot be read or is too long."""
+    if len(text) > MAX_CHARACTERS:
+        return []
     try:
         return tokens(Fragment.of(text))[0][:-1]
     except ProblemError:

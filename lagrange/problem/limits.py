@@ -9,6 +9,9 @@ characters, and abbreviations that amount to 486 parts where they are used.
 MAX_BYTES = 1 << 20
 """Of a file; 400 times the largest shipped one. More is not read at all."""
 
+READINGS = 3
+"""Of a file that is written to while it is read, before it is refused: half of an old text and half of a new one."""
+
 MAX_DEPTH = 20
 """Levels of lists and mappings, the scalar inside counted too. The keys need 6."""
 

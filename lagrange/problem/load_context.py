@@ -20,6 +20,7 @@ from lagrange.core.expression_size import Sizes
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
 from lagrange.expressions.bounded_arithmetic import WorkBudget
+from lagrange.expressions.limits import MAX_CHARACTERS
 from lagrange.expressions.reader import EquationRead, Scope, Value, read_equation, read_scalar, read_value, read_vector
 from lagrange.expressions.scope import UNITS
 from lagrange.expressions.tokens import TokenKind, tokens
@@ -202,7 +203,7 @@ def _refusal(symbol: sp.Symbol, kind: AllowedQuantity, what: str, fragment: Frag
 
 def _halved_primes(fragment: Fragment) -> list[Diagnostic]:
     """`'x'' = 0'`: in single quotes YAML takes two apostrophes for one. Four that become two are what was meant."""
-    if not isinstance(fragment, ScalarText) or fragment.style != "'":
+    if not isinstance(fragment, ScalarText) or fragment.style != "'" or len(fragment.text) > MAX_CHARACTERS:
         return []
     try:
         primes = [token for token in tokens(fragment)[0] if token.kind is TokenKind.PRIMES]

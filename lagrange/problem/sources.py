@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
+import errno
+import os
+import re
+import stat
+from collections.abc import Callable
 from pathlib import Path
 
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
-from lagrange.problem.limits import MAX_BYTES
+from lagrange.problem.limits import MAX_BYTES, READINGS
 
 
 def read_source(path: Path) -> Source:
-    """The text of a file. Raises ProblemError where it cannot be read."""
+    """The text of a file. Raises ProblemError where it cannot be read.
+
+    What is no regular file is refused: a pipe that nobody writes to would never end. Only what the caller of the
+    program has opened for it is read whatever it is: `/dev/stdin`, and `/dev/fd/63`, which a shell makes of `<(...)`.
+    """
     try:
-        with path.open("rb") as file:
-            return decode(file.read(MAX_BYTES + 1), str(path))
+        return decode(_opened_by_caller(path) or _content(path), str(path))
     except FileNotFoundError:
         help_ = "check the name; `-` reads standard input"
         unread = Diagnostic("no-such-file", f"there is no file {path}", help=help_)
@@ -23,6 +31,44 @@ def read_source(path: Path) -> Source:
         help_ = "check the name, and that you may read it"
         unread = Diagnostic("unreadable-file", f"{path} cannot be read: {reason}", help=help_)
     raise ProblemError(unread)
+
+
+_DESCRIPTOR = re.compile(r"/dev/stdin|/dev/fd/[0-9]+|/proc/(?:self|[0-9]+)/fd/[0-9]+")
+_KINDS: tuple[tuple[Callable[[int], bool], str], ...] = (
+    (stat.S_ISFIFO, "it is a pipe; `-` reads standard input"),
+    (stat.S_ISSOCK, "it is a socket"),
+)
+
+
+def _opened_by_caller(path: Path) -> bytes:
+    """The bytes of a descriptor that is no regular file; none where the path is something else."""
+    if not _DESCRIPTOR.fullmatch(os.fspath(path)) or stat.S_ISREG(os.stat(path).st_mode):
+        return b""
+    with path.open("rb") as file:
+        return file.read(MAX_BYTES + 1)
+
+
+def _content(path: Path) -> bytes:
+    """The bytes of a regular file, as they were at one time. Raises OSError."""
+    flags = os.O_RDONLY | sum(getattr(os, f, 0) for f in ("O_NONBLOCK", "O_NOCTTY", "O_CLOEXEC", "O_BINARY"))
+    _refuse_special(os.stat(path))
+    for _ in range(READINGS):
+        with open(os.open(path, flags), "rb") as file:
+            before = os.fstat(file.fileno())
+            _refuse_special(before)
+            data = file.read(MAX_BYTES + 1)
+            after = os.fstat(file.fileno())
+        if (before.st_mtime_ns, before.st_size) == (after.st_mtime_ns, after.st_size):
+            return data
+    raise OSError(errno.EAGAIN, "it changes while it is read")
+
+
+def _refuse_special(status: os.stat_result) -> None:
+    if stat.S_ISDIR(status.st_mode):
+        raise IsADirectoryError
+    if not stat.S_ISREG(status.st_mode):
+        reasons = (reason for is_it, reason in _KINDS if is_it(status.st_mode))
+        raise OSError(errno.EINVAL, next(reasons, "it is a device"))
 
 
 def decode(data: bytes, name: str) -> Source:

@@ -2,7 +2,8 @@
 
 A name or title from a problem file may hold any character of Unicode. What LaTeX has a command for becomes that
 command; other letters lose their accents; what is left after that appears as its code point, [U+4E2D], so that the
-document compiles and nothing vanishes without a trace. Control and format characters are dropped in every format.
+document compiles and nothing vanishes without a trace. Control and format characters are dropped, as in every format
+(`core/printable.py`).
 """
 
 from __future__ import annotations
@@ -73,12 +74,6 @@ def escape(text: str) -> str:
     # After NFC a dot is combining only where Unicode has no such letter: θ̇ stays a pair, and becomes \dot{\theta}.
     pieces = re.split("(.[\u0307\u0308])", text)
     return "".join(_dotted(p) if _DOTTED.fullmatch(p) else "".join(map(_character, p)) for p in pieces)
-
-
-def printable(text: str) -> str:
-    """Text on one line without control and format characters, which steer a terminal or hide in a page."""
-    spaced = (" " if c.isspace() else c for c in text)
-    return "".join(c for c in spaced if unicodedata.category(c) not in ("Cc", "Cf"))
 
 
 def slug(title: str) -> str:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape as html_escape
 
+from lagrange.core.printable import printable
 from lagrange.document.derivation import (
     CheckMark,
     Derivation,
@@ -28,7 +29,7 @@ from lagrange.document.derivation import (
     Table,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
-from lagrange.render.escape import printable, slug
+from lagrange.render.escape import slug
 from lagrange.render.limits import LONG_DISPLAY, PHONE_COLUMNS
 from lagrange.render.mathml import Formulas
 from lagrange.render.selection import shown, written_out
@@ -255,7 +256,7 @@ class _Article(Emitter[str]):
         scene = block.draw()
         if scene is not None:
             yield "<figure>"
-            yield from figure(scene, escape(block.alt), self.in_pictures.plain)
+            yield from figure(scene, printable(block.alt), self.in_pictures.plain)
             yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
             yield "</figure>"
 

@@ -7,12 +7,12 @@ contract: a change of their meaning needs a new version.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from lagrange.core.printable import json_text
 from lagrange.core.symbols import FormSymbol, Wedge
 from lagrange.core.vectors import Vector
 from lagrange.document.derivation import (
@@ -63,7 +63,7 @@ Write = Callable[[Any], str]
 def render(reports: Sequence[Report | None]) -> str:
     """The reports as JSON text: an object for one problem; a list for several, with null for one without a solution."""
     objects = [r and as_object(r) for r in reports]
-    return json.dumps(objects[0] if len(objects) == 1 else objects, ensure_ascii=False, indent=1) + "\n"
+    return json_text(objects[0] if len(objects) == 1 else objects, indent=1) + "\n"
 
 
 def as_object(report: Report) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
+from lagrange.core.printable import printable
 from lagrange.document.derivation import (
     CheckMark,
     Derivation,
@@ -27,7 +28,6 @@ from lagrange.document.derivation import (
 )
 from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
 from lagrange.render.escape import escape as tex
-from lagrange.render.escape import printable
 from lagrange.render.limits import MARKDOWN_LINE
 from lagrange.render.selection import shown
 from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, with_ampersand

@@ -13,6 +13,7 @@ from html import escape
 
 import sympy as sp
 
+from lagrange.core.printable import printable
 from lagrange.core.symbols import UnitVector
 from lagrange.document.names import SMALL
 from lagrange.document.scene import Dot, PagePoint, Polyline, Scene
@@ -38,7 +39,7 @@ def figure(scene: Scene, alt: str, write: Callable[[sp.Expr], str]) -> Iterator[
 
     yield (
         f'<svg class="picture" role="img" viewBox="0 0 {width:.1f} {height:.1f}" '
-        f'width="{width:.0f}" height="{height:.0f}"><title>{escape(alt)}</title>'
+        f'width="{width:.0f}" height="{height:.0f}"><title>{escape(printable(alt))}</title>'
     )
     for line in scene.lines:
         yield from _line(line, place)

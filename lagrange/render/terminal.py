@@ -16,6 +16,7 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.text import Text
 
+from lagrange.core.printable import printable
 from lagrange.document.derivation import (
     CheckMark,
     Derivation,
@@ -32,7 +33,6 @@ from lagrange.document.derivation import (
     Table,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
-from lagrange.render.escape import printable
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
 from lagrange.render.line_breaking import Breaker
 from lagrange.render.selection import ShownSteps, shown, written_out
@@ -41,6 +41,7 @@ from lagrange.render.walk import Emitter, block_lines
 
 MARGIN = " "
 INDENT = "    "
+HEIGHT = 25  # lines, which nothing depends on; or rich would read LINES, and stumble over `LINES=²`
 COLUMNS = 3  # between a check and how it was done
 MARKS = {True: ("✓", "bold green"), False: ("✗", "bold red"), None: ("?", "bold magenta")}
 
@@ -62,7 +63,7 @@ def coloured(derivation: Derivation, notation: Notation, width: int, detail: Det
     """The derivation for standard output: coloured where that is a terminal, and the environment allows colours."""
     file = StringIO()
     on_terminal = sys.stdout is not None and sys.stdout.isatty()
-    console = Console(file=file, width=width, force_terminal=on_terminal or None)
+    console = Console(file=file, width=width, height=HEIGHT, force_terminal=on_terminal or None)
     show(derivation, notation, width, detail, console)
     return file.getvalue()
 

@@ -6,11 +6,12 @@ import errno
 import os
 import pty
 import re
+import select
 import signal
 import subprocess
 import sys
-import time
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -193,22 +194,19 @@ def test_closed_streams(call: str, said: bytes) -> None:
     assert said in done.stderr
 
 
-def test_an_interruption(tmp_path: Path) -> None:
+def test_an_interruption() -> None:
     """SIGINT while the program waits for a problem."""
-    fifo = tmp_path / "problem.yaml"
-    os.mkfifo(fifo)
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    with started([*LAGSOLVE, str(fifo)], env=surroundings(), **pipes) as process:
-        writer = None
-        while writer is None and process.poll() is None:
-            try:
-                writer = os.open(fifo, os.O_WRONLY | os.O_NONBLOCK)  # succeeds as soon as the program reads
-            except OSError as error:
-                if error.errno != errno.ENXIO:
-                    raise
-                time.sleep(0.01)
+    reader, writer = os.pipe()
+    os.set_blocking(writer, False)
+    with suppress(BlockingIOError):
+        while True:
+            os.write(writer, b"#" * 4096)  # until the pipe is full
+    pipes = {"stdin": reader, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    with started([*LAGSOLVE, "-"], env=surroundings(), **pipes) as process:
+        select.select([], [writer], [], PATIENCE)  # until the program reads
         process.send_signal(signal.SIGINT)
         printed, said = process.communicate(timeout=PATIENCE)
+    os.close(reader)
     os.close(writer)
     assert (process.returncode, printed, said) == (130, b"", b"interrupted\n")
 

@@ -144,7 +144,11 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unreadable-file": ("The system does not allow the file to be read.", None),
     "file-exists": ("`lagsolve new` never overwrites a file.", None),
     "no-such-folder": ("Create the folder first.", Command(("new", "mechanics/pendulum.yaml"))),
-    "cannot-write": ("The output cannot be written there.", None),
+    "cannot-write": ("The output cannot be written there. An old file is as it was.", None),
+    "journal-ignored": (
+        "A note: the journal of an interrupted batch has lines that no batch has written. They are not used, and the "
+        "submissions are graded again. The exit status is not changed.", None),
+    "out-of-memory": ("The computer has not enough memory for this derivation. Exit status 3.", None),
     # -- the problem -------------------------------------------------------------------------------------------------
     "axes": ("A triad has three vectors.", None),
     "bad-name": ("A name has letters, digits and underscores, and begins with a letter.", problem("let: {2x: x}")),

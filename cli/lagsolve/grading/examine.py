@@ -117,6 +117,8 @@ def _graded(future: Future[Graded], last: bool) -> Graded | None:
         return _not_judged(f"it could not be graded ({error})")
     except StoppedError as error:
         return _not_judged(f"it {error}")
+    except MemoryError:
+        return _not_judged("it needs more memory than there is")
     except Exception as error:
         return _not_judged(f"it could not be graded ({type(error).__name__}: {error})")
 

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Iterator
 
 from lagrange.answers.submissions import Graded
 from lagrange.answers.verdicts import EquationVerdict, Verdict
+from lagrange.core.printable import visible
 from lagrange.render.markdown import escape
 from lagsolve.limits import LONGEST_PAGE_NAME
 
@@ -64,7 +65,7 @@ def prose(text: str) -> str:
 
 def code(text: str) -> str:
     """Text as code in a line."""
-    text = " ".join(text.split())
+    text = visible(" ".join(text.split()))
     fence = "`" * (_longest_run(text) + 1)
     pad = " " if not text or "`" in (text[0], text[-1]) else ""
     return f"{fence}{pad}{text or '(nothing)'}{pad}{fence}"
@@ -72,6 +73,7 @@ def code(text: str) -> str:
 
 def block(text: str) -> str:
     """Text as a block of code."""
+    text = visible(text)
     fence = "`" * max(3, _longest_run(text) + 1)
     return f"{fence}text\n{text}\n{fence}"
 

@@ -16,6 +16,7 @@ from lagrange.answers.submissions import Graded, Submission
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.records import record
+from lagsolve.command_group import write_stderr
 from lagsolve.grading.examine import examine, examine_within_limits, grader, outcomes, prepare
 from lagsolve.grading.feedback import page, page_names
 from lagsolve.grading.journal import Journal, key
@@ -25,6 +26,7 @@ from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError
 from lagsolve.grading.table import HEADER, TableRow, csv_text
 from lagsolve.grading.worker import Limits, SetupError
 from lagsolve.limits import AHEAD
+from lagsolve.written_files import unwritable, write_file
 
 
 @record
@@ -74,7 +76,10 @@ def graded(run: GradingRun) -> list[TableRow]:
     try:
         with _executor(run, setup_seconds) as (executor, function, common, processes):
             batch.run(executor, function, common, processes * AHEAD)
-        complete = True
+        rows = [batch.rows[e.name] for e in unread]
+        if run.csv is not None:
+            write_file(run.csv, csv_text(rows))
+        complete = True  # not before the table is written: if that fails, the work of the batch is in the journal
     except SetupError as error:
         message = f"the problem cannot be solved within the limits of a submission: it {error}"
         raise ProblemError(Diagnostic("limits-too-low", message, help="raise --memory")) from None
@@ -85,9 +90,6 @@ def graded(run: GradingRun) -> list[TableRow]:
         raise InterruptedBatchError(f"interrupted: {batch.how_far}") from None
     finally:
         batch.journal.close(complete)
-    rows = [batch.rows[e.name] for e in unread]
-    if run.csv is not None:
-        _write(Path(os.path.realpath(run.csv)), csv_text(rows))
     return rows
 
 
@@ -119,7 +121,11 @@ class Batch:
         try:
             self.journal = Journal(run.journal)
         except OSError as error:
-            raise _unwritable(run.journal, error) from None
+            raise unwritable(str(run.journal), error) from None
+        if self.journal.ignored:
+            message = f"{run.journal} has {_lines(self.journal.ignored)} that no batch has written"
+            help_ = "what it says is not used, and those submissions are graded again"
+            write_stderr(str(Diagnostic("journal-ignored", message, help=help_).as_note()))
 
     @property
     def how_far(self) -> str:
@@ -153,7 +159,7 @@ class Batch:
                 continue
             under = key(submission, self._version, run.problem.text, run.limits)
             row = self.journal.row(under)
-            if row is not None and self._has_page(row):
+            if row is not None and row.submission == entry.name and self._has_page(row):
                 self.rows[entry.name] = row
             else:
                 self._keys[entry.name] = under
@@ -161,16 +167,25 @@ class Batch:
 
     def _has_page(self, row: TableRow) -> bool:
         feedback = self._run.feedback
-        return feedback is None or (row.feedback == self._pages[row.submission] and (feedback / row.feedback).is_file())
+        if feedback is None:
+            return not row.feedback
+        return row.feedback == self._pages[row.submission] and (feedback / row.feedback).is_file()
 
     def _note(self, name: str, graded: Graded, under: str | None) -> None:
         feedback = self._run.feedback
         if feedback is not None:
-            _write(feedback / self._pages[name], page(self._title, name, graded))
+            write_file(feedback / self._pages[name], page(self._title, name, graded), follow=False)
         row = TableRow.of(name, graded, self._pages[name] if feedback is not None else "")
         self.rows[name] = row
         if under is not None:
-            self.journal.add(under, row)
+            try:
+                self.journal.add(under, row)
+            except OSError as error:
+                raise unwritable(str(self.journal.path), error) from None
+
+
+def _lines(number: int) -> str:
+    return "a line" if number == 1 else f"{number:,} lines"
 
 
 def _make_folder(folder: Path | None) -> None:
@@ -179,7 +194,7 @@ def _make_folder(folder: Path | None) -> None:
         if folder is not None:
             folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise _unwritable(folder, error) from None
+        raise unwritable(str(folder), error) from None
 
 
 def _refuse_pages_among_answers(run: GradingRun) -> None:
@@ -194,27 +209,11 @@ def _refuse_overwrite(path: Path | None) -> None:
     """Raises ProblemError where the CSV file is not a table of an earlier run but an answer, or the problem."""
     if path is None or not path.is_file():
         return
-    with path.open("rb") as file:
-        begin = file.read(len(HEADER))
+    try:
+        with path.open("rb") as file:
+            begin = file.read(len(HEADER))
+    except OSError as error:
+        raise unwritable(str(path), error) from None
     if begin and begin != HEADER:
         message = f"{path} is not a table of grades, and would be overwritten"
         raise ProblemError(Diagnostic("would-be-lost", message, help="name another file with --csv"))
-
-
-def _write(path: Path, text: str) -> None:
-    """Writes a file in one step, so that nobody finds half of it; an old one is replaced, and no link followed."""
-    try:
-        if path.exists() and not path.is_file():
-            path.write_text(text, encoding="utf-8", newline="")
-            return
-        draft = path.with_name(f".{path.name}.{os.getpid()}")
-        draft.unlink(missing_ok=True)
-        with draft.open("x", encoding="utf-8", newline="") as file:
-            file.write(text)
-        os.replace(draft, path)
-    except OSError as error:
-        raise _unwritable(path, error) from None
-
-
-def _unwritable(path: Path | None, error: OSError) -> ProblemError:
-    return ProblemError(Diagnostic("cannot-write", f"{path} cannot be written: {error.strerror}"))

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import os
 import stat
-import unicodedata
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from itertools import islice
@@ -18,6 +17,7 @@ from pathlib import Path
 
 from lagrange.answers.submissions import Submission
 from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.printable import is_hidden
 from lagrange.core.records import record
 from lagrange.problem.limits import MAX_BYTES
 from lagsolve.limits import MOST_FILES
@@ -31,7 +31,6 @@ KINDS = {
     stat.S_IFSOCK: "is a socket, which is not opened",
     stat.S_IFDIR: "is a folder",
 }
-HIDDEN = ("Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp")
 
 
 class UnreadSubmissionError(Exception):
@@ -143,6 +142,9 @@ def _content(path: Path, room: int) -> bytes:
         if (now.st_dev, now.st_ino) != (before.st_dev, before.st_ino):
             raise UnreadSubmissionError("was replaced while it was read")
         content = file.read(room + 1)
+        after = os.fstat(file.fileno())
+        if (now.st_mtime_ns, now.st_size) != (after.st_mtime_ns, after.st_size):
+            raise UnreadSubmissionError("was changed while it was read")
     if len(content) > room:
         raise UnreadSubmissionError(f"has more than {MAX_BYTES:,} bytes, which are the most that is read")
     return content
@@ -156,7 +158,7 @@ def shown(name: str) -> str:
 def _visible(char: str) -> str:
     if char == "\\":
         return "\\\\"
-    if unicodedata.category(char) not in HIDDEN:
+    if not is_hidden(char):
         return char
     code = ord(char)
     if 0xDC80 <= code <= 0xDCFF:  # a byte that is no text

@@ -21,6 +21,7 @@ from rich.text import Text
 
 from lagrange.answers.submissions import Graded
 from lagrange.answers.verdicts import Verdict
+from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagsolve.limits import LONGEST_REMARK
 
@@ -46,10 +47,10 @@ class TableRow:
         """The row of a submission; `feedback` is the name of its page."""
         right, required = graded.right, graded.required
         missing = None if right is None or required is None else required - right
-        remark = " ".join(graded.remark.split())
+        remark = visible(" ".join(graded.remark.split()))
         if len(remark) > LONGEST_REMARK:
             remark = f"{remark[:LONGEST_REMARK]}..."
-        return cls(name, graded.verdict, right, required, missing, remark, round(graded.seconds, 3), feedback)
+        return cls(visible(name), graded.verdict, right, required, missing, remark, round(graded.seconds, 3), feedback)
 
     @property
     def score(self) -> str:
@@ -93,7 +94,7 @@ def table_text(rows: Sequence[TableRow], width: int, on_terminal: bool) -> str:
         cells = [Text(row.submission), Text(row.verdict.value, COLOURS.get(row.verdict, "")), Text(row.score)]
         table.add_row(*cells, *([Text(row.remark)] if remarks else []))
     file = io.StringIO()
-    Console(file=file, width=width, force_terminal=on_terminal or None).print(table)
+    Console(file=file, width=width, height=len(rows), force_terminal=on_terminal or None).print(table)
     lines = [line.rstrip() for line in file.getvalue().splitlines()]
     return "\n".join([*lines, "", textwrap.fill(_summary(rows), width, subsequent_indent="  "), ""])
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import os
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import asdict, replace
 from pathlib import Path
 
 import pytest
@@ -39,7 +41,7 @@ def test_the_key_is_of_everything_that_matters() -> None:
 def test_a_journal_is_read_again_apart_from_half_a_line(tmp_path: Path) -> None:
     path = tmp_path / "marks.csv.journal"
     journal = Journal(path)
-    rows = {f"k{n}": row(f"{n}.txt", "ünï\n") for n in range(3)}
+    rows = {f"k{n}": row(f"{n}.txt", "ünï") for n in range(3)}
     for k, r in rows.items():
         journal.add(k, r)
     journal.close(complete=False)
@@ -71,3 +73,62 @@ def test_without_a_path_nothing_is_kept() -> None:
     journal.add("k", row())
     assert journal.row("k") is None
     journal.close(complete=False)
+
+
+FORGED = {
+    "more right than required": {"right": 3, "missing": -1},
+    "a wrong difference": {"missing": 0},
+    "no number": {"right": "2"},
+    "a truth value": {"right": True},
+    "a huge number": {"right": 10**30, "required": 10**30 + 1},
+    "no time": {"seconds": float("nan")},
+    "a negative time": {"seconds": -1},
+    "an escape sequence": {"remark": "\x1b[2J"},
+    "a remark of two lines": {"remark": "a\nb"},
+    "a name that is no text": {"submission": 1},
+    "no name": {"submission": ""},
+    "no verdict": {"verdict": "excellent"},
+    "another column": {"grade": 1},
+}
+
+
+@pytest.mark.parametrize("more", FORGED.values(), ids=FORGED)
+def test_a_forged_row_is_not_used(more: dict[str, object], tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    good = asdict(row())
+    lines = [{"key": "good", "row": good}, {"key": "forged", "row": good | more}]
+    path.write_text("".join(json.dumps(line) + "\n" for line in lines), encoding="utf-8")
+    journal = Journal(path)
+    assert (journal.row("good"), journal.row("forged"), journal.ignored) == (row(), None, 1)
+    journal.close(complete=False)
+
+
+def test_lines_that_no_reader_of_json_survives(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    deep, wide = "[" * 50_000, '{"key": "' + "x" * 1_000_000 + '"}'
+    path.write_text(f"{deep}\n{'9' * 5000}\n{wide}\n", encoding="utf-8")
+    journal = Journal(path)
+    assert journal.ignored == 3
+    journal.close(complete=False)
+
+
+def test_a_journal_is_not_opened_through_a_link_or_a_pipe(tmp_path: Path) -> None:
+    (tmp_path / "mine").write_text("mine\n")
+    (tmp_path / "link").symlink_to("mine")
+    os.mkfifo(tmp_path / "pipe")
+    for name, said in (("link", "it is a link"), ("pipe", "it is not a regular file")):
+        with pytest.raises(OSError, match=said):
+            Journal(tmp_path / name)
+    assert (tmp_path / "mine").read_text() == "mine\n"
+
+
+def test_half_a_line_is_removed_and_not_counted(tmp_path: Path) -> None:
+    path = tmp_path / "journal"
+    path.write_bytes(b'{"key": "k", "ro')
+    journal = Journal(path)
+    assert journal.ignored == 0
+    journal.add("k", row())
+    journal.close(complete=False)
+    again = Journal(path)
+    assert (again.row("k"), again.ignored) == (row(), 0)
+    again.close(complete=True)
