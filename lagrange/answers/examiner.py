@@ -14,7 +14,7 @@ import sympy as sp
 
 from lagrange.answers.equations import check_equations
 from lagrange.answers.reactions import AtRest, check_reaction
-from lagrange.answers.readings import read_answer
+from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import (
@@ -236,8 +236,9 @@ class Examiner:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
         answer = separated(answer)
         solution = self.solution
-        scope = self._statics_reference if solution is not None and solution.own.motion is None else self.reference
-        working = understood(answer, scope)
+        moving = solution is None or solution.own.motion is not None
+        scope = self.reference if moving else self._statics_reference
+        working = understood(answer, scope, moving=moving and (solution is None or solution.own.equilibrium is None))
         if not working.judged:
             working = Working(answer)
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
@@ -270,8 +271,25 @@ class Examiner:
             kinds = (shown[0], shown[1])
             return verdict
 
-        verdict = verdict_on(working, self._statics_reference, check)
+        verdict = verdict_on(working, self._statics_reference, check, moving=False)
+        if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
+            verdict = self._as_alternatives(working, solution, verdict)
         return self._judgement(verdict, statics=kinds[0], reactions=kinds[1])
+
+    def _as_alternatives(self, working: Working, solution: Solution, verdict: AnswerVerdict) -> AnswerVerdict:
+        """The verdict on equations that cannot hold together, one a line, as on positions of equilibrium in a list."""
+        from lagrange.answers.equilibria import check_equilibria
+
+        if any(not isinstance(f, GivenEquation) for f in working.judged):
+            return verdict
+        equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
+        each = check_equilibria([(f,) for f in working.judged], equilibria, self._statics_reference)
+        if each.verdict not in (Verdict.EQUIVALENT, Verdict.INCOMPLETE):
+            return verdict
+        message = "the equations cannot hold together, and are read as one position of equilibrium each"
+        help_ = "write `or` between alternatives"
+        note = Diagnostic("read-as", message, working.judged[0].whole, help=help_).as_note()
+        return replace(each, notes=(*each.notes, *working.notes, note))
 
     @cached_property
     def _statics_reference(self) -> Reference:

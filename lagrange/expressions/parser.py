@@ -155,10 +155,14 @@ class Parser:
         return Product(tuple(factors), start, self._last_end)
 
     def _divisor(self) -> Tree:
-        """A divisor and all that adjoins it: in the other reading `a/b c` is a/(b c)."""
-        start = self._token.start
+        """A divisor and all that adjoins it: in the other reading `a/b c` is a/(b c), and `a/4b c` is a/(4b) c."""
+        start, touching = self._token.start, False
         factors: list[tuple[str, Tree]] = [("*", self._factor())]
         while self._token.kind is not TokenKind.NUMBER and self._begins_factor():
+            adjoins = not self.fragment.text[self._token.start - 1].isspace()
+            if touching and not adjoins:
+                break
+            touching = adjoins and (touching or len(factors) == 1)
             factors.append(("*", self._factor()))
         return factors[0][1] if len(factors) == 1 else Product(tuple(factors), start, self._last_end)
 

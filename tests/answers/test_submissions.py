@@ -113,8 +113,6 @@ def test_markdown(text: str) -> None:
         ("We find $x = 0\n\nand more", ".md", "not-closed", 8),
         ("\\begin{align} x &= 0", ".txt", "not-closed", 0),
         ("\\[ x = 0", ".tex", "not-closed", 0),
-        ("x'' = a\n + b", ".txt", "continued-line", 8),
-        ("x'' = a\n- b x", ".txt", "continued-line", 8),
     ],
 )
 def test_what_is_refused(text: str, ending: str, code: str, column: int) -> None:

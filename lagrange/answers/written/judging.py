@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from lagrange.answers.readings import GivenEquation, Reading
+from lagrange.answers.readings import GivenEquation, Reading, displaced_coordinates
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.working import Working
@@ -21,19 +21,20 @@ from lagrange.core.symbols import base, prime
 Check = Callable[[Sequence[Fragment], bool], AnswerVerdict]
 """The verdict on equations; with or without a diagnosis of wrong ones."""
 
-_COMPLETE = (Verdict.EQUIVALENT,)
-_READ_OTHERWISE = "also read as {sides}: in this reading it is right"
 
 
-def verdict_on(working: Working, reference: Reference, check: Check) -> AnswerVerdict:
-    """The verdict on an answer that has been sorted. Raises ProblemError if it has too many equations."""
+def verdict_on(working: Working, reference: Reference, check: Check, *, moving: bool = True) -> AnswerVerdict:
+    """The verdict on an answer that has been sorted; `moving`: on equations of motion.
+
+    Raises ProblemError if it has too many equations.
+    """
     equations = list(working.judged)
     notes = list(working.notes)
     verdict = check(equations, False)
     if verdict.verdict is Verdict.WRONG:
         equations, verdict, more = _otherwise(equations, verdict, check)
         notes += more
-    if verdict.verdict is Verdict.WRONG:
+    if verdict.verdict is Verdict.WRONG and moving:
         equations, verdict, more = _without_asides(equations, verdict, working, reference, check)
         notes += more
     if verdict.verdict is Verdict.WRONG:
@@ -73,7 +74,7 @@ def _without_asides(
     """The equations without approximations and wrong statements that are no equations of motion, if the rest is right."""
     unchanged: tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] = (equations, verdict, [])
     wrong = _wrong(verdict)
-    if not wrong or len(verdict.equations) != len(equations) != len(wrong):
+    if not wrong or len(verdict.equations) != len(equations) or len(wrong) == len(equations):
         return unchanged
     approximations = [n for n in wrong if n in working.approximate]
     if approximations and len(approximations) < len(equations):
@@ -90,10 +91,10 @@ def _without_asides(
     if len(about) < len(wrong):
         return unchanged
     kept = [e for n, e in enumerate(equations) if n not in about]
-    if not any(_has_acceleration(e, reference) for e in kept):
+    if not any(_has_acceleration(e) for e in kept):
         return unchanged
     again = check(kept, False)
-    if again.verdict not in _COMPLETE:
+    if again.verdict is not Verdict.EQUIVALENT:
         return unchanged
     diagnoses = [verdict.equations[n].diagnosis for n in about]
     notes = [
@@ -111,7 +112,7 @@ def _note(equation: Fragment, message: str) -> Diagnostic:
     return Diagnostic("not-judged", f"`{equation.text}` {message}", equation.whole, level=Severity.NOTE)
 
 
-def _has_acceleration(equation: Fragment, reference: Reference) -> bool:
+def _has_acceleration(equation: Fragment) -> bool:
     if not isinstance(equation, GivenEquation):
         return True
     used = {s for c in equation.reading.components for s in c.free_symbols}
@@ -120,9 +121,12 @@ def _has_acceleration(equation: Fragment, reference: Reference) -> bool:
 
 def _is_of_motion(equation: Fragment, reference: Reference) -> bool:
     """Whether a statement is about what is asked for: it has an acceleration or a force of constraint."""
-    if _has_acceleration(equation, reference):
+    if not isinstance(equation, GivenEquation) or _has_acceleration(equation):
         return True
-    used = {s.name for c in equation.reading.components for s in c.free_symbols}  # type: ignore[attr-defined]
+    components = equation.reading.components
+    if displaced_coordinates(components, reference.scope.slots.coordinates):
+        return True
+    used = {s.name for c in components for s in c.free_symbols}
     forces = {s.name for c in reference.candidates for s in (*c.multipliers, *c.meanings)}
     return not used.isdisjoint(forces | {u.name for u in reference.unknowns})
 

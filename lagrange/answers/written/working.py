@@ -11,7 +11,7 @@ equations or more, may be an unknown force; it is eliminated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TypeVar
 
@@ -28,6 +28,7 @@ from lagrange.core.vectors import Vector
 from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.meaning import DIFFERENTIALS
 from lagrange.expressions.reader import Scope, read_otherwise, read_value, token_texts
 from lagrange.expressions.scope import RESERVED
 
@@ -38,12 +39,22 @@ _ABOUT = re.compile(r"\\(?:approx|simeq|cong|thickapprox|sim)(?![A-Za-z])|[≈�
 _AT_ZERO = re.compile(
     r"[^=+/]{1,40}(?:\(\s*(?:t\s*=\s*)?(?:0|t_?\{?0\}?)\s*\)|\[\s*0\s*\]|\|_\{?\s*t\s*=\s*0\s*\}?|_\{t=0\})\s*\Z"
 )
-_TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
-_UNIT = r"(?:[A-Za-zµΩ°]|\\(?:mathrm|text|rm|frac|si|SI|unit|,|;|cdot)|[{}\s^/·*~²³⁻¹\-0-9().])*"
-_NUMBER = re.compile(
-    rf"\s*(?:≈|\\approx)?\s*[-+−]?\s*[0-9]+(?:[.,]|\{{,\}})?[0-9]*(?:\s*(?:\\cdot|\\times|\*|·|×)\s*10\s*\^\s*\{{?-?[0-9]+\}}?|[eE]-?[0-9]+)?"
-    rf"(?P<unit>{_UNIT})\s*\Z"
+_ALTERNATIVES = re.compile(r"(?<![\w\\])or(?![\w'])|\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
+_ITEM = re.compile(r"\s*\(([a-h]|[ivx]{1,4})\)\s+")
+_IN_BRACKETS = re.compile(
+    r"\s*(?:\\left\s*)?(?:\[|\\\{)(?P<inside>[^\[\]]*=[^\[\]]*?)(?:\\right\s*)?(?:\]|\\\})\s*\Z|\s*\\(?:text)?color\s*\{[^{}\\]{0,40}\}\s*\{(?P<colour>.*=.*)\}\s*\Z"
 )
+_TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
+_NUMBER = re.compile(
+    r"\s*(?:≈|\\approx)?\s*[-+−]?\s*(?P<number>[0-9]+(?:(?:[.,]|\{,\})[0-9]+)?|[0-9]*\.[0-9]+)"
+    r"(?:\s*(?:\\cdot|\\times|\*|·|×)\s*10\s*\^\s*\{?(?P<ten>-?[0-9]{1,3})\}?|[eE](?P<power>-?[0-9]{1,3}))?(?P<unit>[^+=]{0,60})\Z"
+)
+_UNITS = frozenset(
+    "m cm mm km dm g kg mg t s ms min h N kN mN J kJ W Pa Hz rad deg rev rpm ft in lb lbf slug mph K Nm Ns SI grad m2 m3"
+    " kgm2 units metres meters seconds kilograms newton newtons".split()
+)
+_UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
+_NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _APPROXIMATE = re.compile(
     r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|<<", re.IGNORECASE
 )
@@ -73,17 +84,23 @@ class Working:
 
 @dataclass
 class _Line:
-    """One equation of the answer, as far as it has been understood."""
+    """One equation of the answer, as far as it has been understood; a `whole` one states alternatives."""
 
     fragment: Fragment
     text: str
     number: str = ""
     reading: Reading | None = None
     definition: bool = False
+    whole: bool = False
 
 
-def understood(answer: Sequence[Fragment], reference: Reference, *, eliminating: bool = True) -> Working:
-    """The answer sorted into what is judged and what is not; `eliminating`: with unknown forces.
+def understood(
+    answer: Sequence[Fragment], reference: Reference, *, eliminating: bool = True, moving: bool = True
+) -> Working:
+    """The answer sorted into what is judged and what is not.
+
+    eliminating  with undeclared names as unknown forces
+    moving       whether it is about motion; in statics a parameter may be stated to have a particular value
 
     Raises ProblemError if it has too many lines.
     """
@@ -91,15 +108,22 @@ def understood(answer: Sequence[Fragment], reference: Reference, *, eliminating:
         message = f"an answer may have {MAX_LINES} lines with equations, and this one has {len(answer)}"
         help_ = "leave the working out, and hand in the equations asked for"
         raise ProblemError(Diagnostic("too-many-equations", message, answer[MAX_LINES].whole, help=help_))
-    return _Sorting(reference).sorted([line for f in answer for line in _lines_of(f)], eliminating)
+    sorting = _Sorting(reference, moving)
+    return sorting.sorted([line for f in answer for line in _lines_of(f, sorting.declared)], eliminating)
 
 
-def _lines_of(fragment: Fragment) -> list[_Line]:
+def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     """The equations of a fragment without its number: a = b = c is a = b and b = c."""
     if isinstance(fragment, GivenEquation):
         return [_Line(fragment, fragment.text, reading=fragment.reading)]
     text = fragment.text.strip()
+    if _ALTERNATIVES.search(fragment.text):
+        return [_Line(fragment, text, whole=True)]
     draft = Draft(cleaned(fragment))
+    if (item := _ITEM.match(draft.text)) and item[1] not in declared:
+        draft.keep(item.end(), len(draft.text))
+    if boxed := _IN_BRACKETS.match(draft.text):
+        draft.keep(*boxed.span(boxed.lastgroup or 0))
     end, number = number_at_the_end(draft.text)
     about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
     latex = is_latex(fragment)
@@ -126,8 +150,9 @@ def _finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
 class _Sorting:
     """One answer on its way through; `scope` grows with the definitions."""
 
-    def __init__(self, reference: Reference) -> None:
+    def __init__(self, reference: Reference, values_are_asides: bool) -> None:
         self.reference = reference
+        self.values_are_asides = values_are_asides
         self.scope = scope_of_answers(reference)
         self.declared = reference.declared
         self.notes: list[Diagnostic] = []
@@ -135,17 +160,19 @@ class _Sorting:
         self.unknowns: list[sp.Symbol] = []
 
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
-        waiting = [line for line in lines if not self._is_aside(line)]
-        for line in waiting:
-            self._understand(line)
+        waiting = [line for line in lines if line.whole or not self._is_aside(line)]
+        plain = [line for line in waiting if not line.whole and line.reading is None]
         for _ in range(3):
-            pending = [line for line in waiting if line.reading is None or line.reading.error]
             before = len(self.defined)
-            for line in pending:
-                if not line.definition:
-                    self._understand(line)
+            for line in plain:
+                line.definition = line.definition or self._defines(line)
             if len(self.defined) == before:
                 break
+        for line in waiting:
+            if line.whole:
+                line.reading = Reading(line.text)
+            elif not line.definition and line.reading is None:
+                line.reading = read_as_written(line.fragment, self.scope, line.text)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
         judged = [line for line in waiting if not line.definition and line.reading and not line.reading.error]
@@ -156,7 +183,11 @@ class _Sorting:
         for line in judged:
             self._note_number(line)
         return Working(
-            tuple(GivenEquation.of_reading_at(line.reading, line.fragment) for line in judged if line.reading),
+            tuple(
+                line.fragment if line.whole else GivenEquation.of_reading_at(line.reading, line.fragment)
+                for line in judged
+                if line.reading
+            ),
             approximate,
             tuple(line.reading for line in unread if line.reading),
             tuple(self.notes),
@@ -191,33 +222,29 @@ class _Sorting:
                 self._note(line, f"`{line.text}` states a time, and is not judged")
                 return True
             name = self._name_alone(side)[0]
-            if name in self.reference.parameters and (match := _NUMBER.match(other.text)):
-                self._note_value(line, name, other.text, match["unit"])
+            match = _NUMBER.match(other.text.strip())
+            if name in self.reference.parameters and match and self._is_unit(match["unit"]):
+                self._note_value(line, name, match)
                 return True
         return False
 
-    def _note_value(self, line: _Line, name: str, written: str, unit: str) -> None:
+    def _is_unit(self, text: str) -> bool:
+        """Whether what follows a number is a unit. Where a parameter may have a particular value, one is needed."""
+        words = _UNIT_WORDS.findall(_NO_WORDS.sub(" ", text))
+        if not words:
+            return self.values_are_asides and not text.strip(" .,;$\\{}")
+        return all(w in _UNITS for w in words) and (text[0] in " \\~" or not all(w in self.declared for w in words))
+
+    def _note_value(self, line: _Line, name: str, number: re.Match[str]) -> None:
         known = self.reference.values.get(self.reference.parameters[name])
-        number = written[: len(written) - len(unit)] if unit else written
-        digits = re.sub(r"[^0-9.eE\-]", "", number.replace(",", "."))
-        try:
-            same = known is None or unit.strip() or abs(sp.Rational(digits) - known) <= abs(known) / 100
-        except (TypeError, ValueError, ZeroDivisionError):
-            same = True
-        if same:
+        power = int(number["ten"] or number["power"] or 0)
+        stated = sp.Rational(number["number"].replace(",", ".").strip("{}")) * sp.Integer(10) ** power
+        if known is None or number["unit"].strip(" .,;$") or abs(stated - known) <= abs(known) / 50:
             self._note(line, f"`{line.text}` is taken as a value, and is not judged")
         else:
             self._note(line, f"`{line.text}` contradicts the problem, in which `{name}` is {known}")
 
     # -- definitions and equations ---------------------------------------------------------------------------
-
-    def _understand(self, line: _Line) -> None:
-        if line.reading is not None and not line.reading.error:
-            return
-        if self._defines(line):
-            line.definition = True
-            return
-        line.reading = read_as_written(line.fragment, self.scope, line.text)
 
     def _name_alone(self, side: Fragment) -> tuple[str, str]:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
@@ -231,12 +258,10 @@ class _Sorting:
                 return name, ""
             case [name, "^", "2"] if _is_name(name):
                 return name, "^2"
-            case [name, "(", "t", ")"] if _is_name(name):
-                return name, ""
-            case [name, "(", argument, ")"] if _is_name(name) and argument in self.reference.coordinates:
-                return name, ""
             case [("sin" | "cos" | "tan") as function, "(", name, ")"] if _is_name(name):
                 return name, function
+            case [name, "(", argument, ")"] if _is_name(name) and argument in ("t", *self.reference.coordinates):
+                return ("", "") if name in DIFFERENTIALS or name in RESERVED else (name, "")
             case [("sin" | "cos" | "tan") as function, name] if _is_name(name):
                 return name, function
         return "", ""
