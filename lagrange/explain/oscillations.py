@@ -12,7 +12,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
-from lagrange.explain.statics import singular_places
+from lagrange.explain.statics import outside_ranges, singular_places
 from lagrange.explain.words import branch_conditions, capital, plural, sign_conditions, suffix_of, title_in
 from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
@@ -81,6 +81,7 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
         lines[-1] = Equation(last.sides, label=_label(linearization, "at-rest", n), condition=branch_conditions(b))
         yield display(*lines, detail=Detail.BRIEF)
     yield from singular_places(e)
+    yield from outside_ranges(e)
 
 
 def _names(linearization: Linearization) -> Block:

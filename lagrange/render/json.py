@@ -312,6 +312,9 @@ def _statics(
         ],
         "equilibrium_exists": equilibrium.exists,
     }
+    if equilibrium.outside:
+        outside = [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.outside]
+        result["equilibrium_outside_ranges"] = outside
     if stability is not None:
         result["stability"] = [s.verdict.value for s in stability.verdicts]
     if in_numbers is not None:

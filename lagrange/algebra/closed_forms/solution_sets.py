@@ -85,6 +85,7 @@ class Branch:
     common      values of letters that hold at all of them
     special     whether it exists for particular parameters only
     left        equations that could not be solved, each zero
+    known       what holds besides, by the ranges of the unknowns, and is not stated
     """
 
     relations: tuple[Relation, ...]
@@ -93,6 +94,7 @@ class Branch:
     common: Values = field(default_factory=dict)
     special: bool = False
     left: tuple[sp.Expr, ...] = ()
+    known: tuple[SignCondition, ...] = ()
 
     @property
     def equations(self) -> tuple[Relation, ...]:

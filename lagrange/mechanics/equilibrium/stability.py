@@ -364,8 +364,9 @@ def known_positive(b: Branch, strict: bool = False) -> list[sp.Expr]:
     """
     above = (">",) if strict else (">", "≥")
     below = ("<",) if strict else ("<", "≤")
-    known = [c.lhs - c.rhs for c in b.conditions if c.relation in above]
-    for c in b.conditions:
+    conditions = (*b.conditions, *b.known)
+    known = [c.lhs - c.rhs for c in conditions if c.relation in above]
+    for c in conditions:
         if c.relation in below:
             within = c.lhs.args[0] if isinstance(c.lhs, sp.Abs) else None
             known += [c.rhs - c.lhs] if within is None else [c.rhs - within, c.rhs + within]
