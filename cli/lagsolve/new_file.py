@@ -40,12 +40,13 @@ description: A particle hangs from the fixed point O by a massless rod.
 
 axes: {i: right, j: down}
 
-# An assumption is positive, nonnegative, real or sign (that is, +1 or -1).
+# An assumption is positive, nonnegative, real, sign (that is, +1 or -1) or acute.
 parameters:
   m: positive
   l: {assume: positive, unit: m, meaning: length of the rod}
   g: {unit: m/s^2, meaning: acceleration of gravity, value: 9.81}
   #c: nonnegative
+  #beta: {range: [0, 60 deg], value: 30 deg}
 
 coordinates: [x, y]
 

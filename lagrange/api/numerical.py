@@ -323,6 +323,7 @@ def _check_assumption(parameter: Parameter, number: float) -> None:
         Assumption.NONNEGATIVE: number >= 0,
         Assumption.SIGN: abs(number) == 1,
         Assumption.REAL: True,
+        Assumption.ACUTE: 0 < number < math.pi / 2,
     }
     if not allowed[parameter.assume]:
         is_sign = parameter.assume is Assumption.SIGN

@@ -47,6 +47,36 @@ class Sign(sp.Symbol):
         return sp.S.One
 
 
+class Bounded(sp.Symbol):
+    """A parameter between two numbers: an acute angle α, 0 < α < π/2, or one with a closed range [a, b].
+
+    strict  whether it is never the lower end, and never the higher one
+    """
+
+    __slots__ = ("high", "low", "strict")
+
+    def __new__(cls, name: str, low: sp.Expr, high: sp.Expr, strict: tuple[bool, bool] = (False, False)) -> Bounded:
+        """The parameter with this name."""
+        assumptions: dict[str, bool] = {"real": True}
+        if low > 0 or (low == 0 and strict[0]):
+            assumptions = {"positive": True}
+        elif high < 0 or (high == 0 and strict[1]):
+            assumptions = {"negative": True}
+        elif low == 0:
+            assumptions = {"nonnegative": True}
+        elif high == 0:
+            assumptions = {"nonpositive": True}
+        symbol: Bounded = cls.__xnew__(cls, name, **assumptions)  # the cache of symbols knows no ends
+        symbol.low, symbol.high, symbol.strict = low, high, strict
+        return symbol
+
+    def _hashable_content(self) -> tuple[object, ...]:
+        return (*super()._hashable_content(), self.low, self.high, self.strict)
+
+    def __getnewargs_ex__(self) -> tuple[tuple[object, ...], dict[str, bool]]:
+        return (self.name, self.low, self.high, self.strict), {}
+
+
 class UnitVector(sp.Symbol):
     """A unit vector i, j, k, e_r, ..., for printing components. A scalar `k` is another symbol."""
 

@@ -12,7 +12,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
-from lagrange.explain.statics import singular_places
+from lagrange.explain.statics import outside_ranges, singular_places
 from lagrange.explain.words import (
     branch_conditions,
     capital,
@@ -91,6 +91,7 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
     branches = enumerate(linearization.branches, start=1)
     yield from existence_left_open((Ref(_label(linearization, "at-rest", n)), b) for n, b in branches)
     yield from singular_places(e)
+    yield from outside_ranges(e)
 
 
 def _names(linearization: Linearization) -> Block:

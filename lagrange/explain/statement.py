@@ -78,20 +78,35 @@ _ASSUMED = {
     Assumption.NONNEGATIVE: "positive or zero",
     Assumption.REAL: "of either sign",
     Assumption.SIGN: "+1 or −1",
+    Assumption.ACUTE: "acute",
 }
 
 
 def _assumptions(problem: Problem) -> list[Block]:
-    kinds = {p.assume for p in problem.parameters}
+    free = [p for p in problem.parameters if p.range is None]
+    kinds = {p.assume for p in free}
+    return [*_of_kinds(problem, free, kinds), *_ranges(problem)]
+
+
+def _ranges(problem: Problem) -> list[Block]:
+    """`−π/2 ≤ θ ≤ π/2.`"""
+    ranges = [(p.symbol, p.range) for p in problem.parameters] + [(q.symbol, q.range) for q in problem.coordinates]
+    clauses = [math(r.low, symbol, r.high, relation="≤") for symbol, r in ranges if r is not None]
+    return [prose(*listed(clauses), ".")] if clauses else []
+
+
+def _of_kinds(problem: Problem, free: Sequence[Parameter], kinds: set[Assumption]) -> list[Block]:
+    """What is assumed of the parameters without a range."""
     if not kinds:
         return []
     if kinds == {Assumption.POSITIVE}:
-        if len(problem.parameters) == 1:
-            return []
-        return [prose("All parameters are positive.")]
+        if len(free) == 1:
+            return [] if len(problem.parameters) == 1 else [prose(math(free[0].symbol), " is positive.")]
+        every = "All parameters are" if len(free) == len(problem.parameters) else "All other parameters are"
+        return [prose(f"{every} positive.")]
     clauses: list[Part] = []
     for kind in Assumption:
-        members = [p.symbol for p in problem.parameters if p.assume is kind]
+        members = [p.symbol for p in free if p.assume is kind]
         if members:
             clauses += ["; " if clauses else "", *listed(math(s) for s in members), are(members), _ASSUMED[kind]]
     return [prose(*clauses, ".")]

@@ -172,6 +172,7 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
     if not equilibrium.branches:
         yield from _none(equilibrium, radicands)
         yield from singular_places(equilibrium)
+        yield from outside_ranges(equilibrium)
         return
     if all(not b.relations and not b.left for b in equilibrium.branches):
         yield prose("Every position is an equilibrium.", detail=Detail.BRIEF)
@@ -195,6 +196,7 @@ def _results(equilibrium: Equilibrium, radicands: Sequence[sp.Expr] = ()) -> Ite
     yield from existence_left_open(places)
     yield from _remarks(equilibrium)
     yield from singular_places(equilibrium)
+    yield from outside_ranges(equilibrium)
     yield from _poles(equilibrium)
 
 
@@ -263,6 +265,18 @@ def singular_places(equilibrium: Equilibrium) -> Iterator[Block]:
             "it is no equilibrium.",
             detail=Detail.BRIEF,
         )
+
+
+def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
+    """The equilibria that are left out."""
+    if equilibrium.outside:
+        places = [listed(math(r.lhs, r.rhs) for r in b.equations) for b in equilibrium.outside]
+        listing: list[Part] = [part for n, place in enumerate(places) for part in ("; " if n else "", *place)]
+        words = "The conditions hold as well outside of the range of the coordinates, where "
+        yield prose(words, *listing, ".", detail=Detail.BRIEF)
+    if equilibrium.configuration.ranges and any(len(b.points) < 2 and r.lhs.has(sp.cos, sp.sin, sp.tan)
+           for b in equilibrium.branches for r in b.relations):  # fmt: skip
+        yield prose("Only the angles within the range are meant.", detail=Detail.BRIEF)
 
 
 def _poles(equilibrium: Equilibrium) -> Iterator[Block]:

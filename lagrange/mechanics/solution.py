@@ -52,9 +52,9 @@ from lagrange.problem.values import values_of
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
     from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
+    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation

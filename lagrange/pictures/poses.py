@@ -27,7 +27,7 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, t
+from lagrange.core.symbols import Bounded, Sign, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.pictures.floats import FloatVector, NoValueError, Values, inner, minus, place, plus, projected, value
@@ -133,8 +133,15 @@ def _guess(
     for s in sorted(parameters | unknowns, key=str):
         wobble = 1 + random.uniform(-spread, spread)
         if s not in values:
-            values[s] = given.get(s) or (0.55 * wobble if s in angles else _size(s) * wobble)
+            values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else _size(s) * wobble)
     return values
+
+
+def _in_range(symbol: sp.Symbol, value: float) -> float:
+    """The value, or the middle of the range that the symbol has."""
+    if isinstance(symbol, Bounded) and not symbol.low <= value <= symbol.high:
+        return float((symbol.low + symbol.high) / 2)
+    return value
 
 
 def _letter(name: str) -> tuple[str, int]:

@@ -20,13 +20,13 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, nearest
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Slots, Unspecified
+from lagrange.core.symbols import Bounded, Sign, Slots, Unspecified
 from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.declared_names import DeclaredNames, canonical, names_in
 from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
 from lagrange.problem.model import Coordinate, Parameter, Problem
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
-from lagrange.problem.values import read_number_with_unit
+from lagrange.problem.values import bounded_symbol, read_number_with_unit, read_range
 from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
 
 T = TypeVar("T")
@@ -116,14 +116,19 @@ def _parameter(key: Scalar, value: Node | None, names: DeclaredNames) -> Paramet
     assumed, number = section.get("assume"), section.get("value")
     known = attempt(lambda: _assumption(scalar_of(assumed, "`assume`"))) if assumed else Assumption.POSITIVE
     assume = known or Assumption.POSITIVE
-    symbol = parameter_symbol(name, assume)
-    parameter = Parameter(symbol, assume, section.text("unit"), section.text("meaning"))
-    parameter = replace(parameter, stated_unit=parameter.unit)
+    unit, limits = section.text("unit"), section.get("range")
+    within = attempt(lambda: read_range(limits, name, unit, Scope())) if limits else None
+    if within is not None and limits is not None:
+        assume = known if assumed and known else Assumption.REAL
+        symbol = attempt(lambda: bounded_symbol(name, within, assume, limits.span)) or parameter_symbol(name, assume)
+    else:
+        symbol = parameter_symbol(name, assume)
+    parameter = Parameter(symbol, assume, unit, section.text("meaning"), stated_unit=unit, range=within)
     if number is None:
         return parameter
-    unit = section.get("unit")
-    stated = Fragment(parameter.unit, unit.span) if parameter.unit and unit else None
-    read = attempt(lambda: read_number_with_unit(scalar_of(number, "`value`").fragment, stated, known))
+    declared = section.get("unit") if unit else None
+    stated = Fragment(unit, declared.span) if declared else None
+    read = attempt(lambda: read_number_with_unit(scalar_of(number, "`value`").fragment, stated, symbol, known))
     if read is None:
         return parameter
     return replace(parameter, unit=read.unit, value=read.number, value_span=read.span, measured=read.measured)
@@ -140,6 +145,8 @@ def parameter_symbol(name: str, assume: Assumption) -> sp.Symbol:
             return sp.Symbol(name, real=True)
         case Assumption.SIGN:
             return Sign(name)
+        case Assumption.ACUTE:
+            return Bounded(name, sp.S.Zero, sp.pi / 2, (True, True))
 
 
 def _assumption(scalar: Scalar) -> Assumption:
@@ -168,7 +175,10 @@ def _coordinate(key: Scalar, value: Node | None, names: DeclaredNames) -> Coordi
         names.diagnostics.report(wrong_kind(value, message, f"write `{name}: its meaning`"))
         return Coordinate(symbol)
     section = Section(value, f"the coordinate `{name}`", COORDINATE, names.diagnostics)
-    return Coordinate(symbol, section.text("meaning"), section.text("unit"))
+    unit, limits = section.text("unit"), section.get("range")
+    scope = Scope(scalars={p.name: p for p in names.parameters})
+    within = names.diagnostics.attempt(lambda: read_range(limits, name, unit, scope)) if limits else None
+    return Coordinate(symbol, section.text("meaning"), unit, within)
 
 
 def _unknown(key: Scalar, _value: Node | None, names: DeclaredNames) -> sp.Symbol | None:

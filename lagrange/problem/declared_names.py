@@ -12,6 +12,8 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+import sympy as sp
+
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span
 from lagrange.core.records import record
 from lagrange.expressions.characters import VARIANTS
@@ -36,10 +38,11 @@ class Declaration:
 
 
 class DeclaredNames:
-    """The symbols and vectors declared so far."""
+    """The symbols and vectors declared so far; `parameters` are those that ranges of coordinates may contain."""
 
     def __init__(self, diagnostics: Diagnostics) -> None:
         self.diagnostics = diagnostics
+        self.parameters: tuple[sp.Symbol, ...] = ()
         self.declared: dict[str, Declaration] = {}
         self._failed: set[str] = set()
 

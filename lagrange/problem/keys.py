@@ -114,6 +114,7 @@ class Assumption(StrEnum):
     NONNEGATIVE = "nonnegative"
     REAL = "real"
     SIGN = "sign"
+    ACUTE = "acute"
 
 
 class Find(StrEnum):
@@ -177,13 +178,18 @@ PARAMETER = Form(
         Key("assume", Words(tuple(a.value for a in Assumption)), "What is assumed of it; positive by default."),
         Key("unit", "text", "Its unit, such as kg*m^2."),
         Key("meaning", "text", "What it is, in words."),
-        Key("value", "expression", "Its value, a rational number with its unit: 9.81 m/s^2, 30 cm, 30 deg, 2/3."),
+        Key("value", "expression", "Its value, a number with its unit: 9.81 m/s^2, 30 cm, 30 deg, 2/3, 2*pi rad/s."),
+        Key("range", ListOf("expression", 2, 2), "The least and the greatest value that it can have: [0, 60 deg]."),
     ),
 )
 
 COORDINATE = Form(
     "what a coordinate is",
-    (Key("meaning", "text", "What it measures, in words."), Key("unit", "text", "Its unit.")),
+    (
+        Key("meaning", "text", "What it measures, in words."),
+        Key("unit", "text", "Its unit."),
+        Key("range", ListOf("expression", 2, 2), "Between which values it lies: [-90 deg, 90 deg], [0, l]."),
+    ),
 )
 
 FRAME = Form(

@@ -74,6 +74,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     for value in root.strange:
         context.names.fail_all(value)  # it may have been meant to declare something
     parameters = read_parameters(root.section("parameters"), context.names)
+    context.names.parameters = tuple(p.symbol for p in parameters)
     listed = diagnostics.attempt(lambda: root.required("coordinates", node.span))
     coordinates = read_coordinates(listed, context.names)
     if settings:

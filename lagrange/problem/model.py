@@ -27,6 +27,14 @@ from lagrange.problem.keys import Keeper as Keeper
 
 
 @record
+class Range:
+    """Between which values a parameter or coordinate lies, ends included, in units of SI."""
+
+    low: sp.Expr
+    high: sp.Expr
+
+
+@record
 class Parameter:
     """A constant of the problem; where the file gives a value, `value` is its exact number in units of SI.
 
@@ -43,15 +51,17 @@ class Parameter:
     value_span: Span | None = None
     measured: bool = False
     stated_unit: str = ""
+    range: Range | None = None
 
 
 @record
 class Coordinate:
-    """One of the coordinates q."""
+    """One of the coordinates q; the ends of its range may contain parameters."""
 
     symbol: sp.Symbol
     meaning: str = ""
     unit: str = ""
+    range: Range | None = None
 
 
 @record

@@ -15,6 +15,7 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span, suggestion
 from lagrange.core.records import record
+from lagrange.core.symbols import Bounded
 from lagrange.core.units import NO_DIMENSION, Dimension, Unit, in_si, split_number, unit_of
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, canonical_name, read_scalar
@@ -28,8 +29,11 @@ from lagrange.problem.model import (
     Parameter,
     Potential,
     Problem,
+    Range,
     Spring,
 )
+from lagrange.problem.sections import items_of, scalar_of
+from lagrange.problem.yaml_nodes import Node, Scalar
 
 if TYPE_CHECKING:
     from lagrange.values.quantities import Values
@@ -38,6 +42,7 @@ IN_WORDS = {
     Assumption.POSITIVE: "positive",
     Assumption.NONNEGATIVE: "not negative",
     Assumption.SIGN: "a sign, +1 or -1",
+    Assumption.ACUTE: "an acute angle",
 }
 
 
@@ -51,18 +56,30 @@ class ValueRead:
     measured: bool
 
 
-def read_number_with_unit(fragment: Fragment, stated: Fragment | None, assume: Assumption | None) -> ValueRead:
-    """`30 cm`, or 30 with the unit `stated` apart. The value's own unit must have the dimension of the one stated."""
+def read_number_with_unit(
+    fragment: Fragment, stated: Fragment | None, symbol: sp.Symbol, assume: Assumption | None
+) -> ValueRead:
+    """`30 cm`, or 30 with the unit `stated` apart. The value's own unit must have the dimension of the one stated.
+
+    symbol, assume  the parameter, and what is assumed of it (None: it could not be read), with which the value agrees
+    """
+    read = _measured(fragment, stated)
+    if assume is not None:
+        _check_assumption(read.number, symbol, assume, fragment)
+    return read
+
+
+def _measured(fragment: Fragment, stated: Fragment | None) -> ValueRead:
     parts = split_number(fragment.text)
     if parts is None:
-        number = _number(fragment, fragment.text, assume)
+        number = _number(fragment, fragment.text)
         if stated is None:
             return ValueRead(number, "", fragment.whole, False)
         unit, text = _known_unit(stated), stated.text
     else:
         text = parts[1]
         unit = _known_unit(replace(fragment, text=text))
-        number = _number(fragment, parts[0], assume)
+        number = _number(fragment, parts[0])
         expected = unit if stated is None else _known_unit(stated)
         if stated is not None and unit.dimension != expected.dimension:
             message = f"`{text}` does not fit the unit `{stated.text}`"
@@ -82,11 +99,12 @@ def _known_unit(fragment: Fragment) -> Unit:
     return unit
 
 
-def _number(fragment: Fragment, text: str, assume: Assumption | None) -> sp.Expr:
+def _number(fragment: Fragment, text: str) -> sp.Expr:
     """The number that a part of a fragment says, exactly: 9.81, 2/3, 2*pi."""
     help_ = "write a number such as `9.81`, `1e-3`, `2/3` or `2*pi`, and its unit after it: `30 cm`"
     try:
-        number = read_scalar(replace(fragment, text=text, start=None), Scope())
+        part = fragment if text == fragment.text else replace(fragment, text=text, start=None)
+        number = read_scalar(part, Scope())
     except ProblemError as error:
         if error.diagnostics[0].code not in _NO_NUMBER:
             raise
@@ -94,17 +112,68 @@ def _number(fragment: Fragment, text: str, assume: Assumption | None) -> sp.Expr
     if number is None or not number.is_number or not (number.is_Rational or number.is_real):
         message = f"`{fragment.text}` is not a number"
         raise ProblemError(Diagnostic("not-a-number", message, fragment.whole, help=help_))
+    return number
+
+
+def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fragment: Fragment) -> None:
+    """Raises ProblemError where a value contradicts the assumption, or lies outside the range."""
     wrong = {
         Assumption.POSITIVE: not number.is_positive,
         Assumption.NONNEGATIVE: number.is_negative,
         Assumption.REAL: False,
         Assumption.SIGN: number not in (1, -1),
+        Assumption.ACUTE: not (number > 0 and number < sp.pi / 2),
     }
-    if assume is not None and wrong[assume]:
+    if wrong[assume]:
         message = f"the value {fragment.text} contradicts that the parameter is {IN_WORDS[assume]}"
         help_ = "change the value, or say `assume: real`"
         raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
-    return number
+    if isinstance(symbol, Bounded) and (number < symbol.low or number > symbol.high):
+        message = f"the value {fragment.text} is not in the range of the parameter"
+        help_ = "change the value, or the range"
+        raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
+
+
+# -- ranges ------------------------------------------------------------------------------------------------------------
+
+
+def read_range(node: Node, name: str, unit: str, scope: Scope) -> Range:
+    """Two ends, each a number with a unit, or an expression in the scope. Raises ProblemError."""
+    items = items_of(node, f"the range of `{name}`", f"{name}: {{range: [0, 1]}}")
+    help_ = "write the least and the greatest value, `range: [0, 60 deg]`"
+    if len(items) != 2:
+        message = f"the range of `{name}` has two ends, not {len(items)}"
+        raise ProblemError(Diagnostic("bad-range", message, node.span, help=help_))
+    low, high = (_end(scalar_of(item, "an end of a range"), unit, scope) for item in items)
+    if (high - low).is_number and not high > low:
+        message = f"the range of `{name}` is empty"
+        raise ProblemError(Diagnostic("bad-range", message, node.span, help=help_))
+    return Range(low, high)
+
+
+def _end(scalar: Scalar, unit: str, scope: Scope) -> sp.Expr:
+    fragment = scalar.fragment
+    stated = Fragment(unit, fragment.whole) if unit and unit_of(unit) else None
+    if split_number(fragment.text) is not None:
+        return _measured(fragment, stated).number
+    value = read_scalar(fragment, scope)
+    if value.is_number and stated is not None:
+        return _measured(fragment, stated).number
+    return value
+
+
+def bounded_symbol(name: str, within: Range, assume: Assumption, span: Span) -> sp.Symbol:
+    """The parameter with a range, and what is assumed besides."""
+    low, high, strict = within.low, within.high, [False, False]
+    least = {Assumption.POSITIVE: 0, Assumption.NONNEGATIVE: 0, Assumption.ACUTE: 0}.get(assume)
+    if least is not None and low <= 0:
+        low, strict[0] = sp.S.Zero, assume is not Assumption.NONNEGATIVE
+    if assume is Assumption.ACUTE and high >= sp.pi / 2:
+        high, strict[1] = sp.pi / 2, True
+    if assume is Assumption.SIGN or not high > low:
+        message = f"the range of `{name}` contradicts that it is {IN_WORDS[assume]}"
+        raise ProblemError(Diagnostic("bad-range", message, span, help="change the range, or leave `assume` out"))
+    return Bounded(name, low, high, (strict[0], strict[1]))
 
 
 _NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "missing-operator", "vector-for-scalar")
@@ -140,7 +209,7 @@ def with_settings(
             p = by_name[name]
             unit = p.unit if split_number(value.text) else p.stated_unit  # a bare number is in the file's unit
             stated = Fragment(unit, setting.whole) if unit and unit_of(unit) else None
-            read = read_number_with_unit(value, stated, p.assume)
+            read = read_number_with_unit(value, stated, p.symbol, p.assume)
             by_name[name] = replace(
                 p, value=read.number, unit=read.unit or p.unit, value_span=read.span, measured=read.measured
             )

@@ -46,8 +46,8 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.reactions import Reactions
     from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
     from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation
@@ -378,6 +378,9 @@ def _statics(
         "equilibrium_conditions": [_sign_conditions(b, write) for b in equilibrium.branches],
         "equilibrium_exists": equilibrium.exists,
     }
+    if equilibrium.outside:
+        outside = [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.outside]
+        result["equilibrium_outside_ranges"] = outside
     if stability is not None:
         result["stability"] = [s.verdict.value for s in stability.verdicts]
     if in_numbers is not None:

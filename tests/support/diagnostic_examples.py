@@ -214,7 +214,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "two-ends": ("A spring or damper has two ends.", problem(PARTICLE + "forces: {s: {spring: g, between: [P]}}")),
     "two-systems": ("`equations` takes the place of particles and bodies.", problem(
         PARTICLE + "equations: [\"x'' = 0\"]")),
-    "unknown-assumption": ("positive, nonnegative, real or sign.", problem("", parameters="{m: positiv}")),
+    "unknown-assumption": ("positive, nonnegative, real, sign or acute.", problem("", parameters="{m: positiv}")),
     "unknown-class": ("The classes are fixed words.", problem("answers: {classification: [holonomous]}")),
     "unknown-coordinate": ("Name one of the file's coordinates.",
         problem("frame: {type: polar, coordinates: [r, phi]}")),
@@ -235,6 +235,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unit-mismatch": ("The unit of a value has another dimension than the parameter's `unit`, or than its place in the "
         "problem: a mass is in kg, a force in N.",
         problem("", parameters="{l: {value: 30 cm, unit: kg}}")),
+    "bad-range": ("A range has a least and a greatest value.", problem("", parameters="{l: {range: [2 m, 1 m]}}")),
     "bad-setting": ("`--set` gives a parameter its value.", Command(("ex11", "--set", "l"))),
     "unknown-parameter": ("`--set` names something that is no parameter of the problem.", Command(
         ("ex11", "--set", "L=30 cm"))),

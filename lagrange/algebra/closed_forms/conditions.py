@@ -72,7 +72,9 @@ def with_shortest_conditions(branches: Sequence[Branch]) -> list[Branch]:
     for b in branches:
         shorter = reduced(b.conditions)
         if shorter is not None:
-            kept.append(b if shorter == b.conditions else replace(b, conditions=shorter, implied=b.conditions))
+            kept.append(
+                b if shorter == b.conditions else replace(b, conditions=shorter, implied=(*b.implied, *b.conditions))
+            )
     return kept
 
 

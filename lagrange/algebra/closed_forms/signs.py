@@ -2,7 +2,7 @@
 
 A product has the product of the signs of its factors, a sum of terms of one sign that sign. A sum with one square root
 in it is decided by squares: where A and B √D have different signs, A + B √D has the sign of A times that of A² − B² D.
-An undecidable sign is None, and becomes a condition of whatever depends on it.
+Parameters may have a range (`ranges`). An undecidable sign is None, and becomes a condition of whatever depends on it.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from collections.abc import Iterable
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import LARGEST_SIGNED
+from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 
 
@@ -59,6 +60,8 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
         return 1
     if f.is_negative or f.is_nonpositive:
         return -1
+    if (in_range := sign_in_range(f)) is not None:
+        return in_range
     if not f.is_Add:
         return None
     signs = {_of_product(term, known) for term in f.args}

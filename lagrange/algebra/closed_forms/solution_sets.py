@@ -86,7 +86,7 @@ class Branch:
     special     whether it exists for particular parameters only
     left        equations that could not be solved, each zero
     occupied    whether these are known to have a real solution
-    implied     conditions that follow from the others, or of which they are a shorter form
+    implied     conditions that hold besides and are not stated: they follow from the others, or from ranges
     """
 
     relations: tuple[Relation, ...]

@@ -14,11 +14,13 @@ from math import lcm
 import sympy as sp
 
 from lagrange.algebra.closed_forms.limits import HIGHEST_MULTIPLE
+from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 
 CIRCULAR = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 
 Pair = tuple[sp.Expr, sp.Expr]
+_SIGNS = {1: "positive", -1: "negative"}
 
 
 class NotAlgebraicError(Exception):
@@ -168,8 +170,13 @@ class TrigLetters:
 
     def _angle(self, monomial: sp.Expr, denominator: int) -> LetteredAngle:
         name = str(monomial / denominator)
-        letters = (sp.Symbol(f"{f}({name})", real=True) for f in ("cos", "sin"))
-        self.angles[monomial] = angle = LetteredAngle(monomial / denominator, *letters)
+        measure = monomial / denominator
+        signs = ((f"{f.__name__}({name})", sign_in_range(f(measure))) for f in (sp.cos, sp.sin))
+        letters = (
+            sp.Symbol(letter, **{_SIGNS[sign]: True}) if sign is not None else sp.Symbol(letter, real=True)
+            for letter, sign in signs
+        )
+        self.angles[monomial] = angle = LetteredAngle(measure, *letters)
         return angle
 
     def _circular(self, e: sp.Expr) -> sp.Expr:

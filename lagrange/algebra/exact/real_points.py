@@ -34,7 +34,7 @@ from lagrange.algebra.exact.limits import (
 from lagrange.algebra.exact.points import Operation, Point
 from lagrange.algebra.exact.points_needed import NONZERO_DIGITS, REAL_DIGITS, ZERO_DIGITS
 from lagrange.algebra.exact.prime_field import InadmissibleError, ZeroDivisorError
-from lagrange.core.symbols import partial
+from lagrange.core.symbols import Bounded, partial
 
 _mp = MPContext()
 _mp.dps = REAL_DIGITS
@@ -146,6 +146,11 @@ class RealPoint(Point):
         return sum((self.at(m) * n / d for m, n, d in terms), _mp.mpf(0))
 
     def _drawn(self, symbol: sp.Symbol) -> Any:
+        if isinstance(symbol, Bounded):
+            part = _mp.mpf(self.reals.random.getrandbits(256) + 1) / (2**256 + 1)
+            digits = REAL_DIGITS + 5
+            low, high = (self.reals.float(sp.Float(end.evalf(digits), digits)) for end in (symbol.low, symbol.high))
+            return low + (high - low) * part
         if symbol.is_nonnegative:
             return self.reals.positive_sample(self.spread)
         if symbol.is_nonpositive:

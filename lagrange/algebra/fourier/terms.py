@@ -18,6 +18,7 @@ import sympy as sp
 
 from lagrange.algebra.fourier.limits import LONGEST_FACTORED
 from lagrange.algebra.fourier.polynomials import common_number, factorization, pack, unpack
+from lagrange.core.ranges import never_vanishes
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 
@@ -172,12 +173,12 @@ class CommonFactor:
     @property
     def parameters(self) -> sp.Expr:
         """The number and what cannot vanish, such as positive parameters: m in m r sin θ."""
-        return _unexpanded(self.number, [f**e for f, e in self.powers if f.is_nonzero])
+        return _unexpanded(self.number, [f**e for f, e in self.powers if never_vanishes(f)])
 
     @property
     def state(self) -> sp.Expr:
         """The factors that may vanish: r sin θ in m r sin θ."""
-        return sp.Mul(*(f**e for f, e in self.powers if not f.is_nonzero))
+        return sp.Mul(*(f**e for f, e in self.powers if not never_vanishes(f)))
 
     @property
     def expression(self) -> sp.Expr:
@@ -187,7 +188,7 @@ class CommonFactor:
     @property
     def nonzero(self) -> tuple[sp.Expr, ...]:
         """The factors assumed not to vanish, one by one: r, sin θ."""
-        return tuple(f for f, e in self.powers if e > 0 and not f.is_nonzero)
+        return tuple(f for f, e in self.powers if e > 0 and not never_vanishes(f))
 
     @property
     def numerator(self) -> CommonFactor:

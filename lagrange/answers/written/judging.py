@@ -22,7 +22,6 @@ Check = Callable[[Sequence[Fragment], bool], AnswerVerdict]
 """The verdict on equations; with or without a diagnosis of wrong ones."""
 
 
-
 def verdict_on(working: Working, reference: Reference, check: Check, *, moving: bool = True) -> AnswerVerdict:
     """The verdict on an answer that has been sorted; `moving`: on equations of motion.
 
@@ -81,9 +80,7 @@ def _without_asides(
         kept = [e for n, e in enumerate(equations) if n not in approximations]
         again = check(kept, False)
         if not _all_approximate(kept, equations, working) and again.verdict is not Verdict.TRIVIAL:
-            notes = [
-                _note(equations[n], "is marked as an approximation, and is not judged") for n in approximations
-            ]
+            notes = [_note(equations[n], "is marked as an approximation, and is not judged") for n in approximations]
             rest = Working(tuple(kept), notes=())
             result = _without_asides(kept, again, rest, reference, check)
             return result[0], result[1], [*notes, *result[2]]

@@ -42,7 +42,9 @@ _TAIL = re.compile(
     re.IGNORECASE,
 )
 _LIST = re.compile(r"\s*(?:\w+\s*=\s*)?([\[{])")
-_EQ = re.compile(r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve)\s*(?=\[|\()")
+_EQ = re.compile(
+    r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve)\s*(?=\[|\()"
+)
 _MAPLE = re.compile(r"(?<=[A-Za-z0-9_])\s*\$\s*([1-4])(\s*[,)])")
 _MATHEMATICS = re.compile(r"['^*/\\_=\u0300-\u036f′″¨˙²³½·−√()]|\d|[" + "".join(GREEK) + "]")
 _ENDS_OPEN = re.compile(r"(?:[-+*/=−·(,&]|\\cdot|\\times|\\left\()\s*\Z")
@@ -135,7 +137,9 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
             ended = n == len(pieces) - 1
             if ended or (_EQUALS.search(here) and _begins_equation(following)):
                 if _EQUALS.search(here) or _EQ.match(here):
-                    if (whole + begin, whole + stop) != (start, end) and _inside_list(text, whole + begin, whole + stop):
+                    if (whole + begin, whole + stop) != (start, end) and _inside_list(
+                        text, whole + begin, whole + stop
+                    ):
                         yield from _parts(text, whole + begin, whole + stop)
                     else:
                         yield whole + begin, whole + stop
@@ -159,7 +163,11 @@ def _inside_list(text: str, start: int, end: int) -> tuple[int, int] | None:
     if close is None or text[close + 1 : end].strip(" .;,"):
         return None
     inner = text[opening + 1 : close]
-    return (opening + 1, close) if any(_EQUALS.search(inner[a:b]) or "Eq(" in inner for a, b in [(0, len(inner))]) else None
+    return (
+        (opening + 1, close)
+        if any(_EQUALS.search(inner[a:b]) or "Eq(" in inner for a, b in [(0, len(inner))])
+        else None
+    )
 
 
 def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Fragment]:

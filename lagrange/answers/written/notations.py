@@ -52,7 +52,9 @@ _MAPLE = re.compile(rf"\(?\bD(?:\s*@@\s*([1-3]))?\)?\s*\(\s*({_NAME})\s*\)\s*\(\
 _DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
 _OF_TIME = re.compile(r"(?<=[A-Za-z0-9_'])\[\s*t\s*\]")
 _APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7})\s*(?=\[)")
-_CALLED = re.compile(r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])")
+_CALLED = re.compile(
+    r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
+)
 _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
 _RUN = re.compile(r"(?<![A-Za-z0-9_.])[A-Za-z][A-Za-z0-9_]*")
@@ -255,7 +257,9 @@ _L_PARTIAL = re.compile(
 )
 _L_POWER_GROUP = re.compile(r"\^\s*\(")
 _L_STARS = re.compile(r"\*\*")
-_L_NAMED = re.compile(r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*(sgn|sign|arctan|arcsin|arccos|sin|cos|tan|ln|log|exp)\s*\}")
+_L_NAMED = re.compile(
+    r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*(sgn|sign|arctan|arcsin|arccos|sin|cos|tan|ln|log|exp)\s*\}"
+)
 _L_RM_D = re.compile(r"\\(?:dd|diff|differential|diffd|d)\s*(?=\{?\s*\\?[A-Za-z])(?![A-Za-z])")
 
 

@@ -24,6 +24,7 @@ from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.algebra.fourier.vector_cleanup import in_differences, is_short
 from lagrange.core.expression_size import Sizes
+from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, differential, t, variation
 from lagrange.core.vectors import Vector
@@ -208,7 +209,11 @@ def _varying_factors(minor: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     numerators = (sp.fraction(p)[0] for p in minor)
     parts = (sp.factor(p) if len(p.free_symbols) <= MOST_FACTORED_SYMBOLS and _is_short(p) else p for p in numerators)
     bases = (f.as_base_exp()[0] for p in parts for f in sp.Mul.make_args(p))
-    varying = (b for b in bases if not b.is_number and not b.is_positive and not isinstance(b, Sign))
+    varying = (
+        b
+        for b in bases
+        if not b.is_number and not b.is_positive and sign_in_range(b) is None and not isinstance(b, Sign)
+    )
     return tuple(dict.fromkeys(varying))
 
 

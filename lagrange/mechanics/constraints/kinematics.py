@@ -34,7 +34,7 @@ from lagrange.mechanics.constraints.springs_dampers import (
     rewritten_spring,
     stretched_springs,
 )
-from lagrange.problem.model import AppliedForce, AppliedMoment, Potential, Problem
+from lagrange.problem.model import AppliedForce, AppliedMoment, Potential, Problem, Range
 
 
 @record
@@ -86,6 +86,7 @@ class Configuration:
     dampers     the dampers
     rotations   of the bodies
     torques     the applied moments
+    ranges      of the coordinates that have one
     """
 
     name: str
@@ -98,6 +99,7 @@ class Configuration:
     dampers: tuple[DamperForce, ...] = ()
     rotations: tuple[Rotation, ...] = ()
     torques: tuple[Torque, ...] = ()
+    ranges: Mapping[sp.Symbol, Range] = field(default_factory=dict)
 
     @property
     def slots(self) -> Slots:
@@ -227,6 +229,7 @@ def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Conf
         dampers=damper_forces(problem),
         rotations=tuple(rotation_of(b, problem.slots) for b in problem.bodies),
         torques=tuple(Torque(f.name, f.on, f.moment) for f in problem.forces if isinstance(f, AppliedMoment)),
+        ranges={q.symbol: q.range for q in problem.coordinates if q.range is not None},
     )
 
 
@@ -257,6 +260,7 @@ def substituted_configuration(
         dampers=tuple(rewritten_damper(d, rule, slots) for d in original.dampers),
         rotations=tuple(rotation_in(r, dict(expressed), rule, slots) for r in original.rotations),
         torques=tuple(Torque(m.name, m.on, m.vector.xreplace(rule)) for m in original.torques),
+        ranges={q: r for q, r in original.ranges.items() if q in coordinates},
     )
 
 

@@ -22,6 +22,7 @@ import sympy as sp
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import CommonFactor, common_factor, textbook_form
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.ranges import sign_in_range
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.vectors import Vector
@@ -437,5 +438,7 @@ def _symbols(vector: Vector) -> set[sp.Basic]:
 def _absolute(value: sp.Expr) -> sp.Expr:
     """|value|, with its positive factors in front: m |g + u''|."""
     factor = common_factor(value)
-    positive = CommonFactor(factor.number, tuple((f, e) for f, e in factor.powers if f.is_positive))
-    return positive.expression * sp.Abs(positive.divide(value))
+    signs = [(f, e, 1 if f.is_positive else sign_in_range(f)) for f, e in factor.powers]
+    known = CommonFactor(factor.number, tuple((f, e) for f, e, sign in signs if sign is not None))
+    sign = sp.Mul(*(sign for _, e, sign in signs if sign is not None and e % 2))
+    return sign * known.expression * sp.Abs(known.divide(value))

@@ -23,7 +23,7 @@ from lagrange.algebra.exact.linear_algebra import row_reduced
 from lagrange.algebra.exact.real_points import RealPoint, Reals
 from lagrange.algebra.exact.zero_test import InadmissibleError, ZeroDivisorError
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Unspecified, counting, t
+from lagrange.core.symbols import Bounded, Sign, Unspecified, counting, t
 from lagrange.mechanics.constraints.coordinates import solved_for_one
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
@@ -201,7 +201,12 @@ def _parameter_value(symbol: sp.Symbol, numbers: Iterator[int], angle: bool) -> 
     if symbol == t:
         return sp.S.One
     number = sp.Integer(next(numbers))
-    return 1 / (1 + number) if angle else number
+    value = 1 / (1 + number) if angle else number
+    if isinstance(symbol, Bounded) and not symbol.low < value < symbol.high:
+        middle = (symbol.low + symbol.high) / 2
+        eighths = sp.Rational(sp.floor(8 * middle), 8)
+        return eighths if symbol.low < eighths < symbol.high else middle
+    return value
 
 
 def _angles(expressions: Iterable[sp.Expr]) -> set[sp.Expr]:

@@ -33,6 +33,7 @@ from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import CommonFactor, common_factor, normalised
 from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.core.ranges import never_vanishes
 from lagrange.core.records import record
 from lagrange.core.symbols import variation
 from lagrange.core.verdicts import all_hold
@@ -43,6 +44,7 @@ from lagrange.mechanics.dynamics.equations import of_independent
 from lagrange.mechanics.dynamics.principle import generalized_forces
 from lagrange.mechanics.equilibrium.chart_poles import idle_coordinates
 from lagrange.mechanics.equilibrium.loads import loads
+from lagrange.mechanics.equilibrium.within_ranges import within
 
 
 @record
@@ -104,6 +106,7 @@ class Equilibrium:
     singular     where the conditions multiplied by their denominators hold, but a force has no value
     idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
     poles        such branches of a choice at which the forces do not balance in the file's coordinates, left out above
+    outside      branches that lie outside of the ranges of the coordinates, left out above
     """
 
     configuration: Configuration
@@ -120,6 +123,7 @@ class Equilibrium:
     singular: tuple[SingularPlace, ...] = ()
     idle: tuple[tuple[sp.Symbol, ...], ...] = ()
     poles: tuple[Branch, ...] = ()
+    outside: tuple[Branch, ...] = ()
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
@@ -284,12 +288,12 @@ def _condition(work: VirtualWork, coordinate: sp.Symbol, force: Element) -> Cond
     """The condition without common denominators and without common factors that cannot vanish."""
     expression = work.textbook.form(force)
     common = common_factor(expression)
-    factor = common.only(lambda f: bool(f.is_nonzero))
-    below = CommonFactor(sp.S.One, common.denominator.only(lambda f: not f.is_nonzero).powers)
+    factor = common.only(never_vanishes)
+    below = CommonFactor(sp.S.One, common.denominator.only(lambda f: not never_vanishes(f)).powers)
     kept = below.multiply(factor.divide(expression))
     if below.powers:
         kept = work.textbook.form(kept)
-        kept = common_factor(kept).only(lambda f: bool(f.is_nonzero)).divide(kept)
+        kept = common_factor(kept).only(never_vanishes).divide(kept)
     leading = normalised(kept)
     return ConditionOfEquilibrium(coordinate, leading, factor, below, leading != kept)
 
@@ -324,11 +328,16 @@ def _for_all(e: Equilibrium) -> Equilibrium:
         beside, _ = _without(solved(divisor).branches, multipliers)
         branches += tuple(b for b in beside if not b.special and not any(is_part(b, o, solution) for o in branches))
     excluded, _ = _without(solution.excluded, multipliers)
+    ranges = e.configuration.ranges
+    restricted = [within(b, ranges, solution) for b in branches] if ranges else branches
+    outside = tuple(b for b, inside in zip(branches, restricted, strict=True) if inside is None)
+    branches = tuple(b for b in restricted if b is not None)
     singular = tuple(SingularPlace(b, _without_length(b, solution, e.configuration)) for b in excluded)
     idle = tuple(idle_coordinates(e.configuration, solution, b) for b in branches)
     applied = loads(e.configuration)
     branches = tuple(replace(b, conditions=solved_for(b.conditions, applied)) for b in branches)
-    return replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
+    found = replace(e, solution=solution, branches=branches, multipliers=multipliers, singular=singular, idle=idle)
+    return replace(found, outside=outside)
 
 
 def _without_length(b: Branch, solution: SolutionSet, configuration: Configuration) -> tuple[str, ...]:

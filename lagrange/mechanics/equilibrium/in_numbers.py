@@ -24,6 +24,7 @@ from lagrange.core.units import unit_called
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
+from lagrange.mechanics.equilibrium.within_ranges import distances
 from lagrange.values.limits import WORKING_DIGITS
 from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
 
@@ -133,6 +134,8 @@ def _positions(
             if not all(_holds(c, at) is not False for c in b.conditions):
                 continue
             coordinates = _coordinates(b, e, values, at)
+            if any(_is_outside(q, coordinates, e, values) for q in e.configuration.ranges):
+                continue
             verdict = _verdict(stability, at)
             found = () if oscillations is None else _oscillations(oscillations, at, values)
         except (NotRealError, NotAlgebraicError, DivisionByZeroError, ZeroDivisionError):
@@ -158,6 +161,18 @@ def _coordinates(b: Branch, e: Equilibrium, values: Values, at: Evaluate) -> dic
             real_value(value)
             found[u] = Quantity(value, unit)
     return found
+
+
+def _is_outside(q: sp.Symbol, found: Mapping[sp.Symbol, Quantity], e: Equilibrium, values: Values) -> bool:
+    """Whether a coordinate is outside of its range."""
+    if q not in found:
+        return False
+    tested, complement = distances(q, e.configuration.ranges[q], q in e.solution.letters.angles)
+    numbers = [values.put_in(x).xreplace({q: found[q].formula}) for x in tested]
+    if any(not x.is_number for x in numbers):
+        return False
+    signs = [real_value(x) for x in numbers]
+    return all(x > CERTAIN for x in signs) if complement and signs else any(x < -CERTAIN for x in signs)
 
 
 def _unit(u: sp.Symbol, b: Branch, values: Values) -> str:

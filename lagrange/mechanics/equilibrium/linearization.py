@@ -33,6 +33,7 @@ from lagrange.algebra.closed_forms.eigenmodes import (
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface, is_zero
 from lagrange.algebra.fourier.textbook_form import common_factor, normalised, textbook_form
+from lagrange.core.ranges import never_vanishes
 from lagrange.core.records import record
 from lagrange.core.symbols import prime
 from lagrange.mechanics.constraints.constrained_system import Row
@@ -302,7 +303,7 @@ def _equations(mass: Matrix, damping: Matrix, stiffness: Matrix, moved: Sequence
     for ms, ds, ks in zip(mass, damping, stiffness, strict=True):
         total = sp.Add(*(m * prime(x, 2) + d * prime(x) + k * x for m, d, k, x in zip(ms, ds, ks, moved, strict=True)))
         formed = textbook_form(sp.fraction(sp.together(total))[0])
-        yield normalised(common_factor(formed).only(lambda f: bool(f.is_nonzero)).divide(formed))
+        yield normalised(common_factor(formed).only(never_vanishes).divide(formed))
 
 
 def _characteristic(

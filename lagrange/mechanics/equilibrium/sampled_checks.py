@@ -241,7 +241,7 @@ def _determinant(table: Sequence[Sequence[Any]]) -> Any:
 
 def _claimed(point: RealPoint, b: Branch, s: Stability) -> bool | None:
     """Whether an equilibrium is stated to be stable at a point; None where it does not exist, or nothing is stated."""
-    if not all(_sense(point, c) == 1 for c in b.conditions):
+    if not all(_sense(point, c) == 1 for c in (*b.conditions, *b.implied)):
         return None
     match s.verdict:
         case StabilityVerdict.STABLE | StabilityVerdict.UNSTABLE:
