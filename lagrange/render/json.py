@@ -7,32 +7,17 @@ contract: a change of their meaning needs a new version.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from lagrange.core.printable import json_text
-from lagrange.core.symbols import FormSymbol, Wedge
-from lagrange.core.vectors import Vector
-from lagrange.document.derivation import (
-    Block,
-    CheckMark,
-    Display,
-    Emphasis,
-    Equation,
-    Math,
-    Matrices,
-    Part,
-    Picture,
-    Prose,
-    Ref,
-    Table,
-)
 from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.render.json_numbers import add_oscillations, equations_in_numbers, position, quantity
+from lagrange.render.json_steps import block, shown
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -120,7 +105,7 @@ def as_object(report: Report) -> dict[str, Any]:
         {
             "rule": s.rule.value,
             "title": s.title,
-            "body": [block for b in s.body if (block := _block(b, write))],
+            "body": [written for b in s.body if (written := block(b, write))],
         }
         for s in report.derivation.steps
     ]
@@ -140,7 +125,7 @@ def _with_friction(solution: Solution, write: Write) -> dict[str, Any]:
         found["equilibrium"] = [_relations(b, write) for b in branches]
         found["impending"] = [
             {
-                "slip": {c.name: write(_shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
+                "slip": {c.name: write(shown(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts},
                 "reactions": {name: write(force) for name, force in m.pressed.items()},
                 "equilibrium": [_relations(b, write) for b in m.equilibrium.branches],
                 "conditions": [_sign_conditions(b, write) for b in m.equilibrium.branches],
@@ -172,7 +157,7 @@ def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
         "friction": {name: f[0] if len(f) == 1 else f for name, f in friction.items()},
     }
     if isinstance(resting, AtRest):
-        along = {c.name: write(_shown(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1}
+        along = {c.name: write(shown(c.tangents[0])) for c in resting.contacts if len(c.tangents) == 1}
         forces = {u.name: write(f) for u, f in resting.forces.items() if u not in resting.open}
         result |= {"directions": along, "forces": forces}
     if len(cases) > 1:
@@ -292,9 +277,9 @@ def _reaction(
         found["multiplier"] = write(value)
     found |= _single(name, reactions, values, write)
     if name in reactions.forces:
-        found["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
+        found["on"] = {p: write(shown(force)) for p, force in reactions.forces[name].items()}
     if name in reactions.moments:
-        found["moment_on"] = {b: write(_shown(moment)) for b, moment in reactions.moments[name].items()}
+        found["moment_on"] = {b: write(shown(moment)) for b, moment in reactions.moments[name].items()}
     if choice:
         found["choice"] = choice
     work_done = "0" if work.vanishes else None
@@ -314,7 +299,7 @@ def _single(name: str, reactions: Reactions, values: Values | None, write: Write
     result: dict[str, Any] = {"tension": size} if name in reactions.pulling else {}
     result["force"] = size
     if name in reactions.units:
-        result["direction"] = write(_shown(reactions.units[name]))
+        result["direction"] = write(shown(reactions.units[name]))
     return result | contact | quantity(reactions.sizes[name], values, write)
 
 
@@ -360,7 +345,7 @@ def _at_rest(name: str, at_rest: ReactionsAtRest, values: Values | None, write: 
     result: dict[str, Any] = {} if value is None else {"multiplier": write(value)}
     result |= _single(name, reactions, values, write)
     if name in reactions.forces:
-        result["on"] = {p: write(_shown(force)) for p, force in reactions.forces[name].items()}
+        result["on"] = {p: write(shown(force)) for p, force in reactions.forces[name].items()}
     return result
 
 
@@ -576,53 +561,3 @@ def _asked(asked: Asked, write: Write) -> dict[str, Any]:
             for s, b in zip(stated, asked.branches, strict=True)
         ]
     return found | ({"choice": asked.choice} if asked.choice else {})
-
-
-def _block(block: Block, write: Write) -> dict[str, Any]:
-    match block:
-        case Prose(parts=parts):
-            return {"prose": _sentence(parts, write)}
-        case Display(equations=equations, boxed=boxed):
-            return {"equations": [_equation(e, write) for e in equations], "result": boxed}
-        case Table(header=header, rows=rows):
-            cells = [[_sentence((cell,), write) for cell in row] for row in rows]
-            return {"table": {"header": [_sentence((h,), write) for h in header], "rows": cells}}
-        case Matrices(named=named):
-            return {"matrices": {name.name: matrix(rows, write) for name, rows in named}}
-        case CheckMark(name=name, passed=passed, how=how):
-            return {"check": _sentence(name, write), "passed": passed, "how": how}
-        case Picture():
-            return {}  # the words of the step say the same
-
-
-def _equation(equation: Equation, write: Write) -> dict[str, Any]:
-    """An equation; `text` can be read back; an equation between exterior forms cannot, and its key is `form`."""
-    of_forms = any(isinstance(s, sp.Expr) and s.has(Wedge, FormSymbol) for s in equation.sides)
-    text = f" {equation.relation} ".join(write(_shown(s)) for s in equation.sides)
-    result: dict[str, Any] = {"form" if of_forms else "text": text}
-    if equation.label:
-        result["label"] = equation.label
-    if equation.condition:
-        result["condition"] = _sentence(equation.condition, write)
-    return result
-
-
-def _shown(side: Any) -> Any:
-    return side.as_sum() if isinstance(side, Vector) else side
-
-
-def _sentence(parts: Sequence[Part], write: Write) -> str:
-    return "".join(_words(parts, write))
-
-
-def _words(parts: Sequence[Part], write: Write) -> Iterator[str]:
-    for part in parts:
-        match part:
-            case str():
-                yield part
-            case Math(sides=sides, relation=relation):
-                yield f" {relation} ".join(write(_shown(s)) for s in sides)
-            case Ref(label=label):
-                yield f"[{label}]"
-            case Emphasis(word=word):
-                yield word
