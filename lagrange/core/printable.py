@@ -12,7 +12,6 @@ surrogates). Nothing of the kind leaves the program:
 
 from __future__ import annotations
 
-import json
 import re
 import unicodedata
 from functools import lru_cache
@@ -55,6 +54,8 @@ def printable(text: str) -> str:
 
 def json_text(value: Any, indent: int | None = None) -> str:
     """A value as JSON in which no hidden character stands for itself."""
+    import json  # messages do without
+
     written = json.dumps(value, ensure_ascii=False, indent=indent)
     if written.isascii() and "\x7f" not in written:
         return written

@@ -10,6 +10,7 @@ import select
 import signal
 import subprocess
 import sys
+import time
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -73,6 +74,7 @@ def test_sympy_is_not_loaded_before_it_is_needed(arguments: str) -> None:
         "lagrange.problem.library",
         *(["lagrange.problem.keys"] if arguments == "schema" else []),
         "lagrange.core",
+        "lagrange.core.printable",
         "lagrange.core.records",
     }
 
@@ -204,6 +206,7 @@ def test_an_interruption() -> None:
     pipes = {"stdin": reader, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     with started([*LAGSOLVE, "-"], env=surroundings(), **pipes) as process:
         select.select([], [writer], [], PATIENCE)  # until the program reads
+        time.sleep(0.5)  # until it waits for more: Python sees no signal that comes just before it begins to wait
         process.send_signal(signal.SIGINT)
         printed, said = process.communicate(timeout=PATIENCE)
     os.close(reader)

@@ -144,7 +144,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unreadable-file": ("The system does not allow the file to be read.", None),
     "file-exists": ("`lagsolve new` never overwrites a file.", None),
     "no-such-folder": ("Create the folder first.", Command(("new", "mechanics/pendulum.yaml"))),
-    "cannot-write": ("The output cannot be written there. An old file is as it was.", None),
+    "cannot-write": ("The output cannot be written there. An old file stays as it was, unless its folder is read-only.", None),
     "journal-ignored": (
         "A note: the journal of an interrupted batch has lines that no batch has written. They are not used, and the "
         "submissions are graded again. The exit status is not changed.", None),
