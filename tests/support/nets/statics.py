@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.support.nets.evaluate import NotReadError, evaluate, holds, names_in, sides
+from tests.support.nets.evaluate import VECTORS, NotReadError, evaluate, holds, names_in, sides
 from tests.support.nets.rest import Rest, imbalance, is_pole, is_singular, newton, rests, rests_at_pole, start_in
 from tests.support.nets.run import Finding, Printed, printed, wrong_names
 from tests.support.nets.statics_systems import random_system
@@ -302,8 +302,7 @@ def _reactions(
                     continue
                 gradient = system.finite(r.q, r.parameters)[c].gradient
                 for particle, text in at_rest.get("on", {}).items():
-                    axes = dict(zip("ijk", np.eye(3), strict=True))
-                    force = evaluate(text, axes | system.scope(r.q, r.parameters)) + np.zeros(3)
+                    force = evaluate(text, VECTORS | system.scope(r.q, r.parameters)) + np.zeros(3)
                     own = [
                         system.coordinates.index(x) if x in system.coordinates else None
                         for x in system.particles[particle][1]
