@@ -71,7 +71,9 @@ def real_branches(branches: Sequence[Branch], letters: TrigLetters) -> list[Bran
             closing = [c for t in triangles for c in _closing(t) or ()]
             exists = exists or (len(equations) == 2 and len(triangles) == 1)  # under these conditions
             conditions = tuple(dict.fromkeys((*b.conditions, *closing)))
-            kept.append(replace(b, conditions=conditions, occupied=exists is True and not b.conditions))
+            only_closing = all(c.relation == "≠" for c in b.conditions)
+            occupied = exists is True and not b.conditions
+            kept.append(replace(b, conditions=conditions, occupied=occupied, closing=only_closing))
     return kept
 
 

@@ -86,6 +86,7 @@ class Branch:
     special     whether it exists for particular parameters only
     left        equations that could not be solved, each zero
     occupied    whether these are known to have a real solution
+    closing     whether conditions other than ≠ follow from the equations left: that a triangle closes
     implied     conditions that hold besides and are not stated: they follow from the others, or from ranges
     """
 
@@ -96,6 +97,7 @@ class Branch:
     special: bool = False
     left: tuple[sp.Expr, ...] = ()
     occupied: bool = False
+    closing: bool = False
     implied: tuple[SignCondition, ...] = ()
 
     @property

@@ -224,8 +224,9 @@ def _on_solved_branch(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibri
 def by_numbers(matrix: Sequence[Sequence[sp.Expr]], e: Equilibrium, b: Branch) -> StabilityVerdict:
     """The verdict at points that are numbers, if it is the same at all of them."""
     verdicts = {is_definite(matrix, e, p) for p in b.points}
-    decided = {True: StabilityVerdict.STABLE, False: StabilityVerdict.UNSTABLE}
-    return decided.get(verdicts.pop(), StabilityVerdict.UNDECIDED) if len(verdicts) == 1 else StabilityVerdict.UNDECIDED
+    if verdicts == {True}:
+        return StabilityVerdict.STABLE
+    return StabilityVerdict.UNSTABLE if verdicts == {False} else StabilityVerdict.UNDECIDED
 
 
 def _where_it_is_definite(b: Branch, matrix: list[tuple[sp.Expr, ...]], e: Equilibrium) -> Stability:

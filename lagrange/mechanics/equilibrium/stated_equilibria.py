@@ -225,7 +225,7 @@ def _on_surface(e: Equilibrium, b: Branch) -> bool | None:
     # In a prime field a root has either sign, and an inequality has no meaning.
     if stated & {*e.multipliers} or any(not p.exp.is_Integer for x in equations for p in x.atoms(sp.Pow)):
         return None
-    if len(b.left) > MOST_UNSOLVED or any(c.relation != "≠" for c in b.conditions):
+    if len(b.left) > MOST_UNSOLVED or (not b.closing and any(c.relation != "≠" for c in b.conditions)):
         return None
     surface = Surface(equations, (*coordinates, *e.forces))
     try:

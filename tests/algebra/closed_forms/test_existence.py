@@ -59,6 +59,7 @@ def test_two_links_close_as_a_triangle_does() -> None:
     [branch] = unsolved([a * cos(beta) + b * cos(gamma) - p, a * sin(beta) - b * sin(gamma) - q])
 
     assert branch.occupied
+    assert branch.closing
 
     def closes(*sides: int) -> bool:
         at = dict(zip((a, b, p, q), map(sp.Integer, sides), strict=True))

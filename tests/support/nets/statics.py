@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.support.nets.evaluate import NotReadError, evaluate, holds, names_in, sides
+from tests.support.nets.evaluate import VECTORS, NotReadError, evaluate, holds, names_in, sides
 from tests.support.nets.rest import Rest, imbalance, is_pole, is_singular, newton, rests, rests_at_pole, start_in
 from tests.support.nets.run import Finding, Printed, printed, wrong_names
 from tests.support.nets.statics_systems import random_system
@@ -299,12 +299,11 @@ def _reactions(
     Σ λ ∂f/∂q = ∂V/∂q is solved in the file's coordinates, also for what is printed in a choice.
     """
     stated = shown.json.get("reactions", {})
-    axes = dict(zip("ijk", np.eye(3), strict=True))
     for n, r in [(n, r) for n in range(len(branches)) for r in places]:
         given = {c: entries[n] for c in file.constraints if (entries := stated.get(c, {}).get("at_equilibrium"))}
         if r.degenerate or not any(given.values()) or not satisfies(system, r, *branches[n]):
             continue
-        scope = axes | system.scope(r.q, r.parameters)
+        scope = VECTORS | system.scope(r.q, r.parameters)
         q = _in_file(system, file, shown.choice, r)
         gradients = dict(zip(file.constraints, (f.gradient for f in file.finite(q, r.parameters)), strict=True))
         rows = np.array([*gradients.values()])
