@@ -221,6 +221,9 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "a constraint that they satisfy by themselves has no reaction.", problem(
         "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: l*i}}\n" + ROD
         + "forces: {rub: {friction: g, constraint: rod, on: Q}}")),
+    "static-below-kinetic": ("The coefficient at rest is usually the larger one; the two may have been exchanged.", problem(
+        PARTICLE + "constraints: {floor: y >= 0}\n"
+        "forces: {rub: {friction: 1/2, static: 1/3, constraint: floor, on: P}, push: {on: P, vector: -g*j}}")),
     "impending-without-friction": ("Impending motion is equilibrium with static friction at its limit.", problem(
         PARTICLE + "forces: {push: {on: P, vector: g*i}}\nfind: impending")),
     "friction-slip": ("`slip` says in which sense a particle slides along a line; leave it out where there is none.", problem(
