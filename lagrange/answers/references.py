@@ -331,8 +331,17 @@ def _reactions(solution: Solution) -> dict[str, sp.Expr]:
         return {}
     newton = solution.law.newton
     signs = solution.own.dynamics.signs if solution.own.dynamics is not None else ()
-    named = (*newton.multipliers_by_name.values(), *newton.single_forces, *signs)
+    named = (*newton.multipliers_by_name.values(), *newton.single_forces, *signs, *_friction_at_rest(solution))
     return {s.name: s for s in named}
+
+
+def _friction_at_rest(solution: Solution) -> Iterator[sp.Symbol]:
+    """The symbols of friction forces at rest, and in contacts that roll."""
+    for view in solution.views:
+        if view.at_rest is not None:
+            yield from (f for c in view.at_rest.contacts for f in c.components)
+        if view.rolling is not None:
+            yield from (c.symbol for c in view.rolling.contacts)
 
 
 def _reaction_forces(solution: Solution) -> dict[str, Vector]:

@@ -48,7 +48,7 @@ from lagrange.mechanics.solution import (
     small_displacements,
     solve,
 )
-from lagrange.problem.model import Find, Problem
+from lagrange.problem.model import Find, Friction, Problem
 from lagrange.problem.values import values_of
 
 if TYPE_CHECKING:
@@ -130,12 +130,25 @@ def _reported(
 
 
 def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:
-    """A note if a method was chosen but no equations of motion are asked for."""
+    """Notes: on friction smaller at rest, and if a method was chosen but no equations of motion are asked for."""
+    lower = tuple(_below_kinetic(problem))
     if method is Method.DALEMBERT or Find.MOTION in problem.find:
-        return ()
+        return lower
     message = f"`--method {method}` makes no difference here: no equations of motion are asked for"
     help_ = "equilibrium is found by the principle of virtual work; `find: motion` asks for equations of motion"
-    return (Diagnostic("method-without-motion", message, help=help_).as_note(),)
+    return (*lower, Diagnostic("method-without-motion", message, help=help_).as_note())
+
+
+def _below_kinetic(problem: Problem) -> Iterator[Diagnostic]:
+    """A note on each friction that is smaller at rest than in motion, as far as the file gives values."""
+    values = {p.symbol: p.value for p in problem.parameters if p.value is not None}
+    for f in problem.forces:
+        if not isinstance(f, Friction) or f.static is None:
+            continue
+        if (f.coefficient - f.static).xreplace(values).is_positive:
+            message = f"the friction `{f.name}` is smaller at rest than in motion"
+            help_ = "`static:` is usually the larger coefficient; have the two been exchanged?"
+            yield Diagnostic("static-below-kinetic", message, f.span, help=help_).as_note()
 
 
 def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: bool) -> Iterator[Step | None]:

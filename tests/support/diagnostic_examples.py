@@ -223,7 +223,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unknown-key": ("The key is misspelt.", problem("constraint: {rod: x = 0}")),
     "unknown-name": ("The file has no particle, body or constraint of that name.", problem(
         PARTICLE + "forces: {push: {on: Q, vector: g*i}}")),
-    "unknown-question": ("Ask for constraints, equilibrium, motion or linearization.", problem("find: movement")),
+    "unknown-question": ("Ask for constraints, equilibrium, motion, linearization or impending.", problem("find: movement")),
     "unknown-keeper": ("What keeps a constraint: a rod, a string, a surface, a wire, a hinge, rolling or a gear.", problem(
         PARTICLE + "constraints: {rod: {equation: x^2 + y^2 = l^2, by: rubber}}")),
     "unknown-sense": ("Write positive or negative.", problem(
@@ -246,10 +246,15 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "wrong-kind": ("A list, a mapping or a value is given where another of these is required.",
         problem("constraints: [x = 0]")),
     # -- the derivation ----------------------------------------------------------------------------------------------
-    "friction-place": ("Friction acts on a particle that its constraint holds, and that the coordinates place freely: "
+    "friction-place": ("Friction acts on what its constraint holds, at the point that touches, and that the coordinates place freely: "
         "a constraint that they satisfy by themselves has no reaction.", problem(
         "particles: {P: {mass: m, position: x*i + y*j}, Q: {mass: m, position: l*i}}\n" + ROD
         + "forces: {rub: {friction: g, constraint: rod, on: Q}}")),
+    "static-below-kinetic": ("The coefficient at rest is usually the larger one; the two may have been exchanged.", problem(
+        PARTICLE + "constraints: {floor: y >= 0}\n"
+        "forces: {rub: {friction: 1/2, static: 1/3, constraint: floor, on: P}, push: {on: P, vector: -g*j}}")),
+    "impending-without-friction": ("Impending motion is equilibrium with static friction at its limit.", problem(
+        PARTICLE + "forces: {push: {on: P, vector: g*i}}\nfind: impending")),
     "friction-slip": ("`slip` says in which sense a particle slides along a line; leave it out where there is none.", problem(
         "particles: {P: {mass: m, position: '[x, y, z]'}}\nconstraints: {floor: z = 0}\n"
         "forces: {rub: {friction: g, constraint: floor, on: P, slip: positive}}", coordinates="[x, y, z]")),

@@ -110,7 +110,7 @@ def explain_rolling(rolling: Rolling) -> Step:
         body.append(prose(f"{capital(the(c.friction.on))} does not slip as long as the reaction of {by}, which acts at "
                           "the point that touches, is at most the coefficient of static friction times the normal "
                           f"force of {constraints_called([c.normal.name])}. They are"))  # fmt: skip
-        body.append(display(Equation((sp.Symbol(f"F_{c.friction.name}", real=True), c.size)),
+        body.append(display(Equation((c.symbol, c.size)),
                             Equation((c.normal.force, c.pressed))))  # fmt: skip
     suffix = suffix_of(rolling.configuration.name)
     if rolling.assumed:

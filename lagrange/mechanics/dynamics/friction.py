@@ -230,7 +230,8 @@ def unit_toward(friction: Friction, direction: Vector, configuration: Configurat
         message = f"`slip` of the friction `{friction.name}` is not along the surface"
         help_ = f"what touches slips at right angles to the reaction of `{friction.constraint}`"
         raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
-    return (toward / textbook_form(toward.norm())).map(textbook_form)
+    unit: Vector = toward / textbook_form(toward.norm())
+    return unit.map(textbook_form)
 
 
 def rough_reaction(friction: Friction, newton: Newton, original: Configuration) -> Reaction:

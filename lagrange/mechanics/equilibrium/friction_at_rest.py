@@ -189,7 +189,7 @@ def _tangents(
     """The unit vector of the friction if all displacements are in a plane; otherwise i, j, k."""
     if friction.toward is not None:
         against = -unit_toward(friction, normal, configuration)
-    units = [Vector(tuple(sp.Integer(n == k) for n in range(3)), normal.triad) for k in range(3)]  # type: ignore[arg-type]
+    units = [Vector(tuple(sp.Integer(n == k) for n in range(3)), normal.triad) for k in range(3)]
     flat = [u for u in units if all(_vanishes(u.dot(p), configuration) for p in (*moved, normal))]
     if not flat:
         return tuple(units)

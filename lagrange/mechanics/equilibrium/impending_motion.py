@@ -31,7 +31,7 @@ from lagrange.mechanics.dynamics.contact.touching import point_on
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.newton import Newton
-from lagrange.mechanics.equilibrium.conditions_of_rest import not_negative
+from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition, not_negative
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
 from lagrange.mechanics.equilibrium.friction_at_rest import RoughContact, rough_contacts
 from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
@@ -193,7 +193,7 @@ def _limits_solved(b: Branch, resting: Equilibrium, coefficients: set[sp.Expr], 
         return b
     relations = []
     for r in b.relations:
-        written = ()
+        written: tuple[RestCondition, ...] = ()
         if r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
             written = tuple(not_negative(r.residual, coefficients, signs))
         relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]

@@ -44,6 +44,11 @@ class RollingContact:
     size: sp.Expr
     pressed: sp.Expr
 
+    @property
+    def symbol(self) -> sp.Symbol:
+        """F."""
+        return sp.Symbol(f"F_{self.friction.name}", real=True)
+
 
 @record
 class Rolling:
