@@ -12,6 +12,7 @@ from lagrange.document.derivation import Block, Detail, Display, Equation, Math,
 from lagrange.explain.words import plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground
+from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.solution import InCoordinates, Solution
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
@@ -28,7 +29,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         if step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
-            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits)))
+            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits, bool(values.numbers))))
         elif view is not None and not _determines_forces(view):
             yield step
         else:
@@ -87,7 +88,7 @@ def measured(quantity: Quantity, digits: int) -> Math:
     return math(shown, with_unit(degrees, "°"))
 
 
-def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int) -> Iterator[Block]:
+def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int, given: bool) -> Iterator[Block]:
     """A table of the equilibria: where they are, whether they are stable, how they oscillate."""
     suffix = suffix_of(view.name)
     start = "at-rest" if view.linearization is not None else "equilibrium"
@@ -96,11 +97,32 @@ def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int) ->
         return Ref(f"{start}{suffix}-{n + 1}")
 
     if found.positions:
-        yield prose("With the given values, in units of SI:", detail=Detail.BRIEF)
+        yield prose("With the given values, in units of SI:" if given else "In numbers:", detail=Detail.BRIEF)
         yield _table(view, found, called, digits)
+    if found.numerical is not None:
+        yield _searched(found.numerical, digits)
     if found.absent:
         one = plural(len(found.absent), " has no real position", " have no real positions")
         yield prose(*listed(called(n) for n in found.absent), f"{one} with these values.", detail=Detail.BRIEF)
+
+
+def _searched(numerical: NumericalEquilibria, digits: int) -> Block:
+    """Where roots were searched for, and whether they are all."""
+    places: list[Part] = []
+    for u, s in numerical.searched.items():
+        if s.is_circle:
+            places.append(math(-sp.pi, u, sp.pi, relation="≤"))
+        else:
+            places.append(math(rounded(s.low, digits), u, rounded(s.high, digits), relation="≤"))
+    number = len(numerical.found)
+    what = plural(number, "one solution", f"{number} solutions") if number else "no solution"
+    start = f"The conditions have {what} with "
+    method = "interval arithmetic encloses each one and excludes the rest of this range"
+    if numerical.complete:
+        words = f": found numerically, and {method}."
+    else:
+        words = ": found numerically; the list may be incomplete, because not all of this range could be excluded."
+    return prose(start, *listed(places), words, detail=Detail.BRIEF)
 
 
 def _table(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> Table:

@@ -32,7 +32,7 @@ from lagrange.document.derivation import (
 from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
-from lagrange.render.json_numbers import add_oscillations, equations_in_numbers, position, quantity
+from lagrange.render.json_numbers import add_oscillations, equations_in_numbers, position, quantity, searched
 
 if TYPE_CHECKING:
     from lagrange.explain.report import Report
@@ -319,6 +319,8 @@ def _statics(
         result["stability"] = [s.verdict.value for s in stability.verdicts]
     if in_numbers is not None:
         result["equilibrium_in_numbers"] = [position(p) for p in in_numbers.positions]
+        if in_numbers.numerical is not None:
+            result["equilibrium_searched"] = searched(in_numbers.numerical)
     return result
 
 

@@ -15,6 +15,7 @@ import sympy as sp
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Oscillation, Position
+    from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
     from lagrange.values.quantities import Quantity, Values
 
 Write = Callable[[Any], str]
@@ -24,13 +25,19 @@ JSON_DIGITS = 10
 
 def position(p: Position) -> dict[str, Any]:
     """An equilibrium in numbers; `branch` is the place of its equations in `equilibrium`, counted from 0."""
-    found: dict[str, Any] = {} if p.branch is None else {"branch": p.branch}
+    found: dict[str, Any] = {"how": "numerical"} if p.branch is None else {"branch": p.branch, "how": "exact"}
     found["coordinates"] = {u.name: _measured(q) for u, q in p.coordinates.items()}
     if p.stability is not None:
         found["stability"] = p.stability.value
     if p.oscillations:
         found["frequencies"] = [_oscillation(o) for o in p.oscillations]
     return found
+
+
+def searched(numerical: NumericalEquilibria) -> dict[str, Any]:
+    """Between which numbers each unknown was searched, and whether all solutions there are found."""
+    between = {u.name: [float(s.low), float(s.high)] for u, s in numerical.searched.items()}
+    return {"between": between, "complete": numerical.complete}
 
 
 def _oscillation(o: Oscillation) -> dict[str, Any]:
