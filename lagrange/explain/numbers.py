@@ -7,9 +7,10 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
 from lagrange.explain.words import plural, suffix_of, title_in
+from lagrange.mechanics.equilibrium.critical_values import critical_values
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
@@ -26,6 +27,8 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     for step in steps:
         view = positions.get((step.rule, step.title))
+        if view is not None:
+            step = replace(step, body=(*step.body, *_critical(view, values, digits)))
         if step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
@@ -43,6 +46,18 @@ def _titles(view: InCoordinates) -> Iterator[tuple[Rule, str]]:
     elif view.equilibrium is not None:
         title = title_in("Equilibrium", view.name) if view.name else "The principle of virtual work"
         yield Rule.EQUILIBRIUM, title
+
+
+def _critical(view: InCoordinates, values: Values, digits: int) -> Iterator[Block]:
+    """`With the given values, k l > P is P < 100 N.`"""
+    found = critical_values(view.equilibrium, view.stability, view.linearization, values)
+    clauses = [
+        (math(v.condition.lhs, v.condition.rhs, relation=v.condition.relation), " is ",
+         math(v.parameter, v.bound.shown(digits), relation=v.relation))
+        for v in found
+    ]  # fmt: skip
+    if clauses:
+        yield prose("With the given values, ", *series(clauses), ".", detail=Detail.BRIEF)
 
 
 def _determines_forces(view: InCoordinates) -> bool:
@@ -113,7 +128,9 @@ def _searched(numerical: NumericalEquilibria, digits: int) -> Block:
         if s.is_circle:
             places.append(math(-sp.pi, u, sp.pi, relation="≤"))
         else:
-            places.append(math(rounded(s.low, digits), u, rounded(s.high, digits), relation="≤"))
+            ends = (end if (end / sp.pi).is_Rational else rounded(end, digits) for end in (s.low, s.high))
+            low, high = ends
+            places.append(math(low, u, high, relation="≤"))
     number = len(numerical.found)
     what = plural(number, "one solution", f"{number} solutions") if number else "no solution"
     start = f"The conditions have {what} with "

@@ -32,7 +32,7 @@ from lagrange.document.derivation import (
 from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
-from lagrange.render.json_numbers import add_oscillations, equations_in_numbers, position, quantity, searched
+from lagrange.render.json_numbers import add_oscillations, critical, equations_in_numbers, position, quantity, searched
 
 if TYPE_CHECKING:
     from lagrange.explain.report import Report
@@ -189,6 +189,8 @@ def _motion(view: InCoordinates, values: Values | None, write: Write) -> dict[st
         found["linearization"] = linearized(view.linearization, write)
         if view.in_numbers is not None:
             add_oscillations(found["linearization"], view.in_numbers)
+    if view.equilibrium is not None or view.linearization is not None:
+        found |= critical(view, values)
     return found
 
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Oscillation, Position
     from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
+    from lagrange.mechanics.solution import InCoordinates
     from lagrange.values.quantities import Quantity, Values
 
 Write = Callable[[Any], str]
@@ -32,6 +33,17 @@ def position(p: Position) -> dict[str, Any]:
     if p.oscillations:
         found["frequencies"] = [_oscillation(o) for o in p.oscillations]
     return found
+
+
+def critical(view: InCoordinates, values: Values | None) -> dict[str, Any]:
+    """`critical`: conditions that are solved for the one parameter without a value."""
+    if values is None:
+        return {}
+    from lagrange.mechanics.equilibrium.critical_values import critical_values
+
+    found = critical_values(view.equilibrium, view.stability, view.linearization, values)
+    entries = [{"name": v.parameter.name, "relation": v.relation} | _measured(v.bound) for v in found]
+    return {"critical": entries} if entries else {}
 
 
 def searched(numerical: NumericalEquilibria) -> dict[str, Any]:
