@@ -7,11 +7,13 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
 from lagrange.explain.words import plural, suffix_of, title_in
+from lagrange.mechanics.equilibrium.critical_values import critical_values
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
 from lagrange.mechanics.equilibrium.linear_stability import Ground
+from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.solution import InCoordinates, Solution
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
@@ -25,10 +27,12 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     positions = {title: view for view in solution.views for title in _titles(view)}
     for step in steps:
         view = positions.get((step.rule, step.title))
+        if view is not None:
+            step = replace(step, body=(*step.body, *_critical(view, values, digits)))
         if step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
-            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits)))
+            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits, bool(values.numbers))))
         elif view is not None and not _determines_forces(view):
             yield step
         else:
@@ -42,6 +46,18 @@ def _titles(view: InCoordinates) -> Iterator[tuple[Rule, str]]:
     elif view.equilibrium is not None:
         title = title_in("Equilibrium", view.name) if view.name else "The principle of virtual work"
         yield Rule.EQUILIBRIUM, title
+
+
+def _critical(view: InCoordinates, values: Values, digits: int) -> Iterator[Block]:
+    """`With the given values, k l > P is P < 100 N.`"""
+    found = critical_values(view.equilibrium, view.stability, view.linearization, values)
+    clauses = [
+        (math(v.condition.lhs, v.condition.rhs, relation=v.condition.relation), " is ",
+         math(v.parameter, v.bound.shown(digits), relation=v.relation))
+        for v in found
+    ]  # fmt: skip
+    if clauses:
+        yield prose("With the given values, ", *series(clauses), ".", detail=Detail.BRIEF)
 
 
 def _determines_forces(view: InCoordinates) -> bool:
@@ -87,7 +103,7 @@ def measured(quantity: Quantity, digits: int) -> Math:
     return math(shown, with_unit(degrees, "°"))
 
 
-def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int) -> Iterator[Block]:
+def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int, given: bool) -> Iterator[Block]:
     """A table of the equilibria: where they are, whether they are stable, how they oscillate."""
     suffix = suffix_of(view.name)
     start = "at-rest" if view.linearization is not None else "equilibrium"
@@ -96,11 +112,34 @@ def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int) ->
         return Ref(f"{start}{suffix}-{n + 1}")
 
     if found.positions:
-        yield prose("With the given values, in units of SI:", detail=Detail.BRIEF)
+        yield prose("With the given values, in units of SI:" if given else "In numbers:", detail=Detail.BRIEF)
         yield _table(view, found, called, digits)
+    if found.numerical is not None:
+        yield _searched(found.numerical, digits)
     if found.absent:
         one = plural(len(found.absent), " has no real position", " have no real positions")
         yield prose(*listed(called(n) for n in found.absent), f"{one} with these values.", detail=Detail.BRIEF)
+
+
+def _searched(numerical: NumericalEquilibria, digits: int) -> Block:
+    """Where roots were searched for, and whether they are all."""
+    places: list[Part] = []
+    for u, s in numerical.searched.items():
+        if s.is_circle:
+            places.append(math(-sp.pi, u, sp.pi, relation="≤"))
+        else:
+            ends = (end if (end / sp.pi).is_Rational else rounded(end, digits) for end in (s.low, s.high))
+            low, high = ends
+            places.append(math(low, u, high, relation="≤"))
+    number = len(numerical.found)
+    what = plural(number, "one solution", f"{number} solutions") if number else "no solution"
+    start = f"The conditions have {what} with "
+    method = "interval arithmetic encloses each one and excludes the rest of this range"
+    if numerical.complete:
+        words = f": found numerically, and {method}."
+    else:
+        words = ": found numerically; the list may be incomplete, because not all of this range could be excluded."
+    return prose(start, *listed(places), words, detail=Detail.BRIEF)
 
 
 def _table(view: InCoordinates, found: EquilibriaInNumbers, called: Callable[[int], Ref], digits: int) -> Table:

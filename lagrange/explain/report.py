@@ -49,7 +49,7 @@ from lagrange.mechanics.solution import (
     solve,
 )
 from lagrange.problem.model import Find, Friction, Problem
-from lagrange.problem.values import values_of
+from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
     from lagrange.explain.energies import LagrangeExposition
@@ -119,10 +119,10 @@ def _reported(
     notation = notation_of(solution)
     shown: Iterable[Step] = (step for step in _steps(solution, answers, complete) if step is not None)
     values = values_of(solution.problem)
-    if values is not None:
+    if values is not None or any(v.in_numbers is not None for v in solution.views):
         from lagrange.explain.numbers import with_numbers
 
-        shown = with_numbers(shown, solution, values, digits)
+        shown = with_numbers(shown, solution, values or no_values(problem), digits)
     steps = tuple(illustrated(shown, solution, notation))
     derivation = Derivation(problem.title, problem.source, steps)
     remarks = (*_remarks(problem, method), *not_compared(solution, answers))

@@ -47,7 +47,7 @@ from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
 from lagrange.problem.model import Choice, Find, Friction, Problem
-from lagrange.problem.values import values_of
+from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
@@ -437,8 +437,10 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
 def _with_numbers(solution: Solution) -> Solution:
     """The solution with the equilibria in numbers, where the problem has values."""
     values = values_of(solution.problem)
-    if values is None or all(v.equilibrium is None and v.linearization is None for v in solution.views):
+    unsolved = any(e is not None and not e.solution.solved for v in solution.views for e in _equilibria(v))
+    if not unsolved and (values is None or all(not any(_equilibria(v)) for v in solution.views)):
         return solution
+    values = values or no_values(solution.problem)
     from lagrange.mechanics.equilibrium.in_numbers import equilibria_in_numbers, oscillations_in_numbers
 
     def in_numbers(view: InCoordinates) -> InCoordinates:
@@ -450,6 +452,11 @@ def _with_numbers(solution: Solution) -> Solution:
         return view if found is None else replace(view, in_numbers=found)
 
     return replace(solution, own=in_numbers(solution.own), choices=tuple(map(in_numbers, solution.choices)))
+
+
+def _equilibria(view: InCoordinates) -> tuple[Equilibrium | None, ...]:
+    """The equilibria of a view, in statics and in motion."""
+    return view.equilibrium, view.linearization.equilibrium if view.linearization is not None else None
 
 
 def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:

@@ -183,8 +183,15 @@ _NO_NUMBER = ("unknown-symbol", "unknown-function", "unexpected-character", "mis
 def values_of(problem: Problem) -> Values | None:
     """The values of a problem; None where it has none, so that nothing is loaded for them."""
     numbers = {p.symbol: p.value for p in problem.parameters if p.value is not None}
-    if not numbers:
-        return None
+    return None if not numbers else _values(problem, numbers)
+
+
+def no_values(problem: Problem) -> Values:
+    """The values of a problem without any, for conditions that have no parameters."""
+    return _values(problem, {})
+
+
+def _values(problem: Problem, numbers: Mapping[sp.Symbol, sp.Expr]) -> Values:
     from lagrange.values.quantities import Values
 
     units = {p.symbol: p.unit for p in problem.parameters} | {q.symbol: q.unit for q in problem.coordinates}

@@ -16,7 +16,7 @@ from lagrange.core.printable import json_text
 from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
-from lagrange.render.json_numbers import add_oscillations, equations_in_numbers, position, quantity
+from lagrange.render.json_numbers import add_oscillations, critical, equations_in_numbers, position, quantity, searched
 from lagrange.render.json_steps import block, shown
 
 if TYPE_CHECKING:
@@ -240,6 +240,8 @@ def _motion(view: InCoordinates, values: Values | None, write: Write) -> dict[st
         found["linearization"] = linearized(view.linearization, write)
         if view.in_numbers is not None:
             add_oscillations(found["linearization"], view.in_numbers)
+    if view.equilibrium is not None or view.linearization is not None:
+        found |= critical(view, values)
     return found
 
 
@@ -370,6 +372,8 @@ def _statics(
         result["stability"] = [s.verdict.value for s in stability.verdicts]
     if in_numbers is not None:
         result["equilibrium_in_numbers"] = [position(p) for p in in_numbers.positions]
+        if in_numbers.numerical is not None:
+            result["equilibrium_searched"] = searched(in_numbers.numerical)
     return result
 
 

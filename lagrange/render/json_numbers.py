@@ -15,6 +15,8 @@ import sympy as sp
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Oscillation, Position
+    from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
+    from lagrange.mechanics.solution import InCoordinates
     from lagrange.values.quantities import Quantity, Values
 
 Write = Callable[[Any], str]
@@ -24,13 +26,30 @@ JSON_DIGITS = 10
 
 def position(p: Position) -> dict[str, Any]:
     """An equilibrium in numbers; `branch` is the place of its equations in `equilibrium`, counted from 0."""
-    found: dict[str, Any] = {} if p.branch is None else {"branch": p.branch}
+    found: dict[str, Any] = {"how": "numerical"} if p.branch is None else {"branch": p.branch, "how": "exact"}
     found["coordinates"] = {u.name: _measured(q) for u, q in p.coordinates.items()}
     if p.stability is not None:
         found["stability"] = p.stability.value
     if p.oscillations:
         found["frequencies"] = [_oscillation(o) for o in p.oscillations]
     return found
+
+
+def critical(view: InCoordinates, values: Values | None) -> dict[str, Any]:
+    """`critical`: conditions that are solved for the one parameter without a value."""
+    if values is None:
+        return {}
+    from lagrange.mechanics.equilibrium.critical_values import critical_values
+
+    found = critical_values(view.equilibrium, view.stability, view.linearization, values)
+    entries = [{"name": v.parameter.name, "relation": v.relation} | _measured(v.bound) for v in found]
+    return {"critical": entries} if entries else {}
+
+
+def searched(numerical: NumericalEquilibria) -> dict[str, Any]:
+    """Between which numbers each unknown was searched, and whether all solutions there are found."""
+    between = {u.name: [float(s.low), float(s.high)] for u, s in numerical.searched.items()}
+    return {"between": between, "complete": numerical.complete}
 
 
 def _oscillation(o: Oscillation) -> dict[str, Any]:

@@ -7,3 +7,9 @@ WORKING_DIGITS = 30
 
 SPARE_DIGITS = 20
 """Digits beyond those printed, so that rounding them is not decided by an error."""
+
+MOST_BOXES = 3_000
+"""Boxes of one search for roots. One unknown takes 20 to 200, two take 200 to 2,000; a box takes about 2 ms."""
+
+SMALLEST_BOX = 1e-9
+"""Part of the width of the search at which a box that is neither excluded nor confirmed is given up."""

@@ -177,3 +177,20 @@ def test_a_run_without_values_loads_nothing_for_them() -> None:
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120
     )
     assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize(
+    ("text", "left_out", "shown", "critical"),
+    [
+        (COLUMN, "P: {value: 30 N}", "P < 100 N", ("P", "<", 100.0, "N")),
+        (COLUMN, "k: {value: 200 N/m}", "k > 60 N/m", ("k", ">", 60.0, "N/m")),
+        (HOOP, "Omega: {value: 90 rpm}", "Ω < 7.004 s⁻¹", ("Omega", "<", math.sqrt(9.81 / 0.2), "s^-1")),
+        (HOOP, "R: {value: 0.2 m}", "R < 0.1104 m", ("R", "<", 9.81 / (3 * math.pi) ** 2, "m")),
+    ],
+)
+def test_critical_values(text: str, left_out: str, shown: str, critical: tuple[str, str, float, str]) -> None:
+    result = reported(text.replace(left_out, f"{left_out.partition(':')[0]}: positive"))
+    assert shown in " ".join(page(result, 200).split())
+    found = [(c["name"], c["relation"], c["number"], c.get("unit")) for c in as_json(result)["critical"]]
+    name, relation, number, unit = critical
+    assert (name, relation, pytest.approx(number), unit) in found

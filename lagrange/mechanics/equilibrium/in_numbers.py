@@ -23,6 +23,7 @@ from lagrange.core.records import record
 from lagrange.core.units import unit_called
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
+from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria, numerical_equilibria
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
 from lagrange.mechanics.equilibrium.within_ranges import distances
 from lagrange.values.limits import WORKING_DIGITS
@@ -64,14 +65,16 @@ class Position:
 class EquilibriaInNumbers:
     """The equilibria of one set of coordinates in numbers.
 
-    unknowns  the coordinates and unknown forces, in their order
-    absent    the branches, by index, that have no point with these values
+    unknowns   the coordinates and unknown forces, in their order
+    absent     the branches, by index, that have no point with these values
+    numerical  the search for those that are not in closed form; its roots are among the positions
     """
 
     unknowns: tuple[sp.Symbol, ...]
     angles: frozenset[sp.Symbol]
     positions: tuple[Position, ...]
     absent: tuple[int, ...] = ()
+    numerical: NumericalEquilibria | None = None
 
 
 def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values: Values) -> EquilibriaInNumbers | None:
@@ -87,7 +90,7 @@ def equilibria_in_numbers(e: Equilibrium, second: SecondVariation | None, values
         there = [*_positions(n, b, stability, e, values)]
         positions += there
         absent += [] if there else [n]
-    return _ordered(e, positions, absent)
+    return _ordered(e, positions, absent, numerical_equilibria(e, second, values))
 
 
 def oscillations_in_numbers(linear: Linearization, values: Values) -> EquilibriaInNumbers | None:
@@ -105,15 +108,29 @@ def oscillations_in_numbers(linear: Linearization, values: Values) -> Equilibria
         there = [*_positions(n, b, stability, e, values, s)]
         positions += there
         absent += [] if there else [n]
-    return _ordered(e, positions, absent)
+    return _ordered(e, positions, absent, numerical_equilibria(e, None, values))
 
 
-def _ordered(e: Equilibrium, positions: Sequence[Position], absent: Sequence[int]) -> EquilibriaInNumbers | None:
-    if not positions and not absent:
+def _ordered(
+    e: Equilibrium, positions: Sequence[Position], absent: Sequence[int], numerical: NumericalEquilibria | None
+) -> EquilibriaInNumbers | None:
+    if not positions and not absent and numerical is None:
         return None
+    known = [p.coordinates for p in positions]
+    for root in numerical.found if numerical is not None else ():
+        if not any(_is_same(root.coordinates, k) for k in known):
+            positions = [*positions, Position(None, root.coordinates, root.stability)]
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
     angles = frozenset(u for u in unknowns if u in e.solution.letters.angles)
-    return EquilibriaInNumbers(unknowns, angles, tuple(positions), tuple(absent))
+    return EquilibriaInNumbers(unknowns, angles, tuple(positions), tuple(absent), numerical)
+
+
+def _is_same(root: Mapping[sp.Symbol, Quantity], known: Mapping[sp.Symbol, Quantity]) -> bool:
+    """Whether a root is a position in closed form: to twenty digits, both being roots of the same equations."""
+    if root.keys() != known.keys():
+        return False
+    differences = (root[u].formula - known[u].formula for u in root)
+    return all(abs(d.evalf(30)) < sp.Float(10) ** -20 for d in differences)
 
 
 def _positions(

@@ -1,0 +1,194 @@
+"""Equilibria found numerically, where the conditions have no solution in closed form.
+
+The conditions have numbers in them and one or two unknowns. All their roots in a stated box are enclosed
+(`values.numerical_roots`); an angle that occurs in sines and cosines alone is searched once round the circle. Stability
+is read off the signs of the minors of the second variation over the enclosure of each root.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations, product
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
+from lagrange.core.records import record
+from lagrange.core.units import unit_called, unit_of
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.equilibrium.stability import SecondVariation, StabilityVerdict
+from lagrange.values.numerical_roots import Root, real_roots, sign_at
+from lagrange.values.quantities import NotRealError, Quantity, Values, real_value
+
+MOST_UNKNOWNS = 2
+USUAL_SIZE = 10
+"""Lengths are searched up to so many times the sum of the lengths in the problem."""
+WITHOUT_LENGTHS = 100
+ROUND = 3.3
+"""A little more than π: a root at π is found from both sides."""
+
+
+@record
+class Searched:
+    """Between which numbers an unknown was searched; `is_circle`: all angles, −π < θ ≤ π."""
+
+    low: sp.Expr
+    high: sp.Expr
+    is_circle: bool = False
+
+
+@record
+class NumericalEquilibrium:
+    """A root of the conditions: the unknowns, and the verdict on stability."""
+
+    coordinates: dict[sp.Symbol, Quantity]
+    stability: StabilityVerdict | None
+
+
+@record
+class NumericalEquilibria:
+    """The roots in the box that was searched, and whether these are proved to be all."""
+
+    found: tuple[NumericalEquilibrium, ...]
+    searched: dict[sp.Symbol, Searched]
+    complete: bool
+
+
+def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values: Values) -> NumericalEquilibria | None:
+    """All equilibria by numbers; None where they are known in closed form, or there are too many unknowns."""
+    if e.given or all(not b.left for b in e.branches):
+        return None
+    unknowns = (*e.configuration.slots.coordinates, *e.forces)
+    stated = [c.expression for c in e.conditions]
+    if e.binding:
+        unknowns = (*unknowns, *e.multipliers)
+        stated = [*e.balance(e.multipliers), *e.configuration.finite_constraints]
+    equations = [values.put_in(x) for x in stated]
+    used = {s for x in equations for s in x.free_symbols}
+    if len(unknowns) > MOST_UNKNOWNS or len(equations) != len(unknowns) or used != {*unknowns}:
+        return None
+    searched = {u: _search(u, equations, e, values) for u in unknowns}
+    box = [(-ROUND, ROUND) if s.is_circle else _outward(s) for s in searched.values()]
+    roots = real_roots(equations, unknowns, box)
+    forces = [values.put_in(f) for f in e.work.forces]
+    matrix = [] if second is None or e.binding else [[values.put_in(x) for x in row] for row in second.matrix]
+    found = []
+    for root in _distinct(roots.roots, unknowns, searched):
+        place = dict(zip(unknowns, root.values, strict=True))
+        if all(_is_finite(f.xreplace(place)) for f in forces):
+            found.append(NumericalEquilibrium(_quantities(root, unknowns, searched, e, values),
+                                              _verdict(matrix, unknowns, root)))  # fmt: skip
+    return NumericalEquilibria(tuple(found), searched, roots.complete)
+
+
+def _search(u: sp.Symbol, equations: Sequence[sp.Expr], e: Equilibrium, values: Values) -> Searched:
+    """Where an unknown is searched."""
+    limits = e.configuration.ranges.get(u)
+    if limits is not None:
+        low, high = values.put_in(limits.low), values.put_in(limits.high)
+        if low.is_number and high.is_number:
+            return Searched(low, high)
+    if all(_is_periodic(x, u) for x in equations):
+        return Searched(-sp.pi, sp.pi, is_circle=True)
+    if u in e.solution.letters.angles:
+        return Searched(-4 * sp.pi, 4 * sp.pi)
+    size = USUAL_SIZE * sum(_lengths(values)) or sp.Integer(WITHOUT_LENGTHS)
+    size = sp.Integer(10) ** sp.ceiling(sp.log(size, 10).evalf())
+    return Searched(-size, size)
+
+
+def _is_periodic(x: sp.Expr, u: sp.Symbol) -> bool:
+    """Whether an expression has the period 2π: the unknown occurs in sines and cosines of its integer multiples."""
+    waves = [f for f in x.atoms(*CIRCULAR) if u in f.free_symbols]
+    rest = x.xreplace({f: sp.Dummy() for f in waves})
+    rates = [f.args[0].diff(u) for f in waves]
+    return u not in rest.free_symbols and all(r.is_Integer for r in rates)
+
+
+def _lengths(values: Values) -> Iterator[sp.Expr]:
+    """The lengths in the problem, and the quotients of its forces by its stiffnesses."""
+    of = {text: unit.dimension for text in ("m", "N", "N/m") if (unit := unit_of(text)) is not None}
+    sizes = {text: [abs(n) for s, n in values.numbers.items() if values.units.get(s) == d] for text, d in of.items()}
+    yield from sizes["m"]
+    yield from (f / k for f in sizes["N"] for k in sizes["N/m"] if k != 0)
+
+
+def _outward(s: Searched) -> tuple[float, float]:
+    low, high = float(s.low), float(s.high)
+    margin = 1e-3 * (high - low)
+    return low - margin, high + margin
+
+
+def _distinct(
+    roots: Sequence[Root], unknowns: Sequence[sp.Symbol], searched: dict[sp.Symbol, Searched]
+) -> Iterator[Root]:
+    """The roots in the search, with angles in (−π, π], each once."""
+    circles = [searched[u].is_circle for u in unknowns]
+    seen: list[Root] = []
+    for root in roots:
+        if not all(_is_within(v, searched[u]) for v, u in zip(root.values, unknowns, strict=True)):
+            continue
+        if not any(_is_same(root, other, circles) for other in seen):
+            seen.append(root)
+            yield root
+
+
+def _is_within(value: sp.Float, s: Searched) -> bool:
+    return s.is_circle or bool(s.low.evalf(30) <= value <= s.high.evalf(30))
+
+
+def _is_same(root: Root, other: Root, circles: Sequence[bool]) -> bool:
+    """Whether a root lies, up to full turns, in the box in which another one is the only root."""
+    turns = product(*((-1, 0, 1) if circle else (0,) for circle in circles))
+    return any(
+        all(
+            low <= v + 2 * sp.pi.evalf(30) * n <= high
+            for v, n, (low, high) in zip(root.values, turn, other.box, strict=True)
+        )
+        for turn in turns
+    )
+
+
+def _quantities(
+    root: Root, unknowns: Sequence[sp.Symbol], searched: dict[sp.Symbol, Searched], e: Equilibrium, values: Values
+) -> dict[sp.Symbol, Quantity]:
+    found = {}
+    for u, value in zip(unknowns, root.values, strict=True):
+        if u in e.multipliers:
+            continue
+        angle = searched[u].is_circle or u in e.solution.letters.angles
+        unit = "rad" if angle else unit_called(values.units[u]) if u in values.units else ""
+        number: sp.Expr = value
+        if searched[u].is_circle and abs(value) > sp.pi:
+            number = value - 2 * sp.pi.evalf(40) * sp.sign(value)
+        found[u] = Quantity(sp.S.Zero if _is_tiny(number) else number, unit)
+    return found
+
+
+def _is_tiny(number: sp.Expr) -> bool:
+    """Whether a root is 0 to all digits computed: it is printed as 0, and no digit of it would be right."""
+    return bool(abs(number) < sp.Float(10) ** -25)
+
+
+def _is_finite(value: sp.Expr) -> bool:
+    try:
+        real_value(value)
+    except NotRealError:
+        return False
+    return True
+
+
+def _verdict(matrix: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], root: Root) -> StabilityVerdict | None:
+    """From the principal minors of the second variation; None where there is none."""
+    if not matrix:
+        return None
+    size = len(matrix)
+    leading = []
+    for n in range(1, size + 1):
+        for rows in combinations(range(size), n):
+            minor = sp.Matrix([[matrix[i][j] for j in rows] for i in rows]).det(method="berkowitz")
+            sign = sign_at(minor, unknowns, root)
+            if sign == -1:
+                return StabilityVerdict.UNSTABLE
+            leading += [sign] if rows == tuple(range(n)) else []
+    return StabilityVerdict.STABLE if all(s == 1 for s in leading) else StabilityVerdict.UNDECIDED

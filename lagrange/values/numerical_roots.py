@@ -1,0 +1,265 @@
+"""All real roots of n equations in n unknowns in a box, by interval arithmetic.
+
+A box is excluded where the range of some equation over it, enclosed with outward rounding, does not contain 0. With
+the midpoint m and C an approximate inverse of the Jacobian there, Krawczyk's operator
+
+    K(X) = m − C f(m) + (1 − C F'(X)) (X − m)
+
+lies inside X only if X contains exactly one root. Otherwise a box is cut, across its longest side. The list is
+complete if every box was excluded or belongs to a root; a box that stays undecided, near a double root, makes it
+incomplete, and so does the bound on the number of boxes. The boxes that are tested are a little larger than those cut,
+so that a root on the edge of two is found. Reference: Neumaier, Interval Methods for Systems of Equations, ch. 5.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import mpmath
+import sympy as sp
+from mpmath import iv
+
+from lagrange.core.records import record
+from lagrange.values.limits import MOST_BOXES, SMALLEST_BOX, WORKING_DIGITS
+
+Box = list[Any]  # of intervals
+INFLATION = 0.05
+CUT = 0.4871  # never in the middle, where roots are
+
+CONVERGED = sp.Float(10) ** (-WORKING_DIGITS - 5)
+
+
+class _NoValueError(Exception):
+    """An expression has no value in a part of a box."""
+
+
+@record
+class Root:
+    """One root, to `WORKING_DIGITS`, the only one in a box around it."""
+
+    values: tuple[sp.Float, ...]
+    box: tuple[tuple[float, float], ...]
+
+
+@record
+class Roots:
+    """The roots in a box; `complete`: whether these are proved to be all."""
+
+    roots: tuple[Root, ...]
+    complete: bool
+
+
+def real_roots(
+    equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], search: Sequence[tuple[float, float]]
+) -> Roots:
+    """All common zeros of the expressions, whose other constants are numbers, in a box."""
+    jacobian = [[e.diff(u) for u in unknowns] for e in equations]
+    waiting: list[Box] = [[iv.mpf(list(ends)) for ends in search]]
+    widths = [float(high) - float(low) for low, high in search]
+    found: list[Root] = []
+    undecided: list[Box] = []
+    boxes = 0
+    while waiting and boxes < MOST_BOXES:
+        boxes += 1
+        box = waiting.pop()
+        if _is_excluded(equations, unknowns, box) or any(_contains(r.box, box) for r in found):
+            continue
+        larger = [_inflated(x) for x in box]
+        root = _confirmed(equations, jacobian, unknowns, larger)
+        if root is not None:
+            if not any(_same(root, other) for other in found):
+                found.append(root)
+            if _contains(root.box, box):
+                continue
+        if all(_width(x) < SMALLEST_BOX * w for x, w in zip(box, widths, strict=True)):
+            undecided.append(box)
+            continue
+        waiting += _halves(box, widths)
+    inside = [r for r in found if all(lo <= v <= hi for v, (lo, hi) in zip(r.values, search, strict=True))]
+    left = [b for b in (*waiting, *undecided) if not any(_contains(r.box, b) for r in found)]
+    return Roots(tuple(sorted(inside, key=lambda r: [float(v) for v in r.values])), not left)
+
+
+def sign_at(e: sp.Expr, unknowns: Sequence[sp.Symbol], root: Root) -> int | None:
+    """The sign of an expression at a root; None where the enclosure contains 0."""
+    tight = [iv.mpf([v - abs(v) * 1e-12 - 1e-14, v + abs(v) * 1e-12 + 1e-14]) for v in map(float, root.values)]
+    try:
+        value = _enclosure(e, dict(zip(unknowns, tight, strict=True)), {})
+    except _NoValueError:
+        return None
+    return 1 if value.a > 0 else -1 if value.b < 0 else None
+
+
+def _width(x: Any) -> float:
+    return float(mpmath.mpf(x.b) - mpmath.mpf(x.a))
+
+
+def _ends(x: Any) -> tuple[float, float]:
+    return float(mpmath.mpf(x.a)), float(mpmath.mpf(x.b))
+
+
+def _inflated(x: Any) -> Any:
+    low, high = _ends(x)
+    margin = INFLATION * (high - low) + 1e-300
+    return iv.mpf([low - margin, high + margin])
+
+
+def _contains(outer: Sequence[tuple[float, float]], box: Box) -> bool:
+    return all(low <= a and b <= high for (low, high), (a, b) in zip(outer, map(_ends, box), strict=True))
+
+
+def _same(root: Root, other: Root) -> bool:
+    """Whether two roots are one: each box has one root only."""
+    pairs = ((root, other), (other, root))
+    return any(all(lo <= v <= hi for v, (lo, hi) in zip(a.values, b.box, strict=True)) for a, b in pairs)
+
+
+def _halves(box: Box, widths: Sequence[float]) -> list[Box]:
+    at = max(range(len(box)), key=lambda n: _width(box[n]) / widths[n])
+    low, high = _ends(box[at])
+    cut = low + CUT * (high - low)
+    return [[*box[:at], iv.mpf(ends), *box[at + 1 :]] for ends in ([low, cut], [cut, high])]
+
+
+def _is_excluded(equations: Sequence[sp.Expr], unknowns: Sequence[sp.Symbol], box: Box) -> bool:
+    known: dict[sp.Basic, Any] = {}
+    places = dict(zip(unknowns, box, strict=True))
+    for e in equations:
+        try:
+            value = _enclosure(e, places, known)
+        except _NoValueError:
+            continue
+        if value.a > 0 or value.b < 0:
+            return True
+    return False
+
+
+def _confirmed(
+    equations: Sequence[sp.Expr], jacobian: Sequence[Sequence[sp.Expr]], unknowns: Sequence[sp.Symbol], box: Box
+) -> Root | None:
+    """The root in a box, if Krawczyk's operator proves that there is exactly one."""
+    size = len(box)
+    middle = [iv.mpf((_ends(x)[0] + _ends(x)[1]) / 2) for x in box]
+    try:
+        at = dict(zip(unknowns, middle, strict=True))
+        known: dict[sp.Basic, Any] = {}
+        f = [_enclosure(e, at, known) for e in equations]
+        slope = [[sum(_ends(_enclosure(d, at, known))) / 2 for d in row] for row in jacobian]
+        everywhere: dict[sp.Basic, Any] = {}
+        over = dict(zip(unknowns, box, strict=True))
+        enclosed = [[_enclosure(d, over, everywhere) for d in row] for row in jacobian]
+    except _NoValueError:
+        return None
+    inverse = _inverse(slope)
+    if inverse is None:
+        return None
+    for n in range(size):
+        value = middle[n] - sum(inverse[n][k] * f[k] for k in range(size))
+        for j in range(size):
+            entry = int(n == j) - sum(inverse[n][k] * enclosed[k][j] for k in range(size))
+            value += entry * (box[j] - middle[j])
+        if not (value.a > box[n].a and value.b < box[n].b):
+            return None
+    values = _refined(equations, jacobian, unknowns, [_ends(x)[0] for x in middle])
+    ends = tuple(map(_ends, box))
+    if values is None or not all(lo < v < hi for v, (lo, hi) in zip(values, ends, strict=True)):
+        return None
+    return Root(values, ends)
+
+
+def _inverse(matrix: Sequence[Sequence[float]]) -> list[list[float]] | None:
+    """The inverse of a matrix with one or two rows, roughly; None where it is singular."""
+    if len(matrix) == 1:
+        return [[1 / matrix[0][0]]] if matrix[0][0] else None
+    (a, b), (c, d) = matrix
+    det = a * d - b * c
+    return [[d / det, -b / det], [-c / det, a / det]] if det else None
+
+
+def _refined(
+    equations: Sequence[sp.Expr],
+    jacobian: Sequence[Sequence[sp.Expr]],
+    unknowns: Sequence[sp.Symbol],
+    start: Sequence[float],
+) -> tuple[sp.Float, ...] | None:
+    """Newton's iteration to full precision."""
+    values = [sp.Float(x, 2 * WORKING_DIGITS) for x in start]
+    for _ in range(60):
+        rule = dict(zip(unknowns, values, strict=True))
+        residual = sp.Matrix([e.xreplace(rule).evalf(2 * WORKING_DIGITS) for e in equations])
+        slope = sp.Matrix([[d.xreplace(rule).evalf(2 * WORKING_DIGITS) for d in row] for row in jacobian])
+        if not all(x.is_number and x.is_real for x in (*residual, *slope)) or slope.det() == 0:
+            return None
+        step = slope.LUsolve(residual)
+        values = [sp.Float(v - s, 2 * WORKING_DIGITS) for v, s in zip(values, step, strict=True)]
+        if all(
+            abs(s) <= sp.Float(10) ** (-WORKING_DIGITS - 5) * (1 + abs(v)) for v, s in zip(values, step, strict=True)
+        ):
+            return tuple(sp.Float(v, WORKING_DIGITS) for v in values)
+    return None
+
+
+def _enclosure(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic, Any]) -> Any:
+    """An interval that contains all values of an expression over a box. Raises _NoValueError."""
+    value = known.get(e)
+    if value is None:
+        try:
+            value = known[e] = _evaluated(e, places, known)
+        except (ValueError, ZeroDivisionError, OverflowError, mpmath.libmp.ComplexResult):
+            raise _NoValueError from None
+        if not (abs(_ends(value)[0]) < float("inf") and abs(_ends(value)[1]) < float("inf")):
+            raise _NoValueError
+    return value
+
+
+def _evaluated(e: sp.Expr, places: Mapping[sp.Symbol, Any], known: dict[sp.Basic, Any]) -> Any:
+    if e.is_Symbol:
+        return places[e]
+    if e.is_Rational:
+        return iv.mpf(int(e.p)) / int(e.q)
+    if e.is_Float:
+        low = mpmath.mpf(str(e))
+        return iv.mpf([low - abs(low) * 1e-15, low + abs(low) * 1e-15])
+    if e == sp.pi:
+        return +iv.pi
+    parts = [_enclosure(a, places, known) for a in e.args]
+    if e.is_Add:
+        return sum(parts[1:], parts[0])
+    if e.is_Mul:
+        product = parts[0]
+        for p in parts[1:]:
+            product = product * p
+        return product
+    if e.is_Pow:
+        return _power(parts[0], e.exp)
+    name = {sp.sin: "sin", sp.cos: "cos", sp.exp: "exp", sp.log: "log"}.get(e.func)
+    if name is not None:
+        if name == "log" and parts[0].a <= 0:
+            raise _NoValueError
+        return getattr(iv, name)(parts[0])
+    if isinstance(e, sp.tan | sp.cot):
+        sine, cosine = iv.sin(parts[0]), iv.cos(parts[0])
+        above, below = (sine, cosine) if isinstance(e, sp.tan) else (cosine, sine)
+        if below.a <= 0 <= below.b:
+            raise _NoValueError
+        return above / below
+    if isinstance(e, sp.Abs):
+        return abs(parts[0])
+    raise _NoValueError
+
+
+def _power(base: Any, exponent: sp.Expr) -> Any:
+    if not exponent.is_Rational or exponent.q not in (1, 2):
+        raise _NoValueError
+    if exponent.q == 2:
+        if base.a < 0:
+            raise _NoValueError
+        base = iv.sqrt(base)
+    power = abs(int(exponent.p))
+    result = base**power
+    if exponent < 0:
+        if result.a <= 0 <= result.b:
+            raise _NoValueError
+        result = 1 / result
+    return result

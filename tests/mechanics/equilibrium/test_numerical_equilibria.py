@@ -1,0 +1,133 @@
+"""Equilibria without a closed form, against the potential energy in plain Python."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from lagrange.core.diagnostics import Source
+from lagrange.explain.report import Report, report
+from lagrange.problem.loader import read_problem
+from lagrange.render import terminal
+from lagrange.render.json import as_object
+from lagrange.values import numerical_roots
+
+TORSION = """title: Inverted pendulum with a torsion spring
+axes: {i: right, j: up}
+parameters: {W: {value: 30 N}, l: {value: 50 cm}, c: {value: 5 N m}}
+coordinates: [theta]
+particles: {A: {position: l*sin(theta)*i + l*cos(theta)*j}}
+forces: {load: {on: A, vector: -W*j}, spring: {potential: c*theta^2/2}}
+find: equilibrium
+"""
+ROD = """title: Rod with a spring to a point
+axes: {i: right, j: down}
+parameters: {W: {value: 20 N}, l: {value: 1 m}, k: {value: 30 N/m}, d: {value: 60 cm}}
+coordinates: [theta]
+particles: {A: {position: l*sin(theta)*i + l*cos(theta)*j}}
+forces: {load: {on: A, vector: W*j}, s: {spring: k, between: [A, 2*l*i], length: d}}
+find: equilibrium
+"""
+BARS = """title: Two bars with torsion springs
+axes: {i: right, j: up}
+parameters: {W: {value: 30 N}, F: {value: 3 N}, l: {value: 50 cm}, c: {value: 5 N m}}
+coordinates: {a: {range: [-3, 3]}, b: {range: [-3.5, 3.5]}}
+particles: {B: {position: l*(sin(a) + sin(b))*i + l*(cos(a) + cos(b))*j}}
+forces: {load: {on: B, vector: -W*j + F*i}, s1: {potential: c*a^2/2}, s2: {potential: c*(b - a)^2/2}}
+find: equilibrium
+"""
+
+
+def reported(text: str) -> Report:
+    return report(read_problem(Source("p.yaml", text)))
+
+
+def positions(result: Report) -> list[dict[str, Any]]:
+    found: list[dict[str, Any]] = as_object(result)["equilibrium_in_numbers"]
+    return found
+
+
+def rod(v: float) -> float:
+    length = math.hypot(2 - math.sin(v), math.cos(v))
+    return -20 * math.cos(v) + 30 * (length - 0.6) ** 2 / 2
+
+
+@pytest.mark.parametrize(
+    ("text", "potential", "limit", "searched"),
+    [
+        (TORSION, lambda v: 5 * v * v / 2 + 15 * math.cos(v), 4 * math.pi, [-4 * math.pi, 4 * math.pi]),
+        (TORSION.replace("[theta]", "{theta: {range: [-1, 3]}}"), None, 3, [-1, 3]),
+        (ROD, rod, math.pi, [-math.pi, math.pi]),
+    ],
+)
+def test_one_unknown(
+    text: str, potential: Callable[[float], float] | None, limit: float, searched: list[float]
+) -> None:
+    result = reported(text)
+    assert result.holds
+    found = positions(result)
+    information = as_object(result)["equilibrium_searched"]
+    assert information["complete"]
+    assert information["between"]["theta"] == pytest.approx(searched)
+    if potential is None:
+        assert sorted(p["coordinates"]["theta"]["number"] for p in found) == pytest.approx([0, 2.2788626600758284])
+        return
+    step = 1e-4
+    grid = [-limit + 2 * limit * (n + 0.37) / 9001 for n in range(9001)]
+    slopes = [(potential(v + step) - potential(v - step)) / (2 * step) for v in grid]
+    expected = [
+        (v, "stable" if b > a else "unstable") for v, a, b in zip(grid, slopes, slopes[1:], strict=False) if a * b < 0
+    ]
+    listed = sorted((p["coordinates"]["theta"]["number"], p["stability"]) for p in found)
+    assert [s for _, s in listed] == [s for _, s in expected]
+    assert [v for v, _ in listed] == pytest.approx([v for v, _ in expected], abs=2 * limit / 9001)
+    assert "numerical" in terminal.text(result.derivation, result.notation, 100)
+
+
+def test_two_unknowns() -> None:
+    result = reported(BARS)
+    found = positions(result)
+
+    def energy(a: float, b: float) -> float:
+        return 15 * (math.cos(a) + math.cos(b)) - 1.5 * (math.sin(a) + math.sin(b)) + 2.5 * (a * a + (b - a) ** 2)
+
+    assert [p["stability"] for p in found].count("stable") >= 1
+    assert as_object(result)["equilibrium_searched"]["complete"]
+    for p in found:
+        a, b = (p["coordinates"][q]["number"] for q in "ab")
+        h = 1e-4
+        slope = (energy(a + h, b) - energy(a - h, b)), (energy(a, b + h) - energy(a, b - h))
+        assert slope == pytest.approx((0, 0), abs=1e-9)
+        aa, bb = (
+            (energy(a + s * h, b + t * h) - 2 * energy(a, b) + energy(a - s * h, b - t * h)) / h**2
+            for s, t in ((1, 0), (0, 1))
+        )
+        ab = (energy(a + h, b + h) - energy(a + h, b - h) - energy(a - h, b + h) + energy(a - h, b - h)) / (4 * h * h)
+        assert (p["stability"] == "stable") == (aa > 0 and aa * bb > ab * ab)
+
+
+def test_without_values_nothing_is_searched() -> None:
+    result = reported(TORSION.replace("W: {value: 30 N}", "W: positive"))
+    assert "equilibrium_searched" not in as_object(result)
+
+
+def test_conditions_without_parameters() -> None:
+    result = reported("""title: t
+coordinates: [x]
+particles: {P: {position: x*i}}
+forces: {f: {potential: x^2/2 + cos(2*x)}}
+find: equilibrium
+""")
+    found = sorted(p["coordinates"]["x"]["number"] for p in positions(result))
+    assert len(found) == 3
+    assert [2 * math.sin(2 * v) for v in found] == pytest.approx(found)
+
+
+def test_a_bounded_search_says_that_it_may_be_incomplete(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(numerical_roots, "MOST_BOXES", 10)
+    result = reported(TORSION)
+    assert not as_object(result)["equilibrium_searched"]["complete"]
+    assert "may be incomplete" in " ".join(terminal.text(result.derivation, result.notation, 300).split())

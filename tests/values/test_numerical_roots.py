@@ -1,0 +1,67 @@
+"""Roots by interval arithmetic, against changes of sign on a fine grid."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pytest
+import sympy as sp
+
+from lagrange.values import numerical_roots
+from lagrange.values.numerical_roots import real_roots, sign_at
+
+x, y = sp.symbols("x y", real=True)
+half = sp.Rational(1, 2)
+
+ONE: list[tuple[sp.Expr, Callable[[float], float], float]] = [
+    (sp.sin(x), math.sin, 3.3),
+    (x - 3 * sp.sin(x), lambda v: v - 3 * math.sin(v), 12.5),
+    (x**2 - 2, lambda v: v * v - 2, 10),
+    (x**2 + 1, lambda v: v * v + 1, 100),
+    (sp.cos(x) - half * sp.sin(2 * x) + sp.Rational(3, 10),
+     lambda v: math.cos(v) - 0.5 * math.sin(2 * v) + 0.3, 3.3),
+    (sp.sqrt(x**2 + 1) - 2 * x + half, lambda v: math.sqrt(v * v + 1) - 2 * v + 0.5, 10),
+    (x**3 - 6 * x**2 + 11 * x - 6, lambda v: (v - 1) * (v - 2) * (v - 3), 10),
+    (sp.exp(x) - 5 * x, lambda v: math.exp(v) - 5 * v, 6),
+    (sp.sin(10 * x) - x / 5, lambda v: math.sin(10 * v) - v / 5, 4),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("f", "by_hand", "limit"), ONE, ids=lambda p: str(p) if isinstance(p, sp.Expr) else "")
+def test_all_roots_of_one_equation(f: sp.Expr, by_hand: Callable[[float], float], limit: float) -> None:
+    found = real_roots([f], [x], [(-limit, limit)])
+    assert found.complete
+    steps = 20_011
+    grid = [-limit + 2 * limit * n / steps for n in range(steps + 1)]
+    values = [by_hand(v) for v in grid]
+    changes = [v for v, a, b in zip(grid, values, values[1:], strict=False) if a * b < 0]
+    assert len(found.roots) == len(changes)
+    for root, near in zip(found.roots, changes, strict=True):
+        [value] = root.values
+        assert abs(float(value) - near) <= 2 * limit / steps
+        assert abs(f.subs(x, value).evalf(25)) < sp.Float("1e-24")
+
+
+def test_two_equations() -> None:
+    found = real_roots([x**2 + y**2 - 1, x - y], [x, y], [(-10, 10), (-10, 10)])
+    assert found.complete
+    numbers = [float(v) for r in found.roots for v in r.values]
+    assert numbers == pytest.approx([-math.sqrt(0.5), -math.sqrt(0.5), math.sqrt(0.5), math.sqrt(0.5)])
+
+
+@pytest.mark.parametrize("f", [(x - 1) ** 2, sp.Abs(x), 1 / x, 1 - sp.cos(x)], ids=str)
+def test_what_is_not_proved_is_not_called_complete(f: sp.Expr) -> None:
+    assert not real_roots([f], [x], [(-4, 5)]).complete
+
+
+def test_the_number_of_boxes_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(numerical_roots, "MOST_BOXES", 5)
+    assert not real_roots([sp.sin(7 * x)], [x], [(-4, 5)]).complete
+
+
+def test_signs_at_a_root() -> None:
+    [root] = real_roots([x**3 - 2], [x], [(-4, 5)]).roots
+    assert sign_at(x - 1, [x], root) == 1
+    assert sign_at(x - 2, [x], root) == -1
+    assert sign_at(x**3 - 2, [x], root) is None
