@@ -124,7 +124,7 @@ class _SecondRoute:
         """Whether all holds at one state, with a number for the coordinates that it leaves open."""
         own, present = self.own.configuration.slots, configuration.slots
         question = asked.question
-        place: dict[sp.Symbol, sp.Expr] = {q: filled for q in present.coordinates if q not in state}
+        place: dict[sp.Symbol, sp.Expr] = {q: at.get(q, filled) for q in present.coordinates if q not in state}
         for s, e in state.items():
             if s in (t, *present.coordinates, *present.velocities) and s != question.by:
                 number = _number(e, at)
