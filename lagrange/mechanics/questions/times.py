@@ -55,6 +55,8 @@ def times(equation: sp.Expr, positive: bool = True) -> list[TimeRoot] | None:
 def _positive(root: TimeRoot) -> TimeRoot | None:
     """The root with the condition that it is positive, where that is open; None where it is not."""
     sign = 1 if root.certain else sign_of_value(root.value)
+    if sign is None:
+        sign = sign_of_value(_without_square_roots(root.value))
     if sign in (0, -1):
         return None
     if sign is None:
@@ -62,6 +64,12 @@ def _positive(root: TimeRoot) -> TimeRoot | None:
         if condition not in root.conditions:
             return TimeRoot(root.value, (*root.conditions, condition))
     return root
+
+
+def _without_square_roots(value: sp.Expr) -> sp.Expr:
+    """A product without the factors √e and 1/√e: where it is real they are not negative."""
+    half = {sp.S.Half, -sp.S.Half}
+    return sp.Mul(*(f for f in sp.Mul.make_args(value) if not (isinstance(f, sp.Pow) and f.exp in half)))
 
 
 def _positive_logarithm(value: sp.Expr) -> SignCondition | None:
