@@ -121,10 +121,13 @@ class _SecondRoute:
         at: dict[sp.Symbol, sp.Expr],
         filled: sp.Expr,
     ) -> bool | None:
-        """Whether all holds at one state, with a number for the coordinates that it leaves open."""
+        """Whether all holds at one state, with a number for the coordinates that it leaves open and nothing binds."""
         own, present = self.own.configuration.slots, configuration.slots
         question = asked.question
-        place: dict[sp.Symbol, sp.Expr] = {q: at.get(q, filled) for q in present.coordinates if q not in state}
+        bound = {s for row in configuration.rows for s in (row.finite or sp.S.Zero).free_symbols}
+        place: dict[sp.Symbol, sp.Expr] = {
+            q: filled for q in present.coordinates if q not in {*state, *bound, question.by}
+        }
         for s, e in state.items():
             if s in (t, *present.coordinates, *present.velocities) and s != question.by:
                 number = _number(e, at)

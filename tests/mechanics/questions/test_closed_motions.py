@@ -1,0 +1,54 @@
+"""Solutions in closed form: the equation and the initial values, in numbers at some instants."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.symbols import prime, t
+from lagrange.mechanics.questions.closed_motions import closed_motions
+
+x = sp.Symbol("x", real=True)
+v, a = prime(x), prime(x, 2)
+k, c, f, w, p, q = sp.symbols("k c f w p q", positive=True)
+NUMBERS = {k: 4.0, c: 0.7, f: 1.3, w: 1.1, p: 0.3, q: 0.9}
+
+CASES = [
+    (f, 1),
+    (f * t**2 - w * t, 1),
+    (f * sp.sin(w * t + 1), 1),
+    (-k * x, 1),
+    (k * x, 1),
+    (-k * x + f + w * t, 1),
+    (-c * v, 1),
+    (f - c * v, 1),
+    (-c * v + t, 1),
+    (-k * x - c * v, 3),
+    (-k * x - c * v + f * sp.cos(w * t), 3),
+    (-k * x + f * sp.cos(w * t), 2),
+    (-(w**2) * x + f * sp.cos(w * t), 1),
+    (f - c * v**2, 1),
+    (-f - c * v**2, 1),
+    (-c * v**2, 1),
+    (-k * sp.sin(x), 0),
+    (-k * x**3, 0),
+    (f - c * v**3, 0),
+]
+
+
+@pytest.mark.parametrize(("acceleration", "number"), CASES)
+def test_the_solution_satisfies_the_equation_and_begins_as_it_should(acceleration: sp.Expr, number: int) -> None:
+    found = closed_motions({a: acceleration}, {x: p, v: q}, {x})
+    assert len(found) == number
+    for motion in found:
+        numbers = dict(NUMBERS)
+        if any(r.relation == "=" for r in motion.conditions):
+            numbers |= {k: 0.7**2 / 4} if c in acceleration.free_symbols else {k: 1.1**2}
+        elif any((r.lhs - r.rhs).subs(numbers) < 0 for r in motion.conditions if r.relation == ">"):
+            numbers[k] = 0.05
+        s = motion.solutions[x]
+        residual = s.diff(t, 2) - acceleration.xreplace({x: s, v: s.diff(t)})
+        for time in (0.2, 0.5):
+            assert abs(complex(residual.subs({**numbers, t: time}).evalf())) < 1e-9
+        assert complex(s.subs({**numbers, t: 0}).evalf()).real == pytest.approx(0.3)
+        assert complex(s.diff(t).subs({**numbers, t: 0}).evalf()).real == pytest.approx(0.9)

@@ -1,0 +1,49 @@
+"""Roots in time, against numbers."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.symbols import t
+from lagrange.mechanics.questions.times import in_order, times
+
+w, a, b, c = sp.symbols("w a b c", positive=True)
+NUMBERS = {w: 1.3, a: 0.4, b: 1.7, c: 0.9}
+
+CASES = [
+    (b * t - a * t**2, 1),
+    (a * sp.cos(w * t), 1),
+    (a * sp.sin(w * t), 1),
+    (b * sp.cos(w * t) - a, 1),
+    (b * sp.sin(w * t) + a, 1),
+    (a * sp.cos(w * t) + b * sp.sin(w * t), 1),
+    (a * (sp.cos(w * t) - 1) - b * sp.sin(w * t), 1),
+    (sp.exp(-c * t) * sp.sin(w * t), 1),
+    (b * sp.exp(-c * t) - a, 1),
+    (sp.cosh(w * t) - 3, 1),
+    (sp.log(sp.cosh(w * t)) / c - 2, 1),
+    (sp.log(1 + a * t) - b, 1),
+    (a * t + b, 0),
+    (b * sp.cosh(w * t), 0),
+]
+
+
+@pytest.mark.parametrize(("function", "number"), CASES)
+def test_the_first_root_is_the_first_one_in_numbers(function: sp.Expr, number: int) -> None:
+    roots = times(function)
+    assert roots is not None
+    found = [float(r.value.subs(NUMBERS)) for r in in_order(roots)]
+    assert len(found) == number
+    values = [float(function.subs({**NUMBERS, t: 0.001 + 0.01 * n})) for n in range(1500)]
+    changes = [0.001 + 0.01 * n for n in range(1499) if values[n] * values[n + 1] < 0]
+    assert len(changes) >= number
+    for root in found:
+        assert root == pytest.approx(changes[0], abs=0.02)
+
+
+@pytest.mark.parametrize(
+    "function", [t - sp.cos(t), sp.cos(w * t) - sp.cos(a * t), a * sp.cos(w * t) + b * sp.sin(w * t) + c]
+)
+def test_what_has_no_closed_form_is_left_open(function: sp.Expr) -> None:
+    assert times(function) is None
