@@ -304,12 +304,20 @@ def test_a_rough_surface_has_no_tension(problem: Read) -> None:
     assert verdict(found, "r*theta'' + 2*r'*theta' = g*sin(theta) - mu*N/m") is Verdict.EQUIVALENT
 
 
-@pytest.mark.parametrize(("stated", "expected"), [("N = m*g*cos(theta) - m*R*theta'^2", 0), ("N = m*R*theta'^2 - m*g*cos(theta)", 1)])  # fmt: skip
-def test_the_sign_of_the_contact_is_that_of_the_reaction(problem: Read, stated: str, expected: int) -> None:
+@pytest.mark.parametrize(
+    ("stated", "expected", "remarks"),
+    [
+        ("N = m*g*cos(theta) - m*R*theta'^2", Verdict.EQUIVALENT, 0),
+        ("N = m*R*theta'^2 - m*g*cos(theta)", Verdict.EQUIVALENT, 1),
+        ("N = m*g*cos(theta) + m*R*theta'^2", Verdict.WRONG, 0),
+    ],
+)
+def test_the_opposite_of_a_force_of_contact_is_right_with_a_remark(
+    problem: Read, stated: str, expected: Verdict, remarks: int
+) -> None:
     text = DOME.format(coordinate="r", radius="r", dome="r = R") + f'answers: {{reactions: {{dome: "{stated}"}}}}\n'
     [answer] = compared_answers(solution(problem, text))
-    assert answer.verdict is (Verdict.EQUIVALENT, Verdict.WRONG)[expected]
-    assert answer.equations[0].remarks == ()
+    assert (answer.verdict, len(answer.equations[0].remarks)) == (expected, remarks)
 
 
 def test_the_distance_may_be_negative(problem: Read) -> None:
