@@ -1,9 +1,9 @@
 """The verdict on an answer with its working: of what can be read, with what was not judged said in notes.
 
 A wrong equation is read in its other way, `a/b c` as a/(b c), if that makes it right. An equation that is marked as an
-approximation, or that has no acceleration and is no equation of motion (an energy, an integral), does not make an answer
-wrong whose other equations are complete. What cannot be read leaves the verdict on the rest as it is, unless something
-is missing there: it might have been in that line.
+approximation, or that has no acceleration and is no equation of motion (an energy, an integral), does not make an
+answer wrong whose other equations are complete. What cannot be read leaves the verdict on the rest as it is, unless
+something is missing there: it might have been in that line.
 """
 
 from __future__ import annotations
@@ -20,7 +20,6 @@ from lagrange.core.symbols import base, prime
 
 Check = Callable[[Sequence[Fragment], bool], AnswerVerdict]
 """The verdict on equations; with or without a diagnosis of wrong ones."""
-
 
 
 def verdict_on(working: Working, reference: Reference, check: Check, *, moving: bool = True) -> AnswerVerdict:
@@ -71,7 +70,7 @@ def _otherwise(
 def _without_asides(
     equations: list[Fragment], verdict: AnswerVerdict, working: Working, reference: Reference, check: Check
 ) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]]:
-    """The equations without approximations and wrong statements that are no equations of motion, if the rest is right."""
+    """The equations without approximations, and without wrong statements that are no equations of motion."""
     unchanged: tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] = (equations, verdict, [])
     wrong = _wrong(verdict)
     if not wrong or len(verdict.equations) != len(equations) or len(wrong) == len(equations):
@@ -81,9 +80,7 @@ def _without_asides(
         kept = [e for n, e in enumerate(equations) if n not in approximations]
         again = check(kept, False)
         if not _all_approximate(kept, equations, working) and again.verdict is not Verdict.TRIVIAL:
-            notes = [
-                _note(equations[n], "is marked as an approximation, and is not judged") for n in approximations
-            ]
+            notes = [_note(equations[n], "is marked as an approximation, and is not judged") for n in approximations]
             rest = Working(tuple(kept), notes=())
             result = _without_asides(kept, again, rest, reference, check)
             return result[0], result[1], [*notes, *result[2]]

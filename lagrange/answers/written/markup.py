@@ -9,8 +9,12 @@ from __future__ import annotations
 import re
 from html import unescape
 
-_TAG = re.compile(r"<!--.*?(?:-->|\Z)|<(?P<closing>/?)(?P<name>[A-Za-z][A-Za-z0-9]{0,15})(?P<rest>[^<>]{0,2000})>", re.DOTALL)
-_LINES = frozenset(("br", "p", "div", "li", "ul", "ol", "tr", "table", "h1", "h2", "h3", "h4", "h5", "pre", "blockquote", "hr"))
+_TAG = re.compile(
+    r"<!--.*?(?:-->|\Z)|<(?P<closing>/?)(?P<name>[A-Za-z][A-Za-z0-9]{0,15})(?P<rest>[^<>]{0,2000})>", re.DOTALL
+)
+_LINES = frozenset(
+    ("br", "p", "div", "li", "ul", "ol", "tr", "table", "h1", "h2", "h3", "h4", "h5", "pre", "blockquote", "hr")
+)
 _LEFT_OUT = frozenset(("style", "script", "head", "title"))
 _BREAKS = str.maketrans({"\u00a0": " ", "\r": " "})
 

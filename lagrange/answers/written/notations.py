@@ -25,7 +25,7 @@ from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
 
 _INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+", "\u200b": "", "\u200c": "", "\u200d": "",
     "\ufeff": "", "\u00ad": "", "\u2060": "", "\u200e": "", "\u200f": "", "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
-    "▒": "", "〗": ")", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
+    "▒": "", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
     "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
@@ -52,7 +52,9 @@ _MAPLE = re.compile(rf"\(?\bD(?:\s*@@\s*([1-3]))?\)?\s*\(\s*({_NAME})\s*\)\s*\(\
 _DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
 _OF_TIME = re.compile(r"(?<=[A-Za-z0-9_'])\[\s*t\s*\]")
 _APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7})\s*(?=\[)")
-_CALLED = re.compile(r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])")
+_CALLED = re.compile(
+    r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
+)
 _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
 _RUN = re.compile(r"(?<![A-Za-z0-9_.])[A-Za-z][A-Za-z0-9_]*")
@@ -74,7 +76,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_BRACES_OF_TIME, r", \1, \2")
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
-    draft.apply(_dotted(draft.text, scope))
+    draft.apply(_dotted(draft.text))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
     _derivatives(draft, scope)
     draft.apply(_of_argument(draft.text, scope))
@@ -113,7 +115,7 @@ def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
             yield ends[match.end()], ends[match.end()] + 1, ")"
 
 
-def _dotted(text: str, scope: Scope) -> Iterator[Edit]:
+def _dotted(text: str) -> Iterator[Edit]:
     """`ddot(x)` as (x)''; `dot(a, b)` is a product of vectors."""
     ends: dict[int, int] | None = None
     for match in _DOTTED.finditer(text):
@@ -196,7 +198,8 @@ def _of_argument(text: str, scope: Scope) -> Iterator[Edit]:
         if len(function.arguments) != 1 or function.arguments == ("t",) or len(name) > 20:
             continue
         (argument,) = function.arguments
-        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?:'|′|’|\^\s*\{{?\s*\\prime\s*\}}?)\s*\(\s*{re.escape(argument)}\s*\)"
+        prime, inside = r"\s*(?:'|′|’|\^\s*\{?\s*\\prime\s*\}?)\s*", rf"\(\s*{re.escape(argument)}\s*\)"
+        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}{prime}{inside}"
         for match in re.finditer(pattern, text):
             yield match.start(), match.end(), f"diff({name}, {argument})"
 
@@ -250,12 +253,14 @@ _L_OVER = re.compile(r"\\over(?![A-Za-z])")
 _L_ABOUT = re.compile(r"(?:\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])|≈|≃|≅)")
 _L_DOTS = re.compile(r"\\ddot\s*\\(?=[A-Za-z])")
 _L_PARTIAL = re.compile(
-    rf"\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}}"
+    r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}"
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
 )
 _L_POWER_GROUP = re.compile(r"\^\s*\(")
 _L_STARS = re.compile(r"\*\*")
-_L_NAMED = re.compile(r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*(sgn|sign|arctan|arcsin|arccos|sin|cos|tan|ln|log|exp)\s*\}")
+_L_NAMED = re.compile(
+    r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*(sgn|sign|arctan|arcsin|arccos|sin|cos|tan|ln|log|exp)\s*\}"
+)
 _L_RM_D = re.compile(r"\\(?:dd|diff|differential|diffd|d)\s*(?=\{?\s*\\?[A-Za-z])(?![A-Za-z])")
 
 
