@@ -24,7 +24,7 @@ _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|
 _SEPARATOR = re.compile(rf";|{_ARROW}|\band\b(?=[^=]*=)|\\n")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
-_LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&|>]|\*\s)\s*")
+_LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
 _WORD = re.compile(r"[^\W\d_]{2,}[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
 _LINKING = frozenset(

@@ -23,8 +23,8 @@ from lagrange.expressions.latex_names import NAMED_FUNCTIONS, LatexNames
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
 
-_INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+", "\u200b": "", "\u200c": "", "\u200d": "",
-    "\ufeff": "", "\u00ad": "", "\u2060": "", "\u200e": "", "\u200f": "", "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
+_INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+", 
+    "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
     "▒": "", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
     "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")

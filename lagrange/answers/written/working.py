@@ -165,6 +165,8 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     if isinstance(fragment, GivenEquation):
         return [_Line(fragment, fragment.text, reading=fragment.reading)]
     text = fragment.text.strip()
+    if len(text) > MAX_ANSWER_CHARACTERS:  # its error, and nothing else of it
+        return [_Line(fragment, text, reading=Reading(text, error=_too_long(fragment)))]
     if _ALTERNATIVES.search(fragment.text):
         return [_Line(fragment, text, whole=True)]
     if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
@@ -189,6 +191,13 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         made = _finished(piece, fragment, latex)
         lines.append(_Line(made, made.text.strip(" &$\n")))
     return lines
+
+
+def _too_long(fragment: Fragment) -> ProblemError:
+    length = len(fragment.text)
+    message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
+    help_ = "write it shorter, or with abbreviations where there is a `let:`"
+    return ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
 
 
 def _in_place_of(fragment: Fragment, text: str) -> Fragment:
@@ -461,8 +470,8 @@ def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
         kept = [rewritten_latex(fragment, scope, keep_cancelled=True)] if "cancel" in fragment.text else []
         return [rewritten_latex(fragment, scope), *kept, fragment]
     in_language = rewritten(fragment, scope)
-    as_latex = rewritten_latex(in_language, scope)
-    return [*([fragment] if in_language is not fragment else []), in_language, as_latex]
+    braces = [rewritten_latex(in_language, scope)] if re.search(r"[_^]\{", fragment.text) else []
+    return [*([fragment] if in_language is not fragment else []), in_language, *braces]
 
 
 def _tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
