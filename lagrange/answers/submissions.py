@@ -27,6 +27,7 @@ from time import perf_counter
 
 from lagrange.answers.equations import WHAT_IT_IS, check_equations
 from lagrange.answers.examiner import Examiner
+from lagrange.answers.limits import MAX_MARKS, MAX_SIGNS
 from lagrange.answers.recognition import Recognised
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
@@ -55,6 +56,7 @@ def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
     Raises ProblemError at mathematics that is not closed, and at a line that continues another.
     """
     fragment = Fragment(source.text, Span(source, 0, len(source.text)), 0)
+    _check_size(fragment)
     match ending.lower():
         case ".tex" | ".latex" | ".ltx":
             return tuple(_in_latex(fragment))
@@ -65,6 +67,19 @@ def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
             return tuple(_in_markdown(fragment))
         case _:
             return tuple(_in_lines(fragment))
+
+
+def _check_size(fragment: Fragment) -> None:
+    """Refuse a file with more signs than any answer has, before a record is made of each of them."""
+    text = fragment.text
+    if text.count("=") > MAX_SIGNS:
+        message = f"a file may have {MAX_SIGNS:,} signs of equality, and this one has {text.count('='):,}"
+        help_ = "hand in the equations asked for, and not everything that was computed"
+        raise ProblemError(Diagnostic("too-many-equations", message, fragment.span(0, 20), help=help_))
+    if sum(map(text.count, "\\${}()[],;")) > MAX_MARKS:
+        message = f"a file may have {MAX_MARKS:,} brackets, commas and commands"
+        help_ = "hand in the equations asked for, and not everything that was computed"
+        raise ProblemError(Diagnostic("too-many-equations", message, fragment.span(0, 20), help=help_))
 
 
 def _part(fragment: Fragment, start: int, end: int) -> Fragment:

@@ -82,6 +82,7 @@ ALTERNATIVE = re.compile(r"\\(?:text|textrm|mbox|mathrm)\{\s*or\s*\}")
 _BRACE = re.compile(r"\\.|%[^\n]*|[{}]", re.DOTALL)
 _OPEN = {"$": "$", "$$": "$$", r"\(": r"\)", r"\[": r"\]"}
 _DISPLAYS = ("$$", r"\[", r"\]")
+MATRICES = ("matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix", "smallmatrix")
 _VERBATIM = ("verbatim", "verbatim*", "lstlisting", "comment", "thebibliography")
 _ARGUMENTS = re.compile(r"(?:\s?\[[a-z]{0,3}\])?(?:\s?\{[^{}=\\]{0,40}\})?")
 _WITH_ARGUMENTS = ("array", "alignat", "alignedat", "aligned", "gathered", "split")
@@ -132,6 +133,8 @@ def marks_of(text: str) -> list[Mark]:
             verbatim = "" if side == "end" and name == verbatim else verbatim
         elif side == "begin" and name in _VERBATIM:
             verbatim = name
+        elif side and name.rstrip("*") in MATRICES:  # in which rows are no equations
+            marks.append(Mark("{" if side == "begin" else "}", start, at))
         elif side:
             if name.rstrip("*") in _WITH_ARGUMENTS and side == "begin" and (arguments := _ARGUMENTS.match(text, at)):
                 at = arguments.end()

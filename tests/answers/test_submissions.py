@@ -208,7 +208,7 @@ def grade(grader: Grader, *texts: str | bytes) -> Graded:
         ("x^2 + y^2 = l^2", Verdict.INCOMPLETE, 0),
         ("0 = 0", Verdict.TRIVIAL, 0),
         ("theta'' + q = 0", Verdict.UNREADABLE, 0),
-        ("theta'' + g/l*sin(theta) = 0\nsee = my other sheet", Verdict.UNREADABLE, 1),
+        ("theta'' + g/l*sin(theta) = 0\nsee = my other sheet", Verdict.EQUIVALENT, 1),
         ("theta''/(sin(theta)^2 + cos(theta)^2 - 1) = 0", Verdict.UNREADABLE, 0),
         ("", Verdict.UNREADABLE, 0),
         (b"\xff\xfe\x00", Verdict.UNREADABLE, 0),

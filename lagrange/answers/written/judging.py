@@ -1,9 +1,9 @@
 """The verdict on an answer with its working: of what can be read, with what was not judged said in notes.
 
 A wrong equation is read in its other way, `a/b c` as a/(b c), if that makes it right. An equation that is marked as an
-approximation, or that has no acceleration and is no equation of motion (an energy, an integral), does not make an answer
-wrong whose other equations are complete. What cannot be read leaves the verdict on the rest as it is, unless something
-is missing there: it might have been in that line.
+approximation, or that has no acceleration and is no equation of motion (an energy, an integral), does not make an
+answer wrong whose other equations are complete. What cannot be read leaves the verdict on the rest as it is, unless
+something is missing there: it might have been in that line.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def _otherwise(
 def _without_asides(
     equations: list[Fragment], verdict: AnswerVerdict, working: Working, reference: Reference, check: Check
 ) -> tuple[list[Fragment], AnswerVerdict, list[Diagnostic]]:
-    """The equations without approximations and wrong statements that are no equations of motion, if the rest is right."""
+    """The equations without approximations, and without wrong statements that are no equations of motion."""
     unchanged: tuple[list[Fragment], AnswerVerdict, list[Diagnostic]] = (equations, verdict, [])
     wrong = _wrong(verdict)
     if not wrong or len(verdict.equations) != len(equations) or len(wrong) == len(equations):

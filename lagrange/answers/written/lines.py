@@ -24,17 +24,128 @@ _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|
 _SEPARATOR = re.compile(rf";|{_ARROW}|\band\b(?=[^=]*=)|\\n")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
-_LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&|>]|\*\s)\s*")
+_LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
 _WORD = re.compile(r"[^\W\d_]{2,}[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
 _LINKING = frozenset(
-    "then so thus hence therefore and we get obtain obtained have find gives give the equation equations of motion is are"
-    " where with let set define eom finally which yields yield using since because from newton newtons also now again"
-    " substituting simplifying dividing result results answer final solution becomes means that for if only as in to by"
-    " follows follow it i.e e.g eq eqn or energy kinetic potential lagrangian euler lagrange linear linearised linearized"
-    " small angle angles approximation approximately tangential radial normal direction sum forces force torque moment"
-    " constraint constraints rolling condition relation at ode odes differential second order system be case also"
-    " gleichung bewegungsgleichung mit und also dann fuer für folgt damit somit wobei".split()
+    [
+        "then",
+        "so",
+        "thus",
+        "hence",
+        "therefore",
+        "and",
+        "we",
+        "get",
+        "obtain",
+        "obtained",
+        "have",
+        "find",
+        "gives",
+        "give",
+        "the",
+        "equation",
+        "equations",
+        "of",
+        "motion",
+        "is",
+        "are",
+        "where",
+        "with",
+        "let",
+        "set",
+        "define",
+        "eom",
+        "finally",
+        "which",
+        "yields",
+        "yield",
+        "using",
+        "since",
+        "because",
+        "from",
+        "newton",
+        "newtons",
+        "also",
+        "now",
+        "again",
+        "substituting",
+        "simplifying",
+        "dividing",
+        "result",
+        "results",
+        "answer",
+        "final",
+        "solution",
+        "becomes",
+        "means",
+        "that",
+        "for",
+        "if",
+        "only",
+        "as",
+        "in",
+        "to",
+        "by",
+        "follows",
+        "follow",
+        "it",
+        "i.e",
+        "e.g",
+        "eq",
+        "eqn",
+        "or",
+        "energy",
+        "kinetic",
+        "potential",
+        "lagrangian",
+        "euler",
+        "lagrange",
+        "linear",
+        "linearised",
+        "linearized",
+        "small",
+        "angle",
+        "angles",
+        "approximation",
+        "approximately",
+        "tangential",
+        "radial",
+        "normal",
+        "direction",
+        "sum",
+        "forces",
+        "force",
+        "torque",
+        "moment",
+        "constraint",
+        "constraints",
+        "rolling",
+        "condition",
+        "relation",
+        "at",
+        "ode",
+        "odes",
+        "differential",
+        "second",
+        "order",
+        "system",
+        "be",
+        "case",
+        "also",
+        "gleichung",
+        "bewegungsgleichung",
+        "mit",
+        "und",
+        "also",
+        "dann",
+        "fuer",
+        "für",
+        "folgt",
+        "damit",
+        "somit",
+        "wobei",
+    ]
 )
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
@@ -90,7 +201,7 @@ def joined(lines: list[tuple[int, int, str]]) -> list[tuple[int, int]]:
 def equations_of_line(fragment: Fragment, beside: str = "") -> Iterator[Fragment]:
     """The equations of one line, each without what accompanies it; `beside` are words under which it stands."""
     if is_latex(fragment):
-        if (maple := _MAPLE.search(fragment.text)) is None or "\\" in fragment.text:
+        if _MAPLE.search(fragment.text) is None or "\\" in fragment.text:
             yield from _in_latex(fragment, beside)
             return
         draft = Draft(fragment)
@@ -179,9 +290,10 @@ def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Frag
         yield from _from_call(fragment, match.end(), beside)
         return
     tail = ""
-    if (words := _TAIL.search(text, begin, end)) and _EQUALS.search(text, begin, words.start()):
-        if words["remark"] is None or _is_prose(words["remark"]):
-            tail, end = words[0], words.start()
+    words = _TAIL.search(text, begin, end)
+    remark = words["remark"] if words else None
+    if words and _EQUALS.search(text, begin, words.start()) and (remark is None or _is_prose(remark)):
+        tail, end = words[0], words.start()
     if begin < end and _EQUALS.search(text, begin, end):
         yield _made(fragment, begin, end, f"{beside} {text[start:begin]} {tail}".strip())
 

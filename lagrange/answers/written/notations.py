@@ -23,9 +23,9 @@ from lagrange.expressions.latex_names import NAMED_FUNCTIONS, LatexNames
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
 
-_INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+", "\u200b": "", "\u200c": "", "\u200d": "",
-    "\ufeff": "", "\u00ad": "", "\u2060": "", "\u200e": "", "\u200f": "", "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
-    "▒": "", "〗": ")", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
+_INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+", 
+    "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
+    "▒": "", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
     "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
@@ -76,7 +76,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_BRACES_OF_TIME, r", \1, \2")
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
-    draft.apply(_dotted(draft.text, scope))
+    draft.apply(_dotted(draft.text))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
     _derivatives(draft, scope)
     draft.apply(_of_argument(draft.text, scope))
@@ -115,7 +115,7 @@ def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
             yield ends[match.end()], ends[match.end()] + 1, ")"
 
 
-def _dotted(text: str, scope: Scope) -> Iterator[Edit]:
+def _dotted(text: str) -> Iterator[Edit]:
     """`ddot(x)` as (x)''; `dot(a, b)` is a product of vectors."""
     ends: dict[int, int] | None = None
     for match in _DOTTED.finditer(text):
@@ -198,7 +198,8 @@ def _of_argument(text: str, scope: Scope) -> Iterator[Edit]:
         if len(function.arguments) != 1 or function.arguments == ("t",) or len(name) > 20:
             continue
         (argument,) = function.arguments
-        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}\s*(?:'|′|’|\^\s*\{{?\s*\\prime\s*\}}?)\s*\(\s*{re.escape(argument)}\s*\)"
+        prime, inside = r"\s*(?:'|′|’|\^\s*\{?\s*\\prime\s*\}?)\s*", rf"\(\s*{re.escape(argument)}\s*\)"
+        pattern = rf"(?<![A-Za-z0-9_\\]){re.escape(name)}{prime}{inside}"
         for match in re.finditer(pattern, text):
             yield match.start(), match.end(), f"diff({name}, {argument})"
 
@@ -252,7 +253,7 @@ _L_OVER = re.compile(r"\\over(?![A-Za-z])")
 _L_ABOUT = re.compile(r"(?:\\(?:approx|simeq|cong|thickapprox)(?![A-Za-z])|≈|≃|≅)")
 _L_DOTS = re.compile(r"\\ddot\s*\\(?=[A-Za-z])")
 _L_PARTIAL = re.compile(
-    rf"\\[dt]?frac\s*\{{\s*(?:d|\\mathrm\s*\{{\s*d\s*\}}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}}"
+    r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}"
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
 )
 _L_POWER_GROUP = re.compile(r"\^\s*\(")

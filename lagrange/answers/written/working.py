@@ -12,7 +12,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TypeVar
 
 import sympy as sp
@@ -20,6 +21,7 @@ import sympy as sp
 from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, read_answer
 from lagrange.answers.references import Reference
+from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
 from lagrange.answers.written.notations import cleaned, rewritten, rewritten_latex
 from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
@@ -50,8 +52,54 @@ _NUMBER = re.compile(
     r"(?:\s*(?:\\cdot|\\times|\*|·|×)\s*10\s*\^\s*\{?(?P<ten>-?[0-9]{1,3})\}?|[eE](?P<power>-?[0-9]{1,3}))?(?P<unit>[^+=]{0,60})\Z"
 )
 _UNITS = frozenset(
-    "m cm mm km dm g kg mg t s ms min h N kN mN J kJ W Pa Hz rad deg rev rpm ft in lb lbf slug mph K Nm Ns SI grad m2 m3"
-    " kgm2 units metres meters seconds kilograms newton newtons".split()
+    [
+        "m",
+        "cm",
+        "mm",
+        "km",
+        "dm",
+        "g",
+        "kg",
+        "mg",
+        "t",
+        "s",
+        "ms",
+        "min",
+        "h",
+        "N",
+        "kN",
+        "mN",
+        "J",
+        "kJ",
+        "W",
+        "Pa",
+        "Hz",
+        "rad",
+        "deg",
+        "rev",
+        "rpm",
+        "ft",
+        "in",
+        "lb",
+        "lbf",
+        "slug",
+        "mph",
+        "K",
+        "Nm",
+        "Ns",
+        "SI",
+        "grad",
+        "m2",
+        "m3",
+        "kgm2",
+        "units",
+        "metres",
+        "meters",
+        "seconds",
+        "kilograms",
+        "newton",
+        "newtons",
+    ]
 )
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
@@ -117,8 +165,12 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     if isinstance(fragment, GivenEquation):
         return [_Line(fragment, fragment.text, reading=fragment.reading)]
     text = fragment.text.strip()
+    if len(text) > MAX_ANSWER_CHARACTERS:  # its error, and nothing else of it
+        return [_Line(fragment, text, reading=Reading(text, error=_too_long(fragment)))]
     if _ALTERNATIVES.search(fragment.text):
         return [_Line(fragment, text, whole=True)]
+    if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
+        return [_Line(_in_place_of(fragment, row), row) for row in in_rows]
     draft = Draft(cleaned(fragment))
     if (item := _ITEM.match(draft.text)) and item[1] not in declared:
         draft.keep(item.end(), len(draft.text))
@@ -133,12 +185,25 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     if len(parts) <= 2 or len(parts) > 8:
         return [_Line(whole, text, number)]
     lines = []
-    for (first, _), (_, last) in zip(parts, parts[1:], strict=False):
+    for (first, _), (_, last) in pairwise(parts):
         piece = Draft(whole)
         piece.keep(first, last)
         made = _finished(piece, fragment, latex)
         lines.append(_Line(made, made.text.strip(" &$\n")))
     return lines
+
+
+def _too_long(fragment: Fragment) -> ProblemError:
+    length = len(fragment.text)
+    message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
+    help_ = "write it shorter, or with abbreviations where there is a `let:`"
+    return ProblemError(Diagnostic("expression-too-long", message, fragment.span(0, 20), help=help_))
+
+
+def _in_place_of(fragment: Fragment, text: str) -> Fragment:
+    draft = Draft(fragment)
+    draft.apply([(0, len(fragment.text), text)])
+    return draft.finished(latex=True)
 
 
 def _finished(draft: Draft, fragment: Fragment, latex: bool) -> Fragment:
@@ -314,7 +379,7 @@ class _Sorting:
             if line.reading and line.reading.error and set(_undeclared(line)) & set(names)
         }
         readings = [r for r in read.values() if not r.error]
-        for name, symbol in symbols.items():
+        for symbol in symbols.values():
             used = [r for r in readings if any(symbol in c.free_symbols for c in r.components)]
             linear = all(symbol not in sp.diff(c, symbol).free_symbols for r in used for c in r.components)
             if len(used) > 1 and linear:
@@ -329,7 +394,7 @@ class _Sorting:
 
 
 def scope_of_answers(reference: Reference) -> Scope:
-    """The names that an answer may use: letters of the derivation that differ from a declared name in case only are not.
+    """The names that an answer may use: without letters of the derivation that are declared names but for their case.
 
     `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
     """
@@ -405,8 +470,8 @@ def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
         kept = [rewritten_latex(fragment, scope, keep_cancelled=True)] if "cancel" in fragment.text else []
         return [rewritten_latex(fragment, scope), *kept, fragment]
     in_language = rewritten(fragment, scope)
-    as_latex = rewritten_latex(in_language, scope)
-    return [*([fragment] if in_language is not fragment else []), in_language, as_latex]
+    braces = [rewritten_latex(in_language, scope)] if re.search(r"[_^]\{", fragment.text) else []
+    return [*([fragment] if in_language is not fragment else []), in_language, *braces]
 
 
 def _tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
