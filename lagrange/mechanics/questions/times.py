@@ -67,9 +67,17 @@ def _positive(root: TimeRoot) -> TimeRoot | None:
 
 
 def _without_square_roots(value: sp.Expr) -> sp.Expr:
-    """A product without the factors √e and 1/√e: where it is real they are not negative."""
-    half = {sp.S.Half, -sp.S.Half}
-    return sp.Mul(*(f for f in sp.Mul.make_args(value) if not (isinstance(f, sp.Pow) and f.exp in half)))
+    """What has the sign of a real product: its factors without the roots √e and 1/√e, which are not negative.
+
+    With i among the factors one root is that of a negative number: i/√e = 1/√(−e), i √e = −√(−e).
+    """
+    half = (sp.S.Half, -sp.S.Half)
+    roots = [f for f in sp.Mul.make_args(value) if f.is_Pow and f.exp in half]
+    rest = sp.Mul(*(f for f in sp.Mul.make_args(value) if f not in roots))
+    if not rest.has(sp.I):
+        return rest
+    negative = [f for f in roots if not f.base.is_positive]
+    return -sp.I * rest * (-2 * negative[0].exp) if len(negative) == 1 else value
 
 
 def _positive_logarithm(value: sp.Expr) -> SignCondition | None:

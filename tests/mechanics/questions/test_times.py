@@ -24,6 +24,7 @@ CASES = [
     (sp.cosh(w * t) - 3, 1),
     (sp.log(sp.cosh(w * t)) / c - 2, 1),
     (sp.log(1 + a * t) - b, 1),
+    ((a - c) * t**2 + b, 1),
     (a * t + b, 0),
     (b * sp.cosh(w * t), 0),
 ]
