@@ -227,14 +227,14 @@ def _statics(solution: Solution) -> Iterator[Step | None]:
 
 def _rest(solution: Solution, view: InCoordinates) -> Iterator[Step | None]:
     """Friction at rest, and at its limit."""
-    if view.at_rest is None and not view.impending:
+    if view.at_rest is None and view.impending is None:
         return
     from lagrange.explain.contact.friction_at_rest import explain_impending, explain_rest
 
     if view.at_rest is not None and solution.law is not None:
         yield explain_rest(view.at_rest, solution.law.newton)
-    if view.impending and solution.law is not None:
-        yield explain_impending(view.impending, solution.law.newton)
+    if view.impending is not None and solution.law is not None:
+        yield explain_impending(view.impending, solution.law.newton, view.name)
 
 
 def _rolling(view: InCoordinates) -> Step | None:

@@ -107,7 +107,7 @@ class InCoordinates:
     in_numbers: EquilibriaInNumbers | None = None
     at_rest: AtRest | None = None
     rolling: Rolling | None = None
-    impending: tuple[ImpendingMotion, ...] = ()
+    impending: tuple[ImpendingMotion, ...] | None = None
 
     @property
     def name(self) -> str:
@@ -193,7 +193,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     needs_motion = Find.LINEARIZATION in problem.find or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
-    solution = _kinematics(problem, choice, on_stage)
+    solution = blank = _kinematics(problem, choice, on_stage)
     if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         from lagrange.mechanics.equilibrium.checks import check_statics
 
@@ -208,7 +208,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     if Find.EQUILIBRIUM in problem.find and not rough:
         solution = _with_equilibrium(solution, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
-        solution = _with_rest(solution, on_stage)
+        solution = _with_rest(solution, blank, on_stage)
     if problem.questions:
         solution = _with_questions(solution, on_stage)
     return _with_numbers(solution)
@@ -482,39 +482,41 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
     return replace(solution, asked=asked, checks=(*solution.checks, *check_questions(asked, places)))
 
 
-def _with_rest(solution: Solution, on_stage: OnStage) -> Solution:
+def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Solution:
     """The solution with the conditions under which friction holds the system at rest, in each choice of coordinates
     without square roots, otherwise in the file's coordinates.
+
+    blank  the solution before the motion was found, whose configurations have no kinetic friction
     """
     from lagrange.mechanics.equilibrium.equilibrium import virtual_work
     from lagrange.mechanics.equilibrium.friction_at_rest import at_rest
     from lagrange.mechanics.equilibrium.impending_motion import impending_motions
 
-    problem, own = solution.problem, solution.own
-    law = _law(solution, at_rest=True)
+    problem, own = blank.problem, blank.own
+    law = _law(blank, at_rest=True)
     works = solution.works or works_of_reactions(law.newton, own.configuration, own.elimination)
     checks = [*solution.checks] if solution.works else [*solution.checks, *check_workless(works, own.configuration)]
     work = virtual_work(own.configuration)
     in_choices = any(not c.signs for c in solution.choices)
     views = []
-    for view in solution.views:
-        if not (view.signs or (in_choices and view is own)):
+    for view, before in zip(solution.views, blank.views, strict=True):
+        if not (view.signs or (in_choices and view.is_own)):
             on_stage(_stage("friction at rest", view))
             if Find.EQUILIBRIUM in problem.find:
-                resting = at_rest(problem, law.newton, own.configuration, view.configuration, work)
+                resting = at_rest(problem, law.newton, own.configuration, before.configuration, work)
                 name = "the forces at rest satisfy Lagrange's equations"
                 if resting.verified is not None:
                     checks.append(Check(name, resting.verified, "exact, by substitution", view.name))
                 view = replace(view, at_rest=resting)
             if Find.IMPENDING in problem.find:
                 file = (own.configuration, own.elimination, work)
-                motions = impending_motions(problem, law.newton, file, view.configuration, view.elimination)
+                motions = impending_motions(problem, law.newton, file, before.configuration, before.elimination)
                 checks += _impending_checks(motions)
                 view = replace(view, impending=motions)
         views.append(view)
     return replace(
         solution,
-        problem=law.problem if solution.law is None else problem,
+        problem=law.problem if solution.law is None else solution.problem,
         law=solution.law or law,
         works=tuple(works),
         own=views[0],

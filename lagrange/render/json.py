@@ -116,11 +116,11 @@ def _with_friction(solution: Solution, write: Write) -> dict[str, Any]:
     """Rest with friction and impending motion, in a choice of coordinates if there is one."""
     rests = [v.at_rest for v in reversed(solution.views)] + [v.rolling for v in reversed(solution.views)]
     resting = next((r for r in rests if r is not None), None)
-    motions = next((v.impending for v in reversed(solution.views) if v.impending), ())
+    motions = next((v.impending for v in reversed(solution.views) if v.impending is not None), None)
     found: dict[str, Any] = {}
     if resting is not None:
         found["rest"] = _rest(resting, write)
-    if motions:
+    if motions is not None:
         branches = [b for m in motions for b in m.equilibrium.branches]
         found["equilibrium"] = [_relations(b, write) for b in branches]
         found["impending"] = [

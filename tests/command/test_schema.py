@@ -234,7 +234,7 @@ WRONG = [
     POINT + "forces: {s: {spring: m, between: [P, 0*i], sense: left}}\n",
     POINT + "forces: {d: {damper: m, between: [P, 0*i], length: m}}\n",
     POINT + "constraints: {a: x = y}\nforces: {f: {friction: m, on: P}}\n",
-    POINT + "constraints: {a: x = y}\nforces: {f: {friction: m, on: P, constraint: a, slip: 1}}\n",
+    POINT + "constraints: {a: x = y}\nforces: {f: {friction: m, on: P, constraint: a, contact: 1}}\n",
     BASE + "unknowns: {F: force}\n",
     BASE + "speeds: [x']\n",
     BASE + "generalized_coordinates: [q]\n",

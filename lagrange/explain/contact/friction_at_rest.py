@@ -126,9 +126,11 @@ def explain_rolling(rolling: Rolling) -> Step:
     return Step(Rule.FRICTION_AT_REST, title_in("Rolling without slipping", rolling.configuration.name), tuple(body))
 
 
-def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton) -> Step:
-    """Equilibrium with friction at its limit, for each direction of slip."""
-    name = motions[0].equilibrium.configuration.name
+def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton, name: str = "") -> Step:
+    """Equilibrium with friction at its limit, for each direction of slip; `name` of the choice of coordinates."""
+    if not motions:
+        words = "With friction at its limit in every contact at once, the forces balance for no direction of slip."
+        return Step(Rule.FRICTION_AT_REST, title_in("Impending motion", name), (prose(words, detail=Detail.BRIEF),))
     suffix = suffix_of(name)
     contacts = motions[0].contacts
     slips = "slip impends in every contact at once" if len(contacts) > 1 else "slip impends"

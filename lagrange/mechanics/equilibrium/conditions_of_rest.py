@@ -37,6 +37,12 @@ def bounded_by(
     size = size * sense if sense is not None else sp.Abs(size)
     if sign in (1, -1):
         return [RestCondition(_ratio(size, pressed * sign, signs), coefficient)]
+    inside = size.args[0] if isinstance(size, sp.Abs) else size
+    for factor in (f for f in sp.Mul.make_args(pressed) if f.is_positive):  # m g |sin θ| ≤ μ m g cos θ
+        shorter = sp.cancel(inside / factor)
+        if shorter.count_ops() < inside.count_ops():
+            inside, pressed = sp.factor(shorter), pressed / factor
+    size = sp.Abs(inside) if isinstance(size, sp.Abs) else inside
     if not signed:
         pressed = sp.Abs(pressed)
     return [RestCondition(size, coefficient * pressed)]

@@ -334,6 +334,8 @@ def _cases(
 ) -> tuple[tuple[RestCondition, ...], ...]:
     """The conditions, case by case."""
     coefficients = tuple(dict.fromkeys(c.coefficient for c in contacts))
+    if any(signs.of(e) in (1, -1) for e in solved.equations):
+        return ()
     if not solved.open:
         conditions = _determined(solved, contacts, newton, signs)
         return () if conditions is None else (conditions,)

@@ -298,3 +298,31 @@ def test_in_space_the_friction_has_two_components(problem: Read) -> None:
     rest = rest_of(solve(problem(text)))
     assert said(rest, {"m": 1, "g": 10, "alpha": 0.3, "P": 3, "mu": 0.45}) is True  # 4.21 <= 4.30
     assert said(rest, {"m": 1, "g": 10, "alpha": 0.3, "P": 3.2, "mu": 0.45}) is False
+
+
+def test_rest_is_not_about_the_friction_of_the_motion(problem: Read) -> None:
+    """If both are asked, kinetic friction is no applied force at rest."""
+    text = INCLINE.format(relation=">=", more=", slip: i", find="[motion, equilibrium, impending]").replace("P, ", "")
+    text = text.replace("  push: {on: block, vector: P*(-cos(alpha)*i - sin(alpha)*j)}\n", "")
+    answers = "answers: {rest: ['tan(alpha) <= mu_s'], equations: [\"x'' = g*sin(alpha) - mu*g*cos(alpha)\"]}\n"
+    verdicts = {a.name: a.verdict.value for a in compared_answers(solved(problem, text + answers))}
+    assert verdicts == {"equations": "equivalent", "rest": "equivalent"}
+
+
+def test_where_rest_is_impossible(problem: Read) -> None:
+    """The string leaves the cylinder where it touches the incline: nothing balances the moment of the weight."""
+    told = report(
+        problem(
+            "title: Cylinder held where it touches\nparameters: [m, g, R, alpha, mu]\ncoordinates: [x, y, theta]\n"
+            "bodies: {c: {mass: m, inertia: m*R^2/2, position: x*i + y*j, angle: theta}}\n"
+            "constraints: {plane: {equation: y >= R, reaction: N}, s: {equation: x + R*theta <= 0, by: string}}\n"
+            "gravity: g*sin(alpha)*i - g*cos(alpha)*j\nforces: {rub: {friction: mu, static: mu, constraint: plane, "
+            "on: c, at: r_c - R*j}}\nfind: [equilibrium, impending]\n"
+        )
+    )
+    written = in_json.as_object(told)
+    assert written["rest"]["possible"] is False
+    assert written["equilibrium"] == []
+    page = " ".join(terminal.text(told.derivation, told.notation, 100).split())
+    assert "the system cannot be at rest" in page
+    assert "the forces balance for no direction of slip" in page
