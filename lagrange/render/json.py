@@ -547,9 +547,8 @@ def _asked(asked: Asked, write: Write) -> dict[str, Any]:
     stated = [
         write(b.rhs) if b.lhs == question.quantity else f"{write(b.lhs)} = {write(b.rhs)}" for b in asked.branches
     ]
-    conditions = dict.fromkeys(
-        f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for b in asked.branches for c in b.conditions
-    )
+    each = [[f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in asked.branches]
+    common = [c for c in each[0] if all(c in other for other in each)] if each else []
     found: dict[str, Any] = {
         "name": question.name,
         "quantity": write(question.quantity),
@@ -558,10 +557,7 @@ def _asked(asked: Asked, write: Write) -> dict[str, Any]:
     found |= {"by": question.by.name} if question.by is not None else {}
     number = float(asked.branches[0].rhs) if asked.how is not None and asked.how.value == "numerical" else None
     found |= {"value": " or ".join(stated) or None, "number": number, "unit": None}
-    found |= {"how": None if asked.how is None else asked.how.value, "conditions": list(conditions)}
+    found |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
     if len(stated) > 1:
-        found["branches"] = [
-            {"value": s, "conditions": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions]}
-            for s, b in zip(stated, asked.branches, strict=True)
-        ]
+        found["branches"] = [{"value": v, "conditions": c} for v, c in zip(stated, each, strict=True)]
     return found | ({"choice": asked.choice} if asked.choice else {})

@@ -144,7 +144,7 @@ class _Search:
                 return asked
         elif not self.question.when and self.question.by is None and (constant := self._constant()) is not None:
             return constant
-        else:
+        if self.question.by != t and t not in self.quantity.free_symbols:
             for route, used in ((Route.STATE, []), (Route.INTEGRALS, self.setting.integrals)):
                 if route is Route.INTEGRALS and not used:
                     break
@@ -154,7 +154,7 @@ class _Search:
                 if found.branches and found.solved and not found.free and self._keeps_sense(found):
                     return self._chosen(route, found, used)
                 free = found.free
-            asked = self._in_time()
+            asked = None if self._is_about_time else self._in_time()
             if asked is not None:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:

@@ -105,7 +105,17 @@ def value(text: str) -> sp.Expr:
     )
 
 
+SKATE = """
+title: Skate
+parameters: [m, I, w]
+coordinates: [x, y, theta]
+bodies: {skate: {mass: m, inertia: I, position: x*i + y*j, angle: theta}}
+constraints: {blade: "y'*cos(theta) = x'*sin(theta)"}
+initial: {x: 0, y: 0, theta: 0, x': 0, theta': w}
+"""
+
 CASES = [
+    (SKATE, "", "{quantity: \"theta'\", when: t = 1}", "w", Route.SOLUTION),
     (SPHERE, "{theta: 0, theta': 0}", "{quantity: R*cos(theta), when: N = 0}", "2*R/3", Route.INTEGRALS),
     (SPHERE, "{theta: 0, theta': v/R}", "{quantity: R*cos(theta), when: N = 0}", "2*R/3 + v**2/(3*g)", Route.INTEGRALS),
     (SPHERE, "{theta: 0, theta': v/R}", "{quantity: v, when: [theta = 0, N = 0]}", "sqrt(g*R)", Route.INTEGRALS),
