@@ -23,7 +23,7 @@ from lagrange.expressions.latex_names import NAMED_FUNCTIONS, LatexNames
 from lagrange.expressions.scope import Scope
 from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
 
-_INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+", 
+_INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+",
     "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
     "▒": "", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
     "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
