@@ -94,7 +94,8 @@ class EquilibriumComparison:
         self.unknowns = e.forces if e.given else (*e.configuration.slots.coordinates, *e.forces)
         self.forces = e.forces
         forces = (*e.work.forces, *(c.expression for c in e.conditions))
-        turned = [u for u in self.unknowns if _is_in_circular(u, (*forces, *self.rows))]
+        bound = tuple(a for row in e.binding for a in row.coefficients)
+        turned = [u for u in self.unknowns if _is_in_circular(u, (*forces, *self.rows, *bound))]
         self.angles = frozenset(u for u in turned if not _is_outside_circular(u, forces))
         self.mixed = frozenset(turned) - self.angles
         self.values = dict(values)

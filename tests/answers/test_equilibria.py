@@ -286,3 +286,21 @@ def test_an_answer_counts_with_the_condition_of_its_branch() -> None:
     other = "cos(theta) = (H^2 + 1 - 25*H^2/(5*H + g)^2)/(2*H)"
     assert verdict(problem, f"theta = 0 or theta = pi or {other}").verdict is WRONG
     assert verdict(problem, "theta = 0 or theta = pi").verdict is INCOMPLETE
+
+
+SKATE = """
+title: A skate on a spring
+parameters: [k]
+coordinates: [x, y, theta]
+particles: {P: {position: "[x, y]"}}
+constraints: {blade: "cos(theta)*y' = sin(theta)*x'"}
+forces: {spring: {potential: k*x^2/2}}
+find: equilibrium
+"""
+
+
+def test_an_angle_that_occurs_in_a_kinematic_constraint_alone() -> None:
+    """The blade, pointing along y, balances the spring at any x."""
+    problem = read(SKATE)
+    assert verdict(problem, "theta = pi/2 or theta = -pi/2 or x = 0").verdict is EQUIVALENT
+    assert verdict(problem, "theta = pi/2 or x = 0").verdict is INCOMPLETE
