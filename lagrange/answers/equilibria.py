@@ -9,7 +9,7 @@ something out, the answer is also read as tan θ = u.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from itertools import product
 
@@ -108,7 +108,23 @@ def _unreadable(
 def _tried(
     readings: Sequence[Sequence[Reading]], equilibrium: Equilibrium, reference: Reference
 ) -> AnswerVerdict | None:
-    """The verdict in one set of coordinates; None if the answer uses others."""
+    """The verdict in one set of coordinates; None if the answer uses others.
+
+    An answer in letters is judged without the values first: sin θ = M/m is right even if M > m with the values.
+    """
+    if reference.values:
+        in_letters = _judged(readings, equilibrium, reference, {})
+        if in_letters is None or in_letters.verdict is Verdict.EQUIVALENT:
+            return in_letters
+    return _judged(readings, equilibrium, reference, dict(reference.values))
+
+
+def _judged(
+    readings: Sequence[Sequence[Reading]],
+    equilibrium: Equilibrium,
+    reference: Reference,
+    values: Mapping[sp.Symbol, sp.Expr],
+) -> AnswerVerdict | None:
     configuration = equilibrium.configuration
     components = [e for a in readings for r in a for e in r.components]
     moved = displaced_coordinates(components, reference.scope.slots.coordinates)
@@ -116,11 +132,10 @@ def _tried(
     known = {s.name for s in (*configuration.slots.coordinates, *configuration.expressed)}
     if not used & {q.name for q in reference.scope.slots.coordinates} <= known:
         return None
-    values = dict(reference.values)
 
     def rewritten(e: sp.Expr) -> list[sp.Expr]:
         stated = without_displacements(configuration.rewritten(e), configuration)
-        return [part.xreplace(values) for part in stated]
+        return [part.xreplace(dict(values)) for part in stated]
 
     systems = [[tuple(part for e in r.components for part in rewritten(e)) for r in a] for a in readings]
     literal = EquilibriumComparison(equilibrium, values, systems).verdict(readings, systems)

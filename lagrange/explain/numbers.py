@@ -32,11 +32,17 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         if step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
-            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits, bool(values.numbers))))
+            yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits, _start(values))))
         elif view is not None and not _determines_forces(view):
             yield step
         else:
             yield replace(step, body=tuple(_blocks(step, values, digits)))
+
+
+def _start(values: Values) -> str:
+    if not values.numbers:
+        return "In numbers:"
+    return "With the given values, in units of SI:" if values.units else "With the given values:"
 
 
 def _titles(view: InCoordinates) -> Iterator[tuple[Rule, str]]:
@@ -71,7 +77,7 @@ def _blocks(step: Step, values: Values, digits: int) -> Iterator[Block]:
             lines = [_in_numbers(e, values, digits) for e in block.equations]
             shown = [e for e in lines if e is not None]
             if shown and len(shown) == len(lines):
-                yield prose("With the given values, in units of SI:", detail=Detail.BRIEF)
+                yield prose(_start(values), detail=Detail.BRIEF)
                 yield display(*shown, detail=Detail.BRIEF)
 
 
@@ -103,16 +109,16 @@ def measured(quantity: Quantity, digits: int) -> Math:
     return math(shown, with_unit(degrees, "°"))
 
 
-def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int, given: bool) -> Iterator[Block]:
+def _equilibria(view: InCoordinates, found: EquilibriaInNumbers, digits: int, start: str) -> Iterator[Block]:
     """A table of the equilibria: where they are, whether they are stable, how they oscillate."""
     suffix = suffix_of(view.name)
-    start = "at-rest" if view.linearization is not None else "equilibrium"
+    kind = "at-rest" if view.linearization is not None else "equilibrium"
 
     def called(n: int) -> Ref:
-        return Ref(f"{start}{suffix}-{n + 1}")
+        return Ref(f"{kind}{suffix}-{n + 1}")
 
     if found.positions:
-        yield prose("With the given values, in units of SI:" if given else "In numbers:", detail=Detail.BRIEF)
+        yield prose(start, detail=Detail.BRIEF)
         yield _table(view, found, called, digits)
     if found.numerical is not None:
         yield _searched(found.numerical, digits)

@@ -11,5 +11,11 @@ SPARE_DIGITS = 20
 MOST_BOXES = 3_000
 """Boxes of one search for roots. One unknown takes 20 to 200, two take 200 to 2,000; a box takes about 2 ms."""
 
+MOST_OPERATIONS = 400_000
+"""Operations of the equations and their derivatives in all boxes of a search: 10 s."""
+
+LARGEST_IN_NUMBERS = 2_000
+"""Operations of an expression that is given in numbers: a longer one is not shown in full anyway."""
+
 SMALLEST_BOX = 1e-9
 """Part of the width of the search at which a box that is neither excluded nor confirmed is given up."""

@@ -21,7 +21,7 @@ import sympy as sp
 from mpmath import iv
 
 from lagrange.core.records import record
-from lagrange.values.limits import MOST_BOXES, SMALLEST_BOX, WORKING_DIGITS
+from lagrange.values.limits import MOST_BOXES, MOST_OPERATIONS, SMALLEST_BOX, WORKING_DIGITS
 
 Box = list[Any]  # of intervals
 INFLATION = 0.05
@@ -59,8 +59,9 @@ def real_roots(
     widths = [float(high) - float(low) for low, high in search]
     found: list[Root] = []
     undecided: list[Box] = []
-    boxes = 0
-    while waiting and boxes < MOST_BOXES:
+    operations = sum(int(e.count_ops()) + 1 for row in (equations, *jacobian) for e in row)
+    most, boxes = min(MOST_BOXES, MOST_OPERATIONS // operations), 0
+    while waiting and boxes < most:
         boxes += 1
         box = waiting.pop()
         if _is_excluded(equations, unknowns, box) or any(_contains(r.box, box) for r in found):

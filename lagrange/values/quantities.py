@@ -20,7 +20,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import UnitSymbol
 from lagrange.core.units import NO_DIMENSION, Dimension, unit_called, unit_of
 from lagrange.values.dimensions import dimension
-from lagrange.values.limits import SPARE_DIGITS, WORKING_DIGITS
+from lagrange.values.limits import LARGEST_IN_NUMBERS, SPARE_DIGITS, WORKING_DIGITS
 
 DIGITS = 4
 """The significant digits that are printed by default."""
@@ -94,11 +94,11 @@ class Values:
         return expression.xreplace(dict(self.numbers))
 
     def quantity(self, expression: sp.Expr, is_angle: bool = False) -> Quantity | None:
-        """The expression in numbers; None where a parameter has no value, or it is not real with these values.
+        """The expression in numbers; None where a parameter has no value, it is not real with these values, or huge.
 
         is_angle  whether a number without a dimension is an angle, in rad, and one in 1/s an angular velocity
         """
-        if not self.covers(expression):
+        if not self.covers(expression) or expression.count_ops() > LARGEST_IN_NUMBERS:
             return None
         formula = self.put_in(expression)
         if formula.has(sp.zoo, sp.nan, sp.oo, sp.I):

@@ -463,3 +463,16 @@ def test_version() -> None:
     from importlib.metadata import version
 
     assert run("--version").stdout == f"lagsolve, version {version('lagsolve')}\n"
+
+
+def test_values_on_the_command_line() -> None:
+    done = run(
+        "ex11", "--choice", "angle", "--set", "l=30 cm", "--set", "g=10 m/s^2", "--set", "g=9.81 m/s^2", "--digits", "3"
+    )
+    assert done.exit_code == 0
+    assert "0.3θ̈ + 9.81 sin θ = 0" in done.stdout
+    assert run("ex11", "--set", "q=3").exit_code == 2
+    assert "unknown-parameter" in run("ex11", "--set", "q=3").stderr
+    assert run("ex11", "--digits", "0").exit_code == 2
+    right = run("check", "ex11", "--set", "l=2", "-e", "theta'' + g/2*sin(theta) = 0")
+    assert right.exit_code == 0

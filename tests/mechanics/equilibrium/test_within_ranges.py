@@ -127,3 +127,14 @@ forces: {{rub: {{friction: mu, constraint: plane, on: P}}}}
 )
 def test_ranges_that_cannot_be_used(declared: str, code: str) -> None:
     assert [found for found, *_ in places(f"title: T\n{declared}\n")] == [code]
+
+
+def test_an_answer_in_letters_is_right_whatever_the_values() -> None:
+    """With P = 150 N > k l the stated branch has no position, and the answer in letters is right all the same."""
+    solved(
+        "title: Column\naxes: {j: up}\ncoordinates: [theta]\nfind: equilibrium\n"
+        "parameters: {k: {value: 200 N/m}, l: {value: 50 cm}, P: {value: 150 N}}\n"
+        "particles: {A: {position: l*sin(theta)*i + l*cos(theta)*j}}\n"
+        "forces: {load: {on: A, vector: -P*j}, spring: {potential: k*l^2*sin(theta)^2/2}}\n"
+        'answers: {equilibrium: [["theta = 0"], ["theta = pi"], ["cos(theta) = P/(k*l)"]]}\n'
+    )
