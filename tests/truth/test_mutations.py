@@ -19,7 +19,7 @@ from lagrange.mechanics.dynamics.comparison import Standing, System, compare
 from tests.support.mutations import best_system, mutations
 from tests.support.shared import asking, solved
 
-MOST = 40
+MOST = 12
 """Slips of one problem that are tried, taken from all of its equations; `make bench` tries every one."""
 
 

@@ -12,7 +12,7 @@ import pytest
 from tests.support.nets import constraint_systems, motions, statics, units
 from tests.support.nets.run import Finding
 
-NETS = {"statics": (statics, 160), "motions": (motions, 100), "constraint_systems": (constraint_systems, 60)}
+NETS = {"statics": (statics, 80), "motions": (motions, 80), "constraint_systems": (constraint_systems, 40)}
 NETS |= {"units": (units, 36)}
 FIRST = 1000
 MENDED = {"statics": (1, 108, 147, 153)}
@@ -24,15 +24,27 @@ SOFT = ("undecided stability", "undecided linear stability")
 
 @dataclass(frozen=True)
 class Open:
-    """A known fault: the kind of finding, the family in which it occurs, a seed that shows it, and what it is."""
+    """A known fault: the kind of finding, the family in which it occurs, a seed that shows it, and what it is.
+
+    `always`: whether each run shows it, or only some, with the random points that are drawn.
+    """
 
     kind: str
     family: str
     seed: int
     reason: str
+    always: bool = True
 
 
-OPEN: list[Open] = []
+OPEN = [
+    Open(
+        "refused",
+        "four-bar linkage",
+        1021,
+        "links that can fold: a point on another component of the constraints is drawn, where a divisor is zero",
+        always=False,
+    )
+]
 
 
 def plain(f: Finding) -> str:
@@ -58,7 +70,10 @@ def test_what_is_printed_is_true(net: str, seed: int) -> None:
 
 @pytest.mark.parametrize(
     "known",
-    [pytest.param(k, marks=pytest.mark.xfail(reason=k.reason, strict=True), id=f"{k.kind}-{k.family}") for k in OPEN],
+    [
+        pytest.param(k, marks=pytest.mark.xfail(reason=k.reason, strict=k.always), id=f"{k.kind}-{k.family}")
+        for k in OPEN
+    ],
 )
 def test_known_faults(known: Open) -> None:
     """When one of these passes, it is mended: it is taken from the list, and the net holds it."""
