@@ -18,7 +18,14 @@ from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.solution import InCoordinates, Solution
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
 
-RESULTS = (Rule.EQUATIONS_OF_MOTION, Rule.QUASI_VELOCITIES, Rule.SOLVED_REACTIONS, Rule.EQUILIBRIUM, Rule.LINEARIZATION)
+RESULTS = (
+    Rule.EQUATIONS_OF_MOTION,
+    Rule.QUASI_VELOCITIES,
+    Rule.SOLVED_REACTIONS,
+    Rule.QUESTION,
+    Rule.EQUILIBRIUM,
+    Rule.LINEARIZATION,
+)
 """The steps whose boxed equations are results."""
 
 

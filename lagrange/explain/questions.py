@@ -8,7 +8,7 @@ import sympy as sp
 
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Ref, Rule, Step
 from lagrange.explain.words import plural, sign_conditions, spoken, suffix_of
 from lagrange.mechanics.questions.results import (
     AnswerBranch,
@@ -185,6 +185,8 @@ def _answer(asked: Asked) -> Iterator[Block]:
         for n, b in enumerate(asked.branches, start=1)
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if angles := [*_angles(asked)]:
+        yield prose("That is ", *listed(angles), ".", detail=Detail.BRIEF)
     if asked.mirrored:
         yield prose("The initial state is an equilibrium, from which the motion may start in either direction: "
                     "one value belongs to each.")  # fmt: skip
@@ -192,6 +194,17 @@ def _answer(asked: Asked) -> Iterator[Block]:
         yield prose("Which of these comes first depends on more than was decided here.")
     for b, because in asked.dropped:
         yield prose(*_dropped(b, because))
+
+
+def _angles(asked: Asked) -> Iterator[Math]:
+    """θ = 48.19°, for cos θ = 2/3; of an angle and its opposite the positive one."""
+    from lagrange.values.quantities import rounded, with_unit
+
+    for b in asked.branches:
+        if b.lhs.is_Function and b.rhs.is_number:
+            degrees = {abs(v) * 180 / sp.pi for v in b.values if v.is_number}
+            if len(degrees) == 1:
+                yield math(asked.question.quantity, with_unit(rounded(degrees.pop()), "°"), relation="≈")
 
 
 def _where(b: AnswerBranch) -> tuple[Part, ...]:

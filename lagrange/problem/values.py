@@ -194,8 +194,7 @@ def no_values(problem: Problem) -> Values:
 def _values(problem: Problem, numbers: Mapping[sp.Symbol, sp.Expr]) -> Values:
     from lagrange.values.quantities import Values
 
-    units = {p.symbol: p.unit for p in problem.parameters} | {q.symbol: q.unit for q in problem.coordinates}
-    return Values.of(numbers, frozenset(p.symbol for p in problem.parameters), units)
+    return Values(numbers, frozenset(p.symbol for p in problem.parameters), _all_known(problem))
 
 
 # -- the command line --------------------------------------------------------------------------------------------------
@@ -286,6 +285,19 @@ def _known(problem: Problem, but: sp.Symbol | None = None) -> dict[sp.Symbol, Di
     units = {p.symbol: p.unit for p in problem.parameters} | {q.symbol: q.unit for q in problem.coordinates}
     known = {s: unit.dimension for s, text in units.items() if text and (unit := unit_of(text)) is not None}
     return {symbol: dimension for symbol, dimension in known.items() if symbol != but}
+
+
+def _all_known(problem: Problem) -> dict[sp.Symbol, Dimension]:
+    """The dimensions that the units of the file give, and those that other symbols then need in their places."""
+    known = _known(problem)
+    if not known:
+        return {}
+    from lagrange.values.dimensions import dimensions_needed
+
+    places = [(e, _dimension(unit)) for e, unit in _places(problem) if e.count_ops() <= LONGEST_PLACE]
+    waves = {w.args[0] for e, _ in places for w in e.atoms(sp.sin, sp.cos, sp.tan)}
+    angles = {angle: NO_DIMENSION for angle in waves if angle.is_Symbol and angle not in known}
+    return {**(dimensions_needed(places, {**angles, **known}) or {}), **angles, **known}
 
 
 def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:

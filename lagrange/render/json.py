@@ -16,7 +16,16 @@ from lagrange.core.printable import json_text
 from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
-from lagrange.render.json_numbers import add_oscillations, critical, equations_in_numbers, position, quantity, searched
+from lagrange.problem.values import no_values
+from lagrange.render.json_numbers import (
+    add_oscillations,
+    asked_number,
+    critical,
+    equations_in_numbers,
+    position,
+    quantity,
+    searched,
+)
 from lagrange.render.json_steps import block, shown
 
 if TYPE_CHECKING:
@@ -93,7 +102,7 @@ def as_object(report: Report) -> dict[str, Any]:
         moving = found.get("reactions", {})
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
     if solution.asked:
-        found["asked"] = [_asked(a, write) for a in solution.asked]
+        found["asked"] = [_asked(a, report.values or no_values(solution.problem), write) for a in solution.asked]
     found |= _with_friction(solution, write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
@@ -541,7 +550,7 @@ def integrals(conserved: Conserved, write: Write) -> list[dict[str, Any]]:
     return entries
 
 
-def _asked(asked: Asked, write: Write) -> dict[str, Any]:
+def _asked(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     """The answer to one question; several branches that may all be meant are joined by `or` in `value`."""
     question = asked.question
     stated = [
@@ -555,8 +564,7 @@ def _asked(asked: Asked, write: Write) -> dict[str, Any]:
         "when": [f"{write(c.lhs)} = {write(c.rhs)}" for c in question.when],
     }
     found |= {"by": question.by.name} if question.by is not None else {}
-    number = float(asked.branches[0].rhs) if asked.how is not None and asked.how.value == "numerical" else None
-    found |= {"value": " or ".join(stated) or None, "number": number, "unit": None}
+    found |= {"value": " or ".join(stated) or None, **asked_number(asked, values, write)}
     found |= {"how": None if asked.how is None else asked.how.value, "conditions": common}
     if len(stated) > 1:
         found["branches"] = [{"value": v, "conditions": c} for v, c in zip(stated, each, strict=True)]

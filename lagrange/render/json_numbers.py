@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.equations import EquationsOfMotion
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Oscillation, Position
     from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
+    from lagrange.mechanics.questions.results import Asked
     from lagrange.mechanics.solution import InCoordinates
     from lagrange.values.quantities import Quantity, Values
 
@@ -72,6 +73,25 @@ def quantity(expression: sp.Expr | None, values: Values | None, write: Write) ->
         return _measured(quantity)
     shown = {"number": write(quantity.shown(JSON_DIGITS))}
     return shown | ({"unit": quantity.unit} if quantity.unit else {})
+
+
+def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
+    """`number` and `unit` of an answer that has one value; of an angle and its opposite it is the positive one."""
+    unknown = {"number": None, "unit": None}
+    if len(asked.branches) != 1:
+        return unknown
+    [branch] = asked.branches
+    if asked.how is not None and asked.how.value == "numerical":
+        return unknown | {"number": float(branch.rhs), "unit": values.unit_of(asked.question.quantity) or None}
+    if asked.question.by is not None:
+        return unknown | quantity(branch.rhs, values, write)
+    of_angle = branch.lhs != asked.question.quantity
+    stated = branch.values if of_angle else (branch.rhs,)
+    measured = [values.quantity(v, is_angle=of_angle) for v in stated]
+    numbers = {abs(q.number) if of_angle else q.number for q in measured if q is not None and q.is_number}
+    if len(numbers) != 1 or None in measured:
+        return unknown
+    return {"number": numbers.pop(), "unit": next(q.unit for q in measured if q is not None) or None}
 
 
 def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write: Write) -> dict[str, Any]:

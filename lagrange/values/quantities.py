@@ -18,7 +18,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import UnitSymbol
-from lagrange.core.units import NO_DIMENSION, Dimension, unit_called, unit_of
+from lagrange.core.units import NO_DIMENSION, Dimension, unit_called
 from lagrange.values.dimensions import dimension
 from lagrange.values.limits import LARGEST_IN_NUMBERS, SPARE_DIGITS, WORKING_DIGITS
 
@@ -67,23 +67,12 @@ class Values:
 
     numbers     exact, in units of SI, by parameter
     parameters  all parameters, with and without values
-    units       the dimensions of parameters and coordinates, as far as the file gives their units
+    units       the dimensions of parameters and coordinates, as far as the units of the file determine them
     """
 
     numbers: Mapping[sp.Symbol, sp.Expr]
     parameters: frozenset[sp.Symbol]
     units: Mapping[sp.Symbol, Dimension]
-
-    @classmethod
-    def of(
-        cls,
-        numbers: Mapping[sp.Symbol, sp.Expr],
-        parameters: frozenset[sp.Symbol],
-        units: Mapping[sp.Symbol, str],
-    ) -> Values:
-        """From the texts of the units."""
-        known = {s: unit.dimension for s, text in units.items() if text and (unit := unit_of(text)) is not None}
-        return cls(numbers, parameters, known)
 
     def covers(self, *expressions: sp.Expr) -> bool:
         """Whether every parameter that occurs has a value."""

@@ -8,6 +8,7 @@ import random
 import pytest
 import sympy as sp
 
+from lagrange.core.units import unit_of
 from lagrange.document.math_writer import Writer, latex, text, unicode
 from lagrange.document.style_mathml import MathML
 from lagrange.values.quantities import NotRealError, Values, real_value, rounded, with_unit
@@ -15,10 +16,10 @@ from lagrange.values.quantities import NotRealError, Values, real_value, rounded
 l, g, m, k = sp.symbols("l g m k", positive=True)
 theta, acceleration = sp.Symbol("theta", real=True), sp.Symbol("theta''", real=True)
 ONE = sp.pi / 7
-VALUES = Values.of(
+VALUES = Values(
     {l: sp.Rational(3, 10), g: sp.Rational(981, 100), k: sp.Integer(200)},
     frozenset({l, g, m, k}),
-    {l: "m", g: "m/s^2", m: "kg", k: "N/m"},
+    {s: unit_of(u).dimension for s, u in ((l, "m"), (g, "m/s^2"), (m, "kg"), (k, "N/m"))},  # type: ignore[union-attr]
 )
 
 
