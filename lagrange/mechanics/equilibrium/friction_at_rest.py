@@ -23,6 +23,7 @@ from itertools import islice, permutations, product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
@@ -304,7 +305,7 @@ class _System:
             unsure, _, chosen = min(candidates)
             pivot = work[chosen][column]
             if unsure:
-                presupposed.append(pivot)
+                presupposed += [f for f in _factors_that_may_vanish(pivot, signs) if f not in presupposed]
             work[chosen] = [shortest(e / pivot) for e in work[chosen]]
             for n, row in enumerate(work):
                 if n != chosen and row[column] != 0:
@@ -327,6 +328,12 @@ class _System:
 
     def _is_zero(self, e: sp.Expr) -> bool:
         return e == 0 or self.surface.is_zero(e) is True
+
+
+def _factors_that_may_vanish(pivot: sp.Expr, signs: Signs) -> list[sp.Expr]:
+    above, _ = sp.fraction(sp.together(pivot))
+    found = factors(above)
+    return [pivot] if found is None else [f for f in found if signs.of(f) is None]
 
 
 def _cases(
