@@ -173,7 +173,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     for c in solution.choices:
         yield explain_choice(c.coordinates)
         if c.equilibrium is not None:
-            from lagrange.explain.statics import explain_equilibrium_in_choice
+            from lagrange.explain.rest.statics import explain_equilibrium_in_choice
 
             yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
             yield _reactions_at_rest(solution, c.reactions_at_rest)
@@ -219,7 +219,7 @@ def _statics(solution: Solution) -> Iterator[Step | None]:
         yield explain_works(solution.works, solution.own.configuration)
     workless = shown and all(w.vanishes for w in solution.works)
     stability = None if solution.problem.choices else solution.own.stability
-    from lagrange.explain.statics import explain_virtual_work
+    from lagrange.explain.rest.statics import explain_virtual_work
 
     yield explain_virtual_work(solution.own.equilibrium, stability, workless)
     yield _reactions_at_rest(solution, solution.own.reactions_at_rest)
@@ -248,7 +248,7 @@ def _rolling(view: InCoordinates) -> Step | None:
 def _small_oscillations(linearization: Linearization | None) -> Step | None:
     if linearization is None:
         return None
-    from lagrange.explain.oscillations import explain_linearization
+    from lagrange.explain.rest.oscillations import explain_linearization
 
     return explain_linearization(linearization)
 

@@ -52,11 +52,11 @@ from lagrange.problem.values import no_values, values_of
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
-    from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+    from lagrange.mechanics.equilibrium.friction.rolling import Rolling
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization
-    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.questions.results import Asked
@@ -321,7 +321,7 @@ def _in_motion(view: InCoordinates, solution: Solution, law: NewtonLaw, complete
 
 def _rolling(law: NewtonLaw, dynamics: Motion, view: InCoordinates) -> Rolling | None:
     """The conditions under which what rolls does not slip."""
-    from lagrange.mechanics.equilibrium.rolling import rolling
+    from lagrange.mechanics.equilibrium.friction.rolling import rolling
 
     return rolling(law.problem, law, dynamics, view.configuration)
 
@@ -489,8 +489,8 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
     blank  the solution before the motion was found, whose configurations have no kinetic friction
     """
     from lagrange.mechanics.equilibrium.equilibrium import virtual_work
-    from lagrange.mechanics.equilibrium.friction_at_rest import at_rest
-    from lagrange.mechanics.equilibrium.impending_motion import impending_motions
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import at_rest
+    from lagrange.mechanics.equilibrium.friction.impending_motion import impending_motions
 
     problem, own = blank.problem, blank.own
     law = _law(blank, at_rest=True)

@@ -39,7 +39,7 @@ from lagrange.problem.limits import MOST_ALTERNATIVES_SHOWN
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import Constraint, Given, Keeper
 from lagrange.problem.sections import CONSTRAINT, Section, entries_of, scalar_of
-from lagrange.problem.yaml_nodes import MappingNode, Node, Scalar
+from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar
 
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
 

@@ -25,7 +25,7 @@ from lagrange.problem.keys import CHOICE
 from lagrange.problem.load_context import LoadContext, size
 from lagrange.problem.model import Choice, Speed
 from lagrange.problem.sections import RATE, SUBSTITUTION, Section, entries_of, items_of, mapping_of, scalar_of
-from lagrange.problem.yaml_nodes import Node, Scalar
+from lagrange.problem.yaml.nodes import Node, Scalar
 
 _EXAMPLE = "{coordinates: [theta], substitute: {x: l*sin(theta)}}"
 

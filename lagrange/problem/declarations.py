@@ -27,7 +27,7 @@ from lagrange.problem.keys import COORDINATE, PARAMETER, Assumption
 from lagrange.problem.model import Coordinate, Parameter, Problem
 from lagrange.problem.sections import Section, entries_of, items_of, scalar_of, wrong_kind
 from lagrange.problem.values import bounded_symbol, read_number_with_unit, read_range
-from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
+from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 T = TypeVar("T")
 

@@ -23,7 +23,7 @@ from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS
 from lagrange.expressions.tokens import Token, TokenKind, tokens
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.limits import MAX_NAME_LENGTH, MAX_NAMES
-from lagrange.problem.yaml_nodes import Node, Scalar, scalars
+from lagrange.problem.yaml.nodes import Node, Scalar, scalars
 
 _ONE_MEANING = "give one of the two another name: a symbol means one thing in a file"
 _SPELLING = "a name begins with a letter and has letters, digits and `_`"

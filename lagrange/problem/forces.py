@@ -30,7 +30,7 @@ from lagrange.problem.sections import (
     mapping_of,
     scalar_of,
 )
-from lagrange.problem.yaml_nodes import Node, Scalar
+from lagrange.problem.yaml.nodes import Node, Scalar
 
 _EXAMPLE = "forces: {push: {on: P, vector: F*i}}"
 

@@ -13,7 +13,7 @@ from lagrange.problem.declared_names import canonical
 from lagrange.problem.keys import FRAME, FRAME_COORDINATES, FrameType
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.sections import Section, items_of, mapping_of, scalar_of
-from lagrange.problem.yaml_nodes import Node, Scalar
+from lagrange.problem.yaml.nodes import Node, Scalar
 
 _TRIADS: dict[FrameType, Callable[..., Triad]] = {
     FrameType.CARTESIAN: lambda *_: FIXED,

@@ -37,7 +37,7 @@ from lagrange.problem.sections import (
     scalar_of,
     wrong_kind,
 )
-from lagrange.problem.yaml_nodes import ListNode, Node, Scalar, ScalarText
+from lagrange.problem.yaml.nodes import ListNode, Node, Scalar, ScalarText
 
 T = TypeVar("T", bound=sp.Expr | Vector | EquationRead)
 Reader = Callable[[Fragment, Scope, list[Diagnostic]], T]

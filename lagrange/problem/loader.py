@@ -40,8 +40,8 @@ from lagrange.problem.sections import Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
 from lagrange.problem.values import check_dimensions, with_settings
-from lagrange.problem.yaml_composer import parse
-from lagrange.problem.yaml_nodes import Node, Scalar
+from lagrange.problem.yaml.composer import parse
+from lagrange.problem.yaml.nodes import Node, Scalar
 
 
 def load(path: str | Path, settings: Sequence[Fragment] = ()) -> Problem:

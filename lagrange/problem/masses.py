@@ -37,7 +37,7 @@ from lagrange.problem.sections import (
     scalar_of,
     wrong_kind,
 )
-from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar, scalars
+from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar, scalars
 
 _EXAMPLE = "{mass: m, inertia: I_G, position: x*i + y*j, angle: theta}"
 _TURNING = (

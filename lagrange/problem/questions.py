@@ -38,7 +38,7 @@ from lagrange.problem.sections import (
     scalar_of,
     wrong_kind,
 )
-from lagrange.problem.yaml_nodes import ListNode, Node, Scalar
+from lagrange.problem.yaml.nodes import ListNode, Node, Scalar
 
 _EXAMPLE_OF_STATE = "initial: {theta: 0, theta': 0}"
 _EXAMPLE = 'ask: {leaves: {quantity: theta, when: "N = 0"}}'

@@ -30,7 +30,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, differential, t, variation
 from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.keys import Form
-from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
+from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 
 class AllowedQuantity(StrEnum):

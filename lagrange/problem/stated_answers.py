@@ -34,8 +34,8 @@ from lagrange.problem.load_context import LoadContext, Reader
 from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question
 from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
-from lagrange.problem.yaml_composer import parse
-from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar
+from lagrange.problem.yaml.composer import parse
+from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 _OPPOSITES = tuple(zip(CLASSES[::2], CLASSES[1::2], strict=True))
 

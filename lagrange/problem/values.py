@@ -33,7 +33,7 @@ from lagrange.problem.model import (
     Spring,
 )
 from lagrange.problem.sections import items_of, scalar_of
-from lagrange.problem.yaml_nodes import Node, Scalar
+from lagrange.problem.yaml.nodes import Node, Scalar
 
 if TYPE_CHECKING:
     from lagrange.values.quantities import Values

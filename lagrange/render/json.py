@@ -40,10 +40,10 @@ if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.reactions import Reactions
     from lagrange.mechanics.dynamics.spot_values import SpotValue
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.friction.rolling import Rolling
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
-    from lagrange.mechanics.equilibrium.rolling import Rolling
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.mechanics.questions.results import Asked
@@ -154,7 +154,7 @@ def _sign_conditions(branch: Branch, write: Write) -> list[str]:
 
 def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
     """Conditions, all of which hold; where there are several cases, those of each are in `cases`."""
-    from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 
     equations = [f"{write(e)} = 0" for e in resting.equations]
     cases = [[*equations, *(f"{write(c.left)} <= {write(c.right)}" for c in case)] for case in resting.cases]

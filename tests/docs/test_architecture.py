@@ -52,7 +52,7 @@ ROOMS = {
     "distributed": {"lagsolve.grading.pool"},
     "numpy": {"lagrange.api.numerical"},
     "scipy": {"lagrange.mechanics.questions.numerical"},
-    "yaml": {"lagrange.problem.yaml_composer", "lagsolve.shipped"},
+    "yaml": {"lagrange.problem.yaml.composer", "lagsolve.shipped"},
     "sympy": None,
     "mpmath": None,
 }

@@ -266,7 +266,7 @@ def _interval(bounds: Sequence[tuple[_Bound, sp.Poly]]) -> tuple[_End, ...] | No
         return None
     own = [set(_roots(p)) for _, p in bounds]
     places = _between(roots)
-    signs = [[p.eval(x) > 0 for x in places] for _, p in bounds]
+    signs = [[p(x) > 0 for x in places] for _, p in bounds]
     # Cells in order: the open interval before each root, the root, ..., the last open interval.
     cells: list[bool] = []
     for n in range(len(places)):

@@ -12,7 +12,7 @@ from lagrange.answers.equilibria import check_equilibria
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Fragment
-from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
+from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
 
 _RIGHT = (Verdict.EQUIVALENT, Verdict.INCOMPLETE)
 

@@ -20,9 +20,9 @@ from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.expressions.relations import limit_of
-from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
-from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
-from lagrange.mechanics.equilibrium.rolling import Rolling
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
+from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
 SAMPLES = 400
 CLEAR = 1e-6

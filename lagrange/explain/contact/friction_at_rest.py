@@ -10,10 +10,10 @@ from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
 from lagrange.explain.words import capital, constraints_called, joined, plural, spoken, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.newton import Newton
-from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition
-from lagrange.mechanics.equilibrium.friction_at_rest import AtRest, RoughContact
-from lagrange.mechanics.equilibrium.impending_motion import ImpendingMotion
-from lagrange.mechanics.equilibrium.rolling import Rolling
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
+from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
 ZERO = sp.S.Zero
 

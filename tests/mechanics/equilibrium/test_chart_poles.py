@@ -7,7 +7,7 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose
-from lagrange.explain.statics import explain_virtual_work
+from lagrange.explain.rest.statics import explain_virtual_work
 from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from tests.support.statics_texts import CHAIN, CROSS_WIND, POLES_OF_A_CHOICE

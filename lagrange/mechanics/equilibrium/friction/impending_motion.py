@@ -31,10 +31,10 @@ from lagrange.mechanics.dynamics.contact.touching import point_on
 from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.newton import Newton
-from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition, not_negative
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
-from lagrange.mechanics.equilibrium.friction_at_rest import RoughContact, rough_contacts
-from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, not_negative
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact, rough_contacts
+from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
 
 

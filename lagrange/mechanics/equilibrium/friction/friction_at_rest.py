@@ -41,16 +41,16 @@ from lagrange.mechanics.dynamics.friction import (
 )
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
-from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition, bounded_by, not_negative
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
-from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
-from lagrange.mechanics.equilibrium.linear_inequalities import (
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, bounded_by, not_negative
+from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     Inequality,
     NotEliminatedError,
     Signs,
     shortest,
     solvable,
 )
+from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
 from lagrange.problem.model import Friction, Problem
 
 

@@ -23,7 +23,7 @@ from lagrange.core.records import record
 from lagrange.problem.diagnostic_collector import Diagnostics
 from lagrange.problem.limits import MAX_ALIASES, MAX_BYTES, MAX_DEPTH, MAX_NODES, MOST_REJOINED
 from lagrange.problem.sources import too_large
-from lagrange.problem.yaml_nodes import ListNode, MappingNode, Node, Scalar, ScalarText
+from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar, ScalarText
 
 _UNREADABLE = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\u2028\u2029\ud800-\udfff\ufeff\ufffe\uffff]")
 _QUOTES_HELP = "put the whole value in quotes"

@@ -12,7 +12,7 @@ from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
-from lagrange.explain.statics import outside_ranges, singular_places
+from lagrange.explain.rest.statics import outside_ranges, singular_places
 from lagrange.explain.words import (
     branch_conditions,
     capital,

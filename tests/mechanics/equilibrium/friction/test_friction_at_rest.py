@@ -11,7 +11,7 @@ import pytest
 from lagrange.answers.examiner import compared_answers
 from lagrange.core.diagnostics import NotCoveredError, ProblemError
 from lagrange.explain.report import report
-from lagrange.mechanics.equilibrium.friction_at_rest import AtRest
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.solution import Solution, solve
 from lagrange.problem.model import Problem
 from lagrange.render import json as in_json

@@ -24,8 +24,8 @@ from lagrange.mechanics.dynamics.contact.touching import acts_at
 from lagrange.mechanics.dynamics.friction import normal_size, other_side, place_of_contact, rough_reaction
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.mechanics.equilibrium.conditions_of_rest import RestCondition, bounded_by
-from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, bounded_by
+from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 import sympy as sp
 
 from lagrange.core.records import record
-from lagrange.mechanics.equilibrium.linear_inequalities import Signs, shortest
+from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 
 
 @record
