@@ -93,6 +93,11 @@ generalized_coordinates:
   angle: {coordinates: [theta], substitute: {x: l*sin(theta), y: l*cos(theta)}}
   #depth: {coordinates: [y]}
 
+# The state at t = 0, and what is asked of the motion: a quantity when something
+# holds, or as a function (`by: theta`).
+#initial: {theta: pi/2, theta': 0}
+#ask: {fall: {quantity: "theta''", when: theta = pi/2}}
+
 # The questions are constraints, equilibrium, motion and linearization (that is,
 # small oscillations).
 find: motion

@@ -78,10 +78,15 @@ BAD = {
 
 @pytest.mark.parametrize(("said", "answer"), BAD.items(), ids=BAD)
 def test_what_cannot_be_read_says_why(pendulum: lagrange.Result, said: str, answer: object) -> None:
-    found = lagrange.check(pendulum, [answer, RIGHT[0]])
+    """One that cannot be read is named, and leaves the verdict on the others as it is; alone it is the verdict."""
     said = said.replace("`object`", "`complex`")
-    assert found.verdict == "unreadable"
-    assert said in found.each[0].diagnosis
+    alone = lagrange.check(pendulum, [answer])
+    assert alone.verdict == "unreadable"
+    assert said in alone.each[0].diagnosis
+    found = lagrange.check(pendulum, [answer, RIGHT[0]])
+    assert found.verdict == "equivalent"
+    assert [e.verdict for e in found.each] == ["equivalent", "unreadable"]
+    assert said in found.each[1].diagnosis
     assert said in str(found)
     assert found.messages
 

@@ -30,7 +30,8 @@ def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         (["sin(theta)^2 + cos(theta)^2 = 1"], "trivial", 1),
         (["x^2 + y^2 = l^2"], "incomplete", 1),
         (["theta'' + q = 0"], "unreadable", 2),
-        ([RIGHT, "theta'' ="], "unreadable", 2),
+        ([RIGHT, "theta'' ="], "equivalent", 0),
+        (["theta'^2 = 1", "theta'' ="], "wrong", 1),
         ([""], "unreadable", 2),
     ],
 )

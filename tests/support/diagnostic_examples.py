@@ -106,7 +106,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unexpected-equation": ("An expression is wanted here, without an equals sign.", problem("gravity: g = 0")),
     "unknown-function": ("Functions other than the known ones must be declared.", "arsinh(x) = 0"),
     "unknown-symbol": ("Every symbol must be declared; `ml` is one name, `m l` a product.",
-        "m l theta'' + mg sin(theta) = 0"),
+        "m l theta'' + gr*sin(theta) = 0"),
     "vector-for-scalar": ("A vector is used where a number is expected.", "sin(r_P) = theta"),
     "vector-power": ("Write dot(a, a) for the square of a vector.", "r_P^2 = l^2"),
     # -- the file ----------------------------------------------------------------------------------------------------

@@ -130,7 +130,7 @@ def test_finite_relations_that_cannot_be_solved_stay(problem: Read) -> None:
 def test_what_is_put_in_is_said(problem: Read) -> None:
     shown = report(problem(DRUM))
     text = latex.render([(shown.derivation, shown.notation)])
-    shown = text[text.index("Equation of motion (choice depth)") :]
+    step = text[text.index("Equation of motion (choice depth)") :]
     for line in (
         "for the velocities, and differentiating, gives",
         r"\dot{\phi} = \frac{\dot{y}}{R}",
@@ -138,7 +138,7 @@ def test_what_is_put_in_is_said(problem: Read) -> None:
         "Substituting these leaves (multiplying by $R$):",
         r"\boxed{(m R^{2} + J) \ddot{y} - m g R^{2} = 0}",
     ):
-        assert line in shown.replace("&", "")
+        assert line in step.replace("&", "")
     [choice] = as_object(shown)["choices"]
     assert choice["equations"] == ["(m*R^2 + J)*y'' - m*g*R^2 = 0"]
     assert choice["through_velocities"] == {"phi'": "y'/R"}

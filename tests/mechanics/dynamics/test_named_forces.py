@@ -276,7 +276,8 @@ def rewritten(row: Row, lhs: sp.Expr, rhs: sp.Expr, configuration: Configuration
 def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
     """Multiplied by a positive factor, with squared lengths for lengths or the converse: the same force for N = 1.
 
-    With the sides exchanged, a tension is the same; the unit normal, and N with it, change their signs.
+    With the sides exchanged, a tension is the same, and so is N of a one-sided constraint, whose normal points to the
+    permitted side; another unit normal, and N with it, change their signs.
     """
     problem = load(PROBLEMS / f"{name}.yaml")
     configuration = kinematics(problem)
@@ -285,7 +286,8 @@ def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
         if c.reaction == reaction.row.multiplier or reaction.single is None or reaction.row.nonlinear is not None:
             continue
         is_tension = reaction.single.kind is ForceKind.TENSION
-        other_ways = [(3 * c.lhs, 3 * c.rhs, 1), (c.rhs, c.lhs, 1 if is_tension else -1)]
+        exchanged = 1 if is_tension or c.side is not None else -1
+        other_ways = [(3 * c.lhs, 3 * c.rhs, 1), (c.rhs, c.lhs, exchanged)]
         if reaction.rod is not None:
             power = sp.Rational(1, 2) if c.rhs.is_Pow else sp.Integer(2)
             other_ways.append((c.lhs**power, c.rhs**power, 1))
@@ -293,7 +295,8 @@ def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
             rows = list(configuration.rows)
             rows[n] = rewritten(rows[n], lhs, rhs, configuration)
             other = replace(configuration, constrained=configuration.constrained.with_rows(rows))
-            constraints = [replace(d, lhs=lhs, rhs=rhs) if d is c else d for d in problem.constraints]
+            side = -c.side if c.side is not None and lhs == c.rhs else c.side
+            constraints = [replace(d, lhs=lhs, rhs=rhs, side=side) if d is c else d for d in problem.constraints]
             after = newton_of(problem, other, constraints).reactions[n]
             assert after.force == reaction.force
             assert after.single is not None
