@@ -51,56 +51,11 @@ _NUMBER = re.compile(
     r"\s*(?:≈|\\approx)?\s*[-+−]?\s*(?P<number>[0-9]+(?:(?:[.,]|\{,\})[0-9]+)?|[0-9]*\.[0-9]+)"
     r"(?:\s*(?:\\cdot|\\times|\*|·|×)\s*10\s*\^\s*\{?(?P<ten>-?[0-9]{1,3})\}?|[eE](?P<power>-?[0-9]{1,3}))?(?P<unit>[^+=]{0,60})\Z"
 )
-_UNITS = frozenset(
-    [
-        "m",
-        "cm",
-        "mm",
-        "km",
-        "dm",
-        "g",
-        "kg",
-        "mg",
-        "t",
-        "s",
-        "ms",
-        "min",
-        "h",
-        "N",
-        "kN",
-        "mN",
-        "J",
-        "kJ",
-        "W",
-        "Pa",
-        "Hz",
-        "rad",
-        "deg",
-        "rev",
-        "rpm",
-        "ft",
-        "in",
-        "lb",
-        "lbf",
-        "slug",
-        "mph",
-        "K",
-        "Nm",
-        "Ns",
-        "SI",
-        "grad",
-        "m2",
-        "m3",
-        "kgm2",
-        "units",
-        "metres",
-        "meters",
-        "seconds",
-        "kilograms",
-        "newton",
-        "newtons",
-    ]
-)
+_UNIT_NAMES = """
+m cm mm km dm g kg mg t s ms min h N kN mN J kJ W Pa Hz rad deg rev rpm ft in lb lbf slug mph K Nm Ns SI grad m2 m3
+kgm2 units metres meters seconds kilograms newton newtons
+"""
+_UNITS = frozenset(_UNIT_NAMES.split())
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _APPROXIMATE = re.compile(
