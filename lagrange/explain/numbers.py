@@ -9,6 +9,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
+from lagrange.explain.questions import answer_label
 from lagrange.explain.words import plural, suffix_of, title_in
 from lagrange.mechanics.equilibrium.critical_values import critical_values
 from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
@@ -32,6 +33,7 @@ RESULTS = (
 def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digits: int) -> Iterator[Step]:
     """The steps with results in numbers."""
     positions = {title: view for view in solution.views for title in _titles(view)}
+    excluded = frozenset(_excluded_answers(solution, values))
     for step in steps:
         view = positions.get((step.rule, step.title))
         if view is not None:
@@ -43,7 +45,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         elif view is not None and not _determines_forces(view):
             yield step
         else:
-            yield replace(step, body=tuple(_blocks(step, values, digits)))
+            yield replace(step, body=tuple(_blocks(step, values, digits, excluded)))
 
 
 def _start(values: Values) -> str:
@@ -77,12 +79,32 @@ def _determines_forces(view: InCoordinates) -> bool:
     return view.linearization is None and view.equilibrium is not None and view.equilibrium.given
 
 
-def _blocks(step: Step, values: Values, digits: int) -> Iterator[Block]:
+def _excluded_answers(solution: Solution, values: Values) -> Iterator[str]:
+    """The labels of answers to questions whose conditions the values violate."""
+    if not solution.asked:
+        return
+    from lagrange.mechanics.questions.in_numbers import branches_with
+
+    for asked in solution.asked:
+        left = branches_with(asked, values)
+        for n, b in enumerate(asked.branches, start=1):
+            if not any(b is kept for kept in left):
+                yield answer_label(asked, n)
+
+
+def _blocks(step: Step, values: Values, digits: int, excluded: frozenset[str]) -> Iterator[Block]:
     for block in step.body:
         yield block
         if isinstance(block, Display) and block.boxed:
-            lines = [_in_numbers(e, values, digits) for e in block.equations]
+            possible = [e for e in block.equations if e.label not in excluded]
+            lines = [_in_numbers(e, values, digits) for e in possible]
             shown = [e for e in lines if e is not None]
+            if len(possible) < len(block.equations):
+                gone = [Ref(e.label) for e in block.equations if e.label in excluded]
+                words = plural(
+                    len(gone), " does not exist with the given values.", " do not exist with the given values."
+                )
+                yield prose(*listed(gone), words, detail=Detail.BRIEF)
             if shown and len(shown) == len(lines):
                 yield prose(_start(values), detail=Detail.BRIEF)
                 yield display(*shown, detail=Detail.BRIEF)

@@ -108,6 +108,11 @@ def _integrals(asked: Asked, conserved_shown: bool) -> Iterator[Block]:
                     for n, i in enumerate(asked.integrals, start=1)))  # fmt: skip
 
 
+def answer_label(asked: Asked, number: int) -> str:
+    """The label of a branch of an answer, counted from 1."""
+    return _label(asked, "answer", number)
+
+
 def _label(asked: Asked, what: str, number: int) -> str:
     return f"asked-{asked.question.name}-{what}-{number}"
 
@@ -181,7 +186,7 @@ def _answer(asked: Asked) -> Iterator[Block]:
     several = len(asked.branches) > 1
     yield prose(*_how(asked), detail=Detail.BRIEF)
     lines = [
-        Equation((b.lhs, b.rhs), label=_label(asked, "answer", n), condition=_where(b))
+        Equation((b.lhs, b.rhs), label=answer_label(asked, n), condition=_where(b))
         for n, b in enumerate(asked.branches, start=1)
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)

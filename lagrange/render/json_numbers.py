@@ -78,9 +78,12 @@ def quantity(expression: sp.Expr | None, values: Values | None, write: Write) ->
 def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     """`number` and `unit` of an answer that has one value; of an angle and its opposite it is the positive one."""
     unknown = {"number": None, "unit": None}
-    if len(asked.branches) != 1:
+    from lagrange.mechanics.questions.in_numbers import branches_with
+
+    left = branches_with(asked, values)
+    if len(left) != 1:
         return unknown
-    [branch] = asked.branches
+    [branch] = left
     if asked.how is not None and asked.how.value == "numerical":
         return unknown | {"number": float(branch.rhs), "unit": values.unit_of(asked.question.quantity) or None}
     if asked.question.by is not None:

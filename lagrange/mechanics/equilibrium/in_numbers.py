@@ -148,7 +148,7 @@ def _positions(
             return values.put_in(e.solution.at(point, x))
 
         try:
-            if not all(_holds(c, at) is not False for c in b.conditions):
+            if not all(holds(c, at) is not False for c in b.conditions):
                 continue
             coordinates = _coordinates(b, e, values, at)
             if any(_is_outside(q, coordinates, e, values) for q in e.configuration.ranges):
@@ -210,7 +210,7 @@ def _angle(cosine: sp.Float, sine: sp.Float) -> sp.Expr:
         return sp.Float(mpmath.atan2(mpmath.mpf(str(sine)), mpmath.mpf(str(cosine))), WORKING_DIGITS)
 
 
-def _holds(c: SignCondition, at: Evaluate) -> bool | None:
+def holds(c: SignCondition, at: Evaluate) -> bool | None:
     """Whether a condition holds; None where it has open symbols, or the sides are too close."""
     difference = at(c.lhs) - at(c.rhs)
     if not difference.is_number:
@@ -227,19 +227,19 @@ def _verdict(stability: Stability | None, at: Evaluate) -> StabilityVerdict | No
     """The verdict with the values."""
     if stability is None:
         return None
-    if all(_holds(c, at) for c in stability.presupposed):
+    if all(holds(c, at) for c in stability.presupposed):
         if stability.verdict in (StabilityVerdict.STABLE, StabilityVerdict.UNSTABLE):
             return stability.verdict
     elif stability.verdict is not StabilityVerdict.CONDITIONAL:
         return StabilityVerdict.UNDECIDED
     if stability.verdict is StabilityVerdict.CONDITIONAL:
-        held = [_holds(c, at) for c in stability.conditions]
+        held = [holds(c, at) for c in stability.conditions]
         if all(held):
             return StabilityVerdict.STABLE
         if stability.order == 2 and any(_is_negative(m, at) for m in stability.minors):
             return StabilityVerdict.UNSTABLE
         return StabilityVerdict.UNDECIDED
-    if any(_holds(c, at) for c in stability.unstable):
+    if any(holds(c, at) for c in stability.unstable):
         return StabilityVerdict.UNSTABLE
     return StabilityVerdict.UNDECIDED
 

@@ -278,3 +278,18 @@ def test_an_angle_is_given_in_degrees(problem: Read) -> None:
     [leaves] = as_object(found)["asked"]
     assert (leaves["number"], leaves["unit"]) == (pytest.approx(math.acos(2 / 3)), "rad")
     assert "That is θ ≈ 48.19°." in terminal.text(found.derivation, found.notation, 80)
+
+
+def test_a_branch_that_the_values_exclude_has_no_number(problem: Read) -> None:
+    """Into a buffer: k x²/2 − m g x (sin 25° − cos 25°/5) = m v²/2 has one positive root, which is the answer."""
+    text = SLOPE[: SLOPE.index("initial")].replace("forces:\n", 'forces:\n  buffer: {potential: "k*(x - d)^2/2"}\n')
+    text = text.replace("parameters:\n", "parameters:\n  k: {assume: positive, value: 20 N/cm}\n")
+    start = 'initial: {x: d, x\': "sqrt(2*d*g*(sin(alpha) - mu*cos(alpha)))"}\n'
+    found = report(problem(text + start + 'ask: {furthest: {quantity: x, when: "x\' = 0"}}\n'))
+    [furthest] = as_object(found)["asked"]
+    pull = 40 * 9.81 * (0.5 - math.sqrt(3) / 8)
+    compressed = (pull + math.sqrt(pull**2 + 2 * 2000 * pull * 6)) / 2000
+    assert furthest["number"] == pytest.approx(6 + compressed)
+    page = terminal.text(found.derivation, found.notation, 80)
+    assert "does not exist with the given values" in page
+    assert page.count("x ≈") == 1
