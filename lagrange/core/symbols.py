@@ -47,6 +47,43 @@ class Sign(sp.Symbol):
         return sp.S.One
 
 
+class Decimal(sp.Symbol):
+    """A decimal in an answer, which stands for all numbers that round to it.
+
+    written     the number itself
+    half_width  how far a number that rounds to it may be from it
+
+    Its name is the decimal and the place where it was written, so that each place has a symbol of its own.
+    """
+
+    __slots__ = ("half_width", "written")
+
+    def __new__(cls, text: str, place: str) -> Decimal:
+        """The decimal with this text, `14.01` or `1.2e-3`."""
+        symbol: Decimal = cls.__xnew__(cls, f"{text} at {place}", positive=True)
+        mantissa, _, power = text.lower().partition("e")
+        places = len(mantissa.partition(".")[2])
+        symbol.written = sp.Rational(text)
+        symbol.half_width = sp.Rational(1, 2) * sp.Integer(10) ** (int(power or 0) - places)
+        return symbol
+
+    @staticmethod
+    def is_rounded(text: str) -> bool:
+        """Whether a number may have been rounded: one with a decimal point and two digits that count, but not 2.0."""
+        mantissa = text.lower().partition("e")[0]
+        whole, point, places = mantissa.partition(".")
+        digits = (whole + places).lstrip("0")
+        return bool(point) and len(digits) > 1 and not (len(digits) == 2 and not places.strip("0"))
+
+    @property
+    def text(self) -> str:
+        """The decimal as it was written."""
+        return str(self.name).partition(" ")[0]
+
+    def __getnewargs_ex__(self) -> tuple[tuple[object, ...], dict[str, bool]]:
+        return (self.text, self.name.partition(" at ")[2]), {}
+
+
 class Bounded(sp.Symbol):
     """A parameter between two numbers: an acute angle α, 0 < α < π/2, or one with a closed range [a, b].
 
