@@ -9,7 +9,7 @@ import sympy as sp
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
-from lagrange.explain.bodies import any_moving, law_times_displacement, terms_of_bodies, terms_of_dampers
+from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.words import (
     are,
@@ -51,10 +51,9 @@ def _multiplied(configuration: Configuration) -> Block:
         one = " and summed, reads" if terms > 1 or not configuration.rotations else ", reads"
         ending = ", summed, read" if " and " in laws else one
         return prose(f"{_no_reactions(configuration)} {capital(laws)}{ending}")
-    force = "mass times acceleration equal to applied force plus reaction"
-    moment = "the rate of change equal to the moment of applied forces and reactions"
-    laws = law_times_displacement(configuration, f", {force if any_moving(configuration) else moment},")
-    words = f"Multiply {laws}, and add: the reactions drop out by "
+    terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
+    add = ", and add" if terms > 1 else ""
+    words = f"Multiply {law_times_displacement(configuration, '')}{add}: the reactions drop out by "
     return prose(words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
 
 
@@ -146,6 +145,10 @@ def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
     divided = _distinct(e.factor.numerator.expression for e in equations)
     excluded = _distinct(f for e in equations for f in e.factor.nonzero)
     clauses: list[tuple[Part, ...]] = []
+    factors = {(e.factor.denominator.expression, e.factor.numerator.expression) for e in equations}
+    if len(factors) > 1:  # no factor is that of every equation
+        clauses.append(("each without its factors ", *listed(math(f) for f in (*multiplied, *divided))))
+        multiplied, divided = [], []
     if multiplied:
         clauses.append(("multiplying by ", *listed(math(f) for f in multiplied)))
     if divided:

@@ -124,14 +124,10 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
     """A distance between two points, and its tension."""
     first, second = rod.ends
     other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
-    like = ", as that of a rod" if second else ", as that of a rod, or of a smooth circle or sphere"
     by = reaction.constraint.by
-    if by is not None and by in _LIKE:
-        like = f", as that of {KEEPERS[by]}"
-    elif reaction.constraint.side is not None:
+    like = f", as that of {KEEPERS[by]}" if by is not None and by in _LIKE else ""
+    if reaction.constraint.side is not None and by is None:
         like = ", as that of a string"
-    elif by is not None or reaction.on_body:
-        like = ""
     beginning: list[Part] = [
         f"{capital(constraints_called([reaction.name]))} keeps {the(first)} at the distance ", math(rod.length),
         f" from {other}: its reaction acts along the line joining them{like}.",
