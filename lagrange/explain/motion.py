@@ -29,6 +29,8 @@ from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
+WRITTEN_OUT = "Written out, it reads"
+"""Before the principle in coordinates."""
 
 
 def explain_principle(motion: DalembertMotion) -> Step:
@@ -37,7 +39,7 @@ def explain_principle(motion: DalembertMotion) -> Step:
         _multiplied(motion.configuration),
         display(Equation((_principle(motion.configuration), ZERO), label="principle")),
         *_accelerations(motion),
-        prose("Written out, it reads"),
+        prose(WRITTEN_OUT),
         display(Equation((motion.principle.statement, ZERO), label="written-out")),
     ]
     return Step(Rule.PRINCIPLE, "D'Alembert's principle", tuple(body))
@@ -232,9 +234,12 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
     noun = plural(len(choice.coordinates), "coordinate", "coordinates")
     chosen = listed(math(q) for q in choice.coordinates)
     article = plural(len(choice.coordinates), "the ", "")
-    body: list[Block] = [
-        prose("Take ", *chosen, f" as {article}generalized {noun}", ":" if configuration.expressed else ".")
-    ]
+    satisfying: tuple[Part, ...] = ()
+    if coordinates.satisfied:
+        verb = plural(len(choice.coordinates), "which satisfies ", "which satisfy ")
+        satisfying = (f", {verb}{constraints_called(coordinates.satisfied)} identically",)
+    ending = ":" if configuration.expressed else "."
+    body: list[Block] = [prose("Take ", *chosen, f" as {article}generalized {noun}", *satisfying, ending)]
     if configuration.expressed:
         body.append(
             display(
@@ -249,14 +254,11 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
         real = listed(math(r, ZERO, relation="≥") for r in coordinates.radicands)
         they = plural(len(coordinates.signs), "It is", "They are")
         sentences.append(prose(*signs, f"{each}: {kept} are kept. {they} real where ", *real, "."))
-    if coordinates.satisfied:
-        called = capital(constraints_called(coordinates.satisfied))
-        sentences.append(prose(f"{called}{are(coordinates.satisfied)}satisfied identically."))
-    if len(choice.coordinates) > 1:
-        words = " are independent: the derivatives of the old coordinates with respect to them are so."
-        sentences.append(prose(*chosen, words))
     if sentences:
         body.append(paragraph(*sentences))
+    if len(choice.coordinates) > 1:
+        words = " are independent: so are the derivatives of the old coordinates with respect to them."
+        body.append(prose(*chosen, words, detail=Detail.FULL))
     body += _remaining(coordinates)
     return Step(Rule.GENERALIZED_COORDINATES, title_in(f"Generalized {noun}", choice.name), tuple(body))
 

@@ -102,7 +102,7 @@ class _Page(Emitter[Text]):
         if self.content.folded:
             yield Text()
         for choice, words in self.content.folded.items():
-            yield from fill(self.words(("▸ ", *words, f"   --choice {choice}")), self.width)
+            yield from fill(self.words(("▸ ", *words, f"  (--choice {choice or 'all'})")), self.width)
 
     def heading(self, title: str, source: str) -> Iterator[Text]:
         gap = self.width - cell_len(title) - cell_len(source)

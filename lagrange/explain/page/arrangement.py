@@ -18,7 +18,14 @@ from lagrange.document.derivation import Block, Display, Equation, Part, Prose, 
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.page.constraints import explain_geometric, is_plainly_geometric
 from lagrange.explain.page.laws import explain_laws, explain_work, has_vector_laws
-from lagrange.explain.page.motion import in_one_step, principle_shortly, with_conditions, with_displacements
+from lagrange.explain.page.motion import (
+    displacements_shortly,
+    in_one_step,
+    principle_shortly,
+    with_conditions,
+    with_displacements,
+    without_long_sum,
+)
 from lagrange.explain.page.result import explain_result
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
@@ -27,6 +34,8 @@ from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.solution import Solution
 
+LONGEST_BESIDE = 15
+"""The most operations of equations of motion in the file's coordinates that are shown beside those of a choice."""
 LONGEST_BEFORE = 25
 """The most operations of a reaction in the file's coordinates that is shown beside that in the chosen ones."""
 
@@ -48,8 +57,10 @@ def page(solution: Solution, steps: Iterable[Step], *, every_choice: bool = Fals
     first = solution.choices[0].name if solution.choices else ""
     open_, folded = [], []
     for step in _in_pairs(_shortened(solution, steps)):
-        if step.choice in ("", first) or every_choice:
+        if every_choice or (step.choice in ("", first) and not _is_detour(solution, step)):
             open_.append(step)
+        elif not step.choice:
+            folded.append(replace(step, folded=(step.title,)))
         else:
             folded.append(replace(step, folded=_summary(solution, step.choice)))
     yield from explain_result(solution, open_)
@@ -81,6 +92,14 @@ def _in_pairs(steps: Iterable[Step]) -> Iterator[Step]:
         yield waiting
 
 
+def _is_detour(solution: Solution, step: Step) -> bool:
+    """Whether these are long equations in the file's coordinates, where better coordinates follow."""
+    own, first = solution.own.motion, solution.choices[0] if solution.choices else None
+    if step.choice or step.rule is not Rule.EQUATIONS_OF_MOTION or own is None or first is None or not first.motion:
+        return False
+    return sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
+
+
 def _summary(solution: Solution, choice: str) -> tuple[Part, ...]:
     """`Other coordinate (choice depth): y`."""
     view = next(v for v in solution.choices if v.name == choice)
@@ -109,6 +128,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
                 yield _joined(about)
         elif step.rule is Rule.STATEMENT:
             yield explain_system(solution, step)
+        elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
+            yield displacements_shortly(step)
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif vectors and step.rule is Rule.REACTIONS and newton is not None:
@@ -124,8 +145,9 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             shown.add(step.choice)
             if first and motion is not None:
                 step = with_conditions(step, motion)
-            if first and vectors and isinstance(motion, DalembertMotion) and not step.choice:
-                step = with_displacements(step, motion)
+            if first and isinstance(motion, DalembertMotion):
+                step = without_long_sum(step, motion)
+                step = with_displacements(step, motion) if vectors and not step.choice else step
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
             yield from _reactions(solution, step, newton)

@@ -20,6 +20,7 @@ from lagrange.explain.constraint_systems import explain_losses
 from lagrange.explain.constraints import equal, telling_pair
 from lagrange.explain.words import counted, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
 
@@ -35,10 +36,16 @@ def is_plainly_geometric(classification: Classification) -> bool:
     return bool(constraints) and plain and whole and classification.scleronomic is True
 
 
-def without_common_number(form: sp.Expr) -> tuple[sp.Expr, sp.Integer]:
-    """A sum without the whole number that all its terms contain, and that number: x dx + y dy and 2."""
-    content, primitive = sp.expand(form).primitive()
-    return (primitive, content) if content.is_Integer and content > 1 else (form, sp.S.One)
+def common_number(row: Row) -> sp.Integer:
+    """The whole number that all coefficients of a form contain: 2 in 2x dx + 2y dy."""
+    content, _ = sp.expand(sp.Add(*(a * sp.Dummy() for a in row.form))).primitive()
+    return content if content.is_Integer and content > 1 else sp.S.One
+
+
+def halved(row: Row) -> Row:
+    """The form without that number."""
+    number = common_number(row)
+    return replace(row, coefficients=tuple(a / number for a in row.coefficients), drift=row.drift / number)
 
 
 def explain_geometric(classification: Classification, slots: Slots) -> Step:
@@ -52,9 +59,9 @@ def explain_geometric(classification: Classification, slots: Slots) -> Step:
         )
         for c in constraints
     )
-    forms = [without_common_number(possible_displacement(c.row, slots)) for c in constraints]
     lines = (
-        Equation((form, sp.S.Zero), label=f"form-{c.row.name}") for c, (form, _) in zip(constraints, forms, strict=True)
+        Equation((possible_displacement(halved(c.row), slots), sp.S.Zero), label=f"form-{c.row.name}")
+        for c in constraints
     )
     kind = plural(len(constraints), "a ", "")
     body: list[Block] = [
@@ -62,7 +69,7 @@ def explain_geometric(classification: Classification, slots: Slots) -> Step:
         prose(
             "Neither velocities nor time appear: ", kind, Emphasis("geometric"),
             plural(len(constraints), " constraint. Its differential", " constraints. Their differentials"),
-            _divided([content for _, content in forms]), ":",
+            _divided([common_number(c.row) for c in constraints]), ":",
         ),
         display(*lines),
         paragraph(*_conclusions(classification)),
@@ -112,6 +119,6 @@ def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | Non
     pair = telling_pair(c)
     if pair is None or 0 in pair.coefficients:
         return None
-    _, content = without_common_number(sp.Add(*(a * sp.Dummy() for a in c.row.form)))
+    content = common_number(c.row)
     (a, b), (left, right) = pair.coefficients, pair.derivatives
     return replace(pair, coefficients=(a / content, b / content), derivatives=(left / content, right / content))

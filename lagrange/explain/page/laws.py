@@ -11,17 +11,19 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.core.symbols import DotProduct, VectorSymbol
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Ref, Rule, Step
-from lagrange.explain.newton import nature
-from lagrange.explain.page.constraints import without_common_number
-from lagrange.explain.words import constraints_called, counted, joined, plural, the
+from lagrange.explain.newton import law_of, nature
+from lagrange.explain.page.constraints import halved
+from lagrange.explain.words import capital, constraints_called, counted, joined, plural, the
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
 from lagrange.mechanics.solution import Solution
 
 ZERO = sp.S.Zero
+SHORT_NAME = 2
+"""The most characters of a point whose name is written beside another, as in AB."""
 
 
 def has_vector_laws(solution: Solution) -> bool:
@@ -38,7 +40,7 @@ def has_vector_laws(solution: Solution) -> bool:
 def explain_laws(solution: Solution, newton: Newton) -> Step:
     """The law in vectors, what is missing, the direction of the reactions, and the components."""
     bodies = newton.bodies or ()
-    lines = (Equation((b.particle.mass * _acceleration(b), _forces(b)), label=f"law-{b.name}") for b in bodies)
+    lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
     components = (
         Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
         for b in bodies
@@ -49,19 +51,41 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
         *_missing(solution, newton),
-        paragraph(*(s for r in newton.reactions for s in nature(r)), prose("So, in components,")),
+        *_directions(newton.reactions),
         display(*vectors, *components),
     ]
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
 
 
-def _acceleration(body: FreeBody) -> sp.Expr:
-    return VectorSymbol(f"r_{body.name}''")
+def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
+    """Along which lines rods pull, in one sentence; otherwise a sentence for each constraint."""
+    if not all(r.rod is not None and r.tension is not None and r.named for r in reactions):
+        return [paragraph(*(s for r in reactions for s in nature(r)), prose("So"))]
+    lines = series((_along(r), " by ", constraints_called([r.name])) for r in reactions)
+    tensions = listed(math(r.force) for r in reactions)
+    if len(reactions) == 1:
+        [r] = reactions
+        assert r.rod is not None
+        beginning: tuple[Part, ...] = (
+            f"{capital(constraints_called([r.name]))} keeps {_along(r)} at the length ", math(r.rod.length),
+            ", and its reaction acts along it. With the tension ",
+        )  # fmt: skip
+        return [prose(*beginning, *tensions, ", positive where it pulls,")]
+    return [prose("Each constraint keeps a length, ", *lines, ", and its reaction acts along it. With the tensions ",
+                  *tensions, ", positive where they pull,")]  # fmt: skip
 
 
-def _forces(body: FreeBody) -> sp.Expr:
-    applied = VectorSymbol(f"F_{body.name}") if not body.applied.is_zero else ZERO
-    return sp.Add(applied, VectorSymbol(f"R_{body.name}") if body.bound else ZERO)
+def _along(reaction: Reaction) -> str:
+    """`OP`, or `the distance between the ball and the block`."""
+    assert reaction.rod is not None
+    first, second = reaction.rod.ends
+    centre = reaction.rod.centre
+    if not second and (centre is None or not centre.is_zero):
+        return f"the distance of {the(first)} from a given point"
+    other = second or "O"
+    if len(first) <= SHORT_NAME and len(other) <= SHORT_NAME:
+        return f"{other}{first}" if not second else f"{first}{other}"
+    return f"the distance between {the(other) if second else 'O'} and {the(first)}"
 
 
 def _named(bodies: tuple[FreeBody, ...]) -> tuple[Part, ...]:
@@ -126,7 +150,7 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
     same = newton is solution.law.newton if solution.law is not None else True
     works = solution.works if same else works_of_reactions(newton, configuration, solution.own.elimination)
     rows = configuration.rows
-    forms = [without_common_number(virtual_displacement(r, slots))[0] for r in rows]
+    forms = [virtual_displacement(halved(r), slots) for r in rows]
     total = sp.Add(*(w.reaction.force * _factored(w.virtual) for w in works))
     on = [p.name for p in configuration.points if any(w.reaction.on(p.name) is not None for w in works)]
     left = sp.Add(*(DotProduct(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in on))

@@ -7,12 +7,33 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.symbols import variation
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Step
 from lagrange.explain.displacements import LONGEST, conditions, solved_displacements
-from lagrange.explain.words import plural
+from lagrange.explain.motion import WRITTEN_OUT
+from lagrange.explain.words import plural, suffix_of
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
+
+LONGEST_SUM = 60
+"""The most operations of the principle in independent displacements that is shown before the equations themselves."""
+
+
+def displacements_shortly(step: Step) -> Step:
+    """The displacements without those of points that are merely δx i + δy j."""
+    body = list(step.body)
+    for n, block in enumerate(body):
+        if n and isinstance(block, Display) and all(_is_plain(e) for e in block.equations):
+            body[n - 1 : n + 1] = []
+            break
+    return replace(step, body=tuple(body)) if body else step
+
+
+def _is_plain(equation: Equation) -> bool:
+    value = equation.sides[-1]
+    named = (equation.label or "").startswith("delta")
+    return named and isinstance(value, Vector) and all(c == 0 or c.is_Function for c in value.components)
 
 
 def principle_shortly(step: Step, coordinates: frozenset[object]) -> Step:
@@ -21,6 +42,10 @@ def principle_shortly(step: Step, coordinates: frozenset[object]) -> Step:
     for n, block in enumerate(body):
         if n and isinstance(block, Display) and all(_is_evident(e, coordinates) for e in block.equations):
             body[n - 1 : n + 1] = []
+            at = body.index(prose(WRITTEN_OUT))
+            before, after = body[at - 1], body[at + 1]
+            if isinstance(before, Display) and isinstance(after, Display):
+                body[at - 1 : at + 2] = [display(*before.equations, *after.equations)]
             break
     return replace(step, body=tuple(body))
 
@@ -40,11 +65,32 @@ def with_displacements(step: Step, motion: DalembertMotion) -> Step:
     if any(value.count_ops() > LONGEST for value in solved.values()):
         return replace(step, body=(*solved_displacements(motion.elimination, motion.configuration), *step.body))
     pivots = conditions(motion.elimination)
-    where: tuple[Part, ...] = (", where ", *pivots, ",") if pivots else ("",)
-    before = prose("By ", *listed(Ref(f"virtual-{r.name}") for r in rows), *where)
+    where: tuple[Part, ...] = (" where ", *pivots) if pivots else ()
+    by = ("By ", *listed(Ref(f"virtual-{r.name}") for r in rows))
+    follows = step.body[1] if len(step.body) > 1 else None
+    is_whole = isinstance(follows, Display) and (follows.equations[0].label or "").startswith("reduced")
+    after: tuple[Part, ...] = ("and ", Ref("written-out"), " becomes") if is_whole else ("remain.",)
+    if len(solved) == 1 and is_whole:
+        [(d, e)] = solved.items()
+        return replace(step, body=(prose(*by, ", ", math(d, e), *where, ", ", *after), *step.body[1:]))
     lines = display(*(Equation((d, e)) for d, e in solved.items()))
-    after = prose("and ", Ref("written-out"), " becomes")
-    return replace(step, body=(before, lines, after, *step.body[1:]))
+    rest = (prose(*after), *step.body[1:]) if is_whole else step.body
+    return replace(step, body=(prose(*by, *(",", *where, ",") if where else ","), lines, *rest))
+
+
+def without_long_sum(step: Step, motion: DalembertMotion) -> Step:
+    """The equations without a long sum over all displacements before them, whose brackets they are."""
+    body = list(step.body)
+    for n, block in enumerate(body):
+        if not isinstance(block, Display) or not (block.equations[0].label or "").startswith("reduced"):
+            continue
+        if motion.reduced.count_ops() > LONGEST_SUM:
+            coordinates = motion.configuration.slots.coordinates
+            solved = listed(math(variation(coordinates[d])) for d in motion.elimination.dependent)
+            suffix = suffix_of(motion.configuration.name)
+            body[n - 1 : n + 1] = [prose("Substitute for ", *solved, " in ", Ref(f"written-out{suffix}"), ".")]
+        break
+    return replace(step, body=tuple(body))
 
 
 def with_conditions(step: Step, motion: EquationsOfMotion) -> Step:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import sympy as sp
@@ -12,8 +12,8 @@ from lagrange.document.derivation import Block, Detail, Display, Equation, Part,
 from lagrange.explain.words import in_words
 from lagrange.mechanics.solution import Solution
 
-LONGEST = 60
-"""The most operations of an equation in the result at the head."""
+LONGEST = 120
+"""The most operations of the equations in the result at the head."""
 MOST = 6
 """The most equations there."""
 
@@ -30,14 +30,22 @@ def explain_result(solution: Solution, steps: list[Step]) -> Iterator[Step]:
             # The last is in the coordinates that are chosen, and shorter.
             boxed = [b for b in step.body if isinstance(b, Display) and b.boxed and b.detail < Detail.FULL]
             kept |= {step.rule: boxed[-1]} if boxed else {}
-    lines = [replace(e, label=None) for b in kept.values() for e in b.equations]
-    if not lines or len(lines) > MOST or any(_operations(e) > LONGEST for e in lines):
+    kept = {rule: kept[rule] for rule in rules if rule in kept}
+    while kept and not _is_short(kept.values()):
+        kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else next(iter(kept)))
+    if not kept:
         return
+    lines = [replace(e, label=None) for b in kept.values() for e in b.equations]
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
     words.append(f"; {_called([*kept])}:")
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     yield Step(Rule.RESULT, "", body)
+
+
+def _is_short(displays: Iterable[Display]) -> bool:
+    lines = [e for b in displays for e in b.equations]
+    return len(lines) <= MOST and sum(map(_operations, lines)) <= LONGEST
 
 
 def _operations(equation: Equation) -> int:
