@@ -76,7 +76,9 @@ def main() -> None:
 @click.option("--fragment", is_flag=True, help="LaTeX without a preamble, to \\input in your own notes.")
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
-@click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
+@click.option(
+    "--choice", metavar="NAME", help="Only this choice of generalized coordinates; `all` shows every choice in full."
+)
 @click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
 @click.option("--digits", type=DIGITS, default=4, show_default=True, metavar="N", help="Of results in numbers.")

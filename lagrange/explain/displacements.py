@@ -84,10 +84,9 @@ def _subtracted(configuration: Configuration) -> list[Block]:
     dt = math(differential(t))
     moving = any(r.drift != 0 for r in rows)
     words: tuple[Part, ...] = (
-        "A possible displacement, in the time ", dt, ", satisfies ", *forms, ". Two possible displacements in the same "
-        "time from the same position differ by a virtual displacement. ",
-        *(("The terms in ", dt, " drop out of the difference, as time is frozen in a virtual displacement:") if moving
-          else ("Their difference satisfies",)),
+        "Possible displacements satisfy ", *forms, ". A virtual displacement is the difference of two of them in the "
+        "same time ", dt, ", from the same position: ", "the terms in " if moving else "", *((dt,) if moving else ()),
+        " drop out, and it satisfies" if moving else "it satisfies",
     )  # fmt: skip
     lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
     return [prose(*words), display(*lines)]

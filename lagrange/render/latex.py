@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
+from lagrange.core.printable import printable
 from lagrange.core.records import record
 from lagrange.document.derivation import (
     CheckMark,
@@ -91,17 +92,22 @@ class _Article(Emitter[str]):
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
         self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
-        self.content = shown(derivation, detail, pictures=True)
+        self.content = shown(derivation, detail, pictures=True, folded=False)
         self.prefix = prefix
 
     def all(self) -> Iterator[str]:
         source = escape(self.derivation.source)
         at_right = rf" \hfill \textnormal{{\normalsize {source}}}" if source else ""
         yield rf"\section*{{{escape(self.derivation.title)}{at_right}}}"
-        for number, step in enumerate(self.content.steps, 1):
+        number = 0
+        for step in self.content.steps:
             yield ""
-            yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
+            if step.title:
+                number += 1
+                yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
             yield from block_lines(step.body, self)
+        for choice in self.content.folded:
+            yield f"% another choice of coordinates: --choice {printable(choice)}"
 
     # Words
 
