@@ -12,7 +12,7 @@ from functools import cached_property, partial
 
 import sympy as sp
 
-from lagrange.answers.equations import check_equations
+from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -141,6 +141,16 @@ def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     if verdict.unreadable:
         raise ProblemError(verdict.unreadable)
     return None if verdict.verdict is Verdict.UNREADABLE and _some_left_out(solution) else verdict.verdict
+
+
+def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
+    """The file's equations of motion as they are written there, each with its sides; none if one has no sides."""
+    answers = solution.problem.answers
+    if answers is None or not answers.equations:
+        return ()
+    sides = sides_of(answers.equations, reference_of_solution(solution))
+    scalars = tuple(tuple(s for s in both if isinstance(s, sp.Expr)) for both in sides)
+    return scalars if all(len(s) == len(both) > 1 for s, both in zip(scalars, sides, strict=True)) else ()
 
 
 def _some_left_out(solution: Solution) -> bool:

@@ -81,7 +81,7 @@ def illustrated(steps: Iterable[Step], solution: Solution, notation: Notation) -
                     step = _with(step, len(step.body), _of_free_bodies(solution, notation))
                 yield step
             case Rule.REACTIONS if free:
-                yield _with(step, 1, _of_free_bodies(solution, notation))
+                yield _with(step, 1 if _is_sentence(step.body[0]) else 2, _of_free_bodies(solution, notation))
             case Rule.GENERALIZED_COORDINATES:
                 choice = next(choices, None)
                 drawn = choice is not None and _has_new(choice.coordinates, solution)

@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 import sympy as sp
 
 from lagrange.core.symbols import CONSTANT
-from lagrange.document.builders import listed, math, prose, series
-from lagrange.document.derivation import Block, Emphasis, Part, Rule, Step
+from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, Step
 from lagrange.explain.conservation import conserved_called, proof_of
 from lagrange.explain.statement import raised
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity
@@ -23,15 +23,34 @@ LONGEST_LINE = 24
 """The most operations of a conserved quantity that is written in its sentence."""
 
 
-def explain_meaning(meaning: Meaning, conserved: Step | None) -> Step | None:
-    """The step; None where there is nothing to say."""
+Stated = tuple[tuple[sp.Expr, ...], ...]
+"""Equations, each as its sides."""
+
+
+def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = ()) -> Step | None:
+    """The step; None where there is nothing to say.
+
+    conserved  the step of the full derivation on the conserved quantities
+    stated     the equations of motion in another form, known to be right
+    """
     choice = meaning.view.name
-    body: list[Block] = [*_conserved(conserved, meaning.view.conserved)]
+    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved)]
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
     body += _units(meaning)
     body += _caution(meaning)
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
+
+
+def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
+    """The equations in the form of the answers, where that is the shorter one."""
+    motion = meaning.view.motion
+    if motion is None or not stated:
+        return
+    written = sum(int(s.count_ops()) for sides in stated for s in sides)
+    if written < sum(int(e.expression.count_ops()) for e in motion.final):
+        yield prose(Emphasis("In short"), ",")
+        yield display(*(Equation(sides) for sides in stated), boxed=True)
 
 
 _CALLED = {
