@@ -29,9 +29,9 @@ from lagrange.values.dimensions import dimension, dimension_of_unit
 
 MOST_OPERATIONS = 60
 """Of equations whose limits are sought."""
-LONGEST_LIMIT = 12
+LONGEST_LIMIT = 18
 """The most operations of an equation in a limit that is worth showing."""
-MOST_LIMITS = 3
+MOST_LIMITS = 2
 """The most limits of one problem."""
 LONGEST_PART = 10
 """The most operations of the parts of a reaction."""

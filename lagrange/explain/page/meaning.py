@@ -42,13 +42,17 @@ def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = (
     return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
 
 
+def operations(stated: Stated) -> int:
+    """How many operations it takes to write equations with everything on one side."""
+    return sum(int((left - right).count_ops()) for left, *_, right in stated)
+
+
 def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion = meaning.view.motion
     if motion is None or not stated:
         return
-    written = sum(int(s.count_ops()) for sides in stated for s in sides)
-    if written < sum(int(e.expression.count_ops()) for e in motion.final):
+    if operations(stated) < sum(int(e.expression.count_ops()) for e in motion.final):
         yield prose(Emphasis("In short"), ",")
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 

@@ -9,7 +9,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
-from lagrange.explain.page.meaning import Stated
+from lagrange.explain.page.meaning import Stated, operations
 from lagrange.explain.words import in_words
 from lagrange.mechanics.solution import Solution
 
@@ -35,7 +35,7 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
     kept = {rule: kept[rule] for rule in rules if rule in kept}
     written = [Equation(sides) for sides in stated]
     derived = kept.get(Rule.EQUATIONS_OF_MOTION)
-    if derived is not None and written and sum(map(_operations, written)) < sum(map(_operations, derived.equations)):
+    if derived is not None and written and operations(stated) < sum(map(_operations, derived.equations)):
         kept[Rule.EQUATIONS_OF_MOTION] = display(*written)
     while kept and not _is_short(kept.values()):
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else next(iter(kept)))
