@@ -43,6 +43,7 @@ from lagrange.answers.written.decimals import Values, remark_on, rounded_in_moti
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Decimal, Slots, base
+from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import separated
 from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing, System, compare, compare_really
 
@@ -71,6 +72,11 @@ def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnos
     verdict = _with_reasons(best, readings, reference, diagnosing)
     equations = tuple(replace(e, sides=r.surprising) for e, r in zip(verdict.equations, readings, strict=True))
     return replace(verdict, equations=equations, unreadable=errors, notes=notes)
+
+
+def sides_of(answer: Sequence[Fragment], reference: Reference) -> list[tuple[sp.Expr | Vector, ...]]:
+    """The sides of each equation as they are written; none of one that cannot be read."""
+    return [read_answer(f, reference.scope).sides for f in separated(answer)]
 
 
 @record

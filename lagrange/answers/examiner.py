@@ -12,7 +12,7 @@ from functools import cached_property, partial
 
 import sympy as sp
 
-from lagrange.answers.equations import check_equations
+from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -145,6 +145,23 @@ def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     if verdict.unreadable:
         raise ProblemError(verdict.unreadable)
     return None if verdict.verdict is Verdict.UNREADABLE and _some_left_out(solution) else verdict.verdict
+
+
+def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
+    """The file's equations of motion as they are written there, each with its sides.
+
+    None if one is no pair of sides, or contains a reaction: then they are no equations of motion alone.
+    """
+    answers = solution.problem.answers
+    if answers is None or not answers.equations:
+        return ()
+    sides = sides_of(answers.equations, reference_of_solution(solution))
+    scalars = tuple(tuple(s for s in both if isinstance(s, sp.Expr)) for both in sides)
+    if solution.law is not None:
+        unknown = {s for r in solution.law.newton.reactions for s in (r.multiplier, r.force, r.symbol)}
+        if any(e.free_symbols & unknown for pair in scalars for e in pair):
+            return ()
+    return scalars if all(len(s) == len(both) > 1 for s, both in zip(scalars, sides, strict=True)) else ()
 
 
 def _some_left_out(solution: Solution) -> bool:

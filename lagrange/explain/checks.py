@@ -75,7 +75,7 @@ def _spot(solution: Solution) -> list[Block]:
     spot = view.spot
     results = [math(a, *_formula(view, a), value) for a, value in spot.accelerations.items()]
     long = len(spot.values) + len(spot.accelerations) > LONGEST_SPOT
-    words: list[Part] = [_SPOT, *_assignments(spot.values), plural(len(spot.values), " gives ", " give ")]
+    words: list[Part] = ["Try it: ", *_assignments(spot.values), plural(len(spot.values), " gives ", " give ")]
     return [prose(*words, *listed(results), ".", detail=Detail.FULL if long else Detail.STEPS)]
 
 

@@ -207,7 +207,7 @@ def _coefficients(constraints: Sequence[ConstraintAnalysis], slots: Slots) -> Ta
     for c in constraints:
         cells = (*c.row.coefficients, c.row.drift) if with_time else c.row.coefficients
         rows.append((spoken(c.row.name), *(math(a) for a in cells)))
-    return Table(tuple(header), tuple(rows))
+    return Table(tuple(header), tuple(rows), Detail.STEPS if len(constraints) > 1 else Detail.FULL)
 
 
 def explain_integrability(classification: Classification, slots: Slots, taken: Collection[str] = ()) -> Step:

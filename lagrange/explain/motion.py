@@ -236,10 +236,13 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
     article = plural(len(choice.coordinates), "the ", "")
     satisfying: tuple[Part, ...] = ()
     if coordinates.satisfied:
-        verb = plural(len(choice.coordinates), "which satisfies ", "which satisfy ")
-        satisfying = (f", {verb}{constraints_called(coordinates.satisfied)} identically",)
+        verb = plural(len(coordinates.satisfied), "holds", "hold")
+        satisfying = (f" {constraints_called(coordinates.satisfied)} {verb} identically",)
     ending = ":" if configuration.expressed else "."
-    body: list[Block] = [prose("Take ", *chosen, f" as {article}generalized {noun}", *satisfying, ending)]
+    beginning = ("With ", *chosen, f" as generalized {noun}", *satisfying)
+    body: list[Block] = [
+        prose(*(beginning if satisfying else ("Take ", *chosen, f" as {article}generalized {noun}")), ending)
+    ]
     if configuration.expressed:
         body.append(
             display(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.examiner import compared_answers, not_compared
+from lagrange.answers.examiner import compared_answers, not_compared, stated_equations
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic
 from lagrange.core.records import record
@@ -135,7 +135,9 @@ def _reported(
         return tuple(illustrated(steps, solution, notation))
 
     steps = [step for step in _steps(solution, answers, complete) if step is not None]
-    arranged = page(solution, steps, every_choice=every_choice)
+    right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
+    stated = stated_equations(solution) if right and solution.own.motion is not None else ()
+    arranged = page(solution, steps, stated, every_choice=every_choice)
     derivation = Derivation(
         problem.title, problem.source, finished(steps), tuple(without_names_of_choices(finished(arranged)))
     )

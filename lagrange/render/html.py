@@ -136,6 +136,7 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
 
 
 MARKS = {True: ("✓", "held", "held"), False: ("✗", "failed", "did not hold"), None: ("?", "open", "undecided")}
+APOSTROPHE = re.compile(r"(?<=[A-Za-z])'(?=[A-Za-z])|(?<=[a-z]s)'(?=\s)")
 CLOSING = re.compile(r"[).,:;]+")
 
 
@@ -164,8 +165,8 @@ def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = 
 
 
 def escape(text: str) -> str:
-    """Text as HTML that shows it."""
-    return html_escape(printable(text))
+    """Text as HTML that shows it, with the apostrophes of a printer; a derivative's prime is not between letters."""
+    return html_escape(APOSTROPHE.sub("’", printable(text)))
 
 
 def _prefix(derivation: Derivation, place: int, derivations: Sequence[tuple[Derivation, Notation]]) -> str:

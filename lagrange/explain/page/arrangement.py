@@ -18,6 +18,7 @@ from lagrange.document.derivation import Block, Display, Equation, Part, Prose, 
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.page.constraints import explain_geometric, is_plainly_geometric
 from lagrange.explain.page.laws import explain_laws, explain_work, has_vector_laws
+from lagrange.explain.page.meaning import Stated, explain_meaning
 from lagrange.explain.page.motion import (
     displacements_shortly,
     in_one_step,
@@ -32,6 +33,7 @@ from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.solution import Solution
 
 LONGEST_BESIDE = 15
@@ -48,10 +50,13 @@ _ABOUT_CONSTRAINTS = (
 )
 
 
-def page(solution: Solution, steps: Iterable[Step], *, every_choice: bool = False) -> Iterator[Step]:
+def page(
+    solution: Solution, steps: Iterable[Step], stated: Stated = (), *, every_choice: bool = False
+) -> Iterator[Step]:
     """The steps of the page.
 
     steps         of the full derivation
+    stated        the equations of motion in the form of the file's answers, if these are right
     every_choice  whether no choice of coordinates is folded
     """
     first = solution.choices[0].name if solution.choices else ""
@@ -63,8 +68,8 @@ def page(solution: Solution, steps: Iterable[Step], *, every_choice: bool = Fals
             folded.append(replace(step, folded=(step.title,)))
         else:
             folded.append(replace(step, folded=_summary(solution, step.choice)))
-    yield from explain_result(solution, open_)
-    yield from open_
+    yield from explain_result(solution, open_, stated)
+    yield from _with_meaning(solution, open_, stated)
     yield from folded
 
 
@@ -90,6 +95,22 @@ def _in_pairs(steps: Iterable[Step]) -> Iterator[Step]:
         waiting = step if step.rule is Rule.GENERALIZED_COORDINATES else None
     if waiting is not None:
         yield waiting
+
+
+def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> Iterator[Step]:
+    """The steps, with what the result says before questions and checks, and the conserved quantities in it."""
+    said = meaning(solution)
+    if said is None:
+        yield from steps
+        return
+    conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
+    step = explain_meaning(said, conserved, stated)
+    for s in steps:
+        if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
+            yield step
+            step = None
+        if s is not conserved:
+            yield s
 
 
 def _is_detour(solution: Solution, step: Step) -> bool:

@@ -96,7 +96,7 @@ def _conclusions(classification: Classification) -> list[Prose]:
     pair = _pair(constraints)
     exact += [", ", being, *listed(Ref(f"constraint-{c.row.name}") for c in constraints)]
     exact += [" (", equal(pair), ")"] if pair is not None else []
-    left = f"{counted(classification.coordinates, 'coordinate')} − {counted(classification.rank, 'constraint')} = "
+    left = f"{classification.coordinates} − {classification.rank} = "
     sentences = [
         prose(*exact, ". So the system is ", Emphasis("holonomic"), ", and ", Emphasis("scleronomic"), "."),
         prose(f"It has {left}", Emphasis(f"{counted(freedom, 'degree')} of freedom"), "."),

@@ -6,15 +6,16 @@ each degree of freedom; the direction of R is that statement. A virtual displace
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
 from lagrange.core.symbols import DotProduct, VectorSymbol
-from lagrange.document.builders import display, listed, math, paragraph, prose, series
+from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Ref, Rule, Step
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.constraints import halved
+from lagrange.explain.page.system import are_short
 from lagrange.explain.words import capital, constraints_called, counted, joined, plural, the
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -41,18 +42,18 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     """The law in vectors, what is missing, the direction of the reactions, and the components."""
     bodies = newton.bodies or ()
     lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
-    components = (
+    components = [
         Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
         for b in bodies
         for n, c in enumerate(b.components, start=1)
-    )
+    ]
     vectors = [line for b in bodies if (line := _reaction_line(b)) is not None]
     body: list[Block] = [
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
         *_missing(solution, newton),
         *_directions(newton.reactions),
-        display(*vectors, *components),
+        display(*vectors, *(paired(components) if are_short(components) else components)),
     ]
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
 
@@ -158,18 +159,13 @@ def explain_work(solution: Solution, newton: Newton) -> Step:
     one = len(rows) == 1
     body: list[Block] = [
         prose(
-            "Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows), ": a virtual displacement, the "
-            "difference of two possible displacements in the same time, satisfies the same ",
-            plural(len(rows), "equation,", "equations,"),
+            "Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
+            f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,",
         ),
         display(*(Equation((f, ZERO), label=f"virtual-{r.name}") for f, r in zip(forms, rows, strict=True))),
-        prose(f"In it the {plural(len(works), 'reaction does', 'reactions do')} the work"),
-        display(Equation((left, total), label="virtual-work")),
-        prose(
-            "which is zero by " if one else "which is zero, term by term, by ", *zero,
-            plural(len(works), ": the constraint is workless.", ": the constraints are workless."),
-            *_single(works),
-        ),
+        prose("In them the ", plural(len(works), "reaction does no work:", "reactions together do no work:")),
+        display(Equation((left, total, ZERO), label="virtual-work", condition=("by ", *zero) if one else ())),
+        *_single(works, () if one else zero),
     ]  # fmt: skip
     return Step(
         Rule.WORKLESS,
@@ -183,12 +179,15 @@ def _factored(work: sp.Expr) -> sp.Expr:
     return sp.factor_terms(work)
 
 
-def _single(works: tuple[WorkOfReaction, ...] | list[WorkOfReaction]) -> tuple[Part, ...]:
-    """That only the sum vanishes, where one reaction works on several particles."""
+def _single(works: Sequence[WorkOfReaction], zero: tuple[Part, ...]) -> Iterator[Block]:
+    """By what each term vanishes; that only the sum does where one reaction works on several particles."""
     several = [w for w in works if len(w.working) > 1]
+    by: tuple[Part, ...] = ("Each term is zero, by ", *zero, ".") if zero else ()
     if not several:
-        return ()
+        yield from ([prose(*by)] if by else [])
+        return
     names = joined(map(the, dict.fromkeys(n for w in several for n in w.working)))
     called = constraints_called(w.reaction.name for w in several)
-    return (f" On {names} taken separately {called} {plural(len(several), 'does', 'do')} work: what one loses, another "
-            "gains.",)  # fmt: skip
+    does = plural(len(several), "does", "do")
+    words = f"On {names} taken separately {called} {does} work: what one loses, another gains."
+    yield prose(*by, " " if by else "", words)

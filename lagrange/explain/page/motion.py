@@ -9,10 +9,11 @@ import sympy as sp
 
 from lagrange.core.symbols import variation
 from lagrange.core.vectors import Vector
-from lagrange.document.builders import display, listed, math, prose
+from lagrange.document.builders import display, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Step
 from lagrange.explain.displacements import LONGEST, conditions, solved_displacements
 from lagrange.explain.motion import WRITTEN_OUT
+from lagrange.explain.page.system import are_short
 from lagrange.explain.words import plural, suffix_of
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
 
@@ -119,7 +120,13 @@ def in_one_step(coordinates: Step, equations: Step) -> tuple[Step, Step]:
     first, _, choice = coordinates.title.partition(" (")
     second, _, _ = equations.title.partition(" (")
     title = f"{first} and {second[:1].lower()}{second[1:]}{f' ({choice}' if choice else ''}"
-    return replace(coordinates, title=title), replace(equations, title="", body=tuple(_merged(equations.body)))
+    body = tuple(
+        replace(b, equations=paired(b.equations)) if isinstance(b, Display) and are_short(b.equations) else b
+        for b in coordinates.body
+    )
+    return replace(coordinates, title=title, body=body), replace(
+        equations, title="", body=tuple(_merged(equations.body))
+    )
 
 
 _KINEMATICS = ("acceleration", "delta")

@@ -9,6 +9,7 @@ import sympy as sp
 
 from lagrange.document.builders import display, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
+from lagrange.explain.page.meaning import Stated, operations
 from lagrange.explain.words import in_words
 from lagrange.mechanics.solution import Solution
 
@@ -18,10 +19,11 @@ MOST = 6
 """The most equations there."""
 
 
-def explain_result(solution: Solution, steps: list[Step]) -> Iterator[Step]:
+def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -> Iterator[Step]:
     """The boxed results of the steps together, at the head; nothing where there are none.
 
-    steps  of the page, without those that are folded
+    steps   of the page, without those that are folded
+    stated  the equations of motion in another form, known to be right, for where they are shorter so
     """
     rules = (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS, Rule.EQUILIBRIUM)
     kept: dict[Rule, Display] = {}
@@ -31,6 +33,10 @@ def explain_result(solution: Solution, steps: list[Step]) -> Iterator[Step]:
             boxed = [b for b in step.body if isinstance(b, Display) and b.boxed and b.detail < Detail.FULL]
             kept |= {step.rule: boxed[-1]} if boxed else {}
     kept = {rule: kept[rule] for rule in rules if rule in kept}
+    written = [Equation(sides) for sides in stated]
+    derived = kept.get(Rule.EQUATIONS_OF_MOTION)
+    if derived is not None and written and operations(stated) < sum(map(_operations, derived.equations)):
+        kept[Rule.EQUATIONS_OF_MOTION] = display(*written)
     while kept and not _is_short(kept.values()):
         kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else next(iter(kept)))
     if not kept:

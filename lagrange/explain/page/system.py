@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
-from lagrange.document.builders import display, math, prose, series
-from lagrange.document.derivation import Block, Part, Prose, Step, Table
+from lagrange.core.vectors import Vector
+from lagrange.document.builders import display, math, paired, paragraph, prose, series
+from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
 from lagrange.explain.words import plural, the
 from lagrange.mechanics.solution import Solution
 from lagrange.problem.model import Assumption
 
+SHORT = 6
+"""The most operations of a side of an equation beside which another has room."""
 MOST_SYMBOLS = 10
 """The most symbols that a sentence introduces; more are easier to find in a table."""
 
@@ -21,7 +25,12 @@ def explain_system(solution: Solution, step: Step) -> Step:
     if n is not None and len(body[n].rows) <= MOST_SYMBOLS:  # type: ignore[union-attr]
         sentence, covered = _symbols(solution)
         rest = body[n + 1 + covered :]
-        body = (*body[:n], sentence, *rest)
+        before = list(body[:n])
+        if len(before) > 1 and isinstance(before[-1], Prose) and isinstance(before[-2], Prose):
+            before[-2:] = [paragraph(before[-2], before[-1], sentence)]
+        else:
+            before.append(sentence)
+        body = (*before, *rest)
     return replace(step, body=_together(solution, body))
 
 
@@ -61,4 +70,11 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
     masses = ((the(p.name), *((", of mass ", math(p.mass), ",") if p.mass != 0 else ())) for p in points)
     what = plural(len(points), "The position", "The positions") + (also if forces else "")
     lead = prose(what, " of ", *series(masses), " are" if forces or len(points) > 1 else " is")
-    return (*body[: at[0] - 1], lead, display(*lines), *body[at[-1] + 1 :])
+    shown = paired(lines) if len(points) == 1 and are_short(lines) else lines
+    return (*body[: at[0] - 1], lead, display(*shown), *body[at[-1] + 1 :])
+
+
+def are_short(equations: Sequence[Equation]) -> bool:
+    """Whether two of them have room in a line."""
+    components = (s.as_sum() if isinstance(s, Vector) else s for e in equations for s in e.sides)
+    return all(c.count_ops() <= SHORT for c in components)
