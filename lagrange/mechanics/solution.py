@@ -46,7 +46,7 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
-from lagrange.problem.model import Choice, Find, Friction, Problem
+from lagrange.problem.model import Belt, Choice, Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
@@ -204,7 +204,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_speeds(solution, on_stage)
     if Find.LINEARIZATION in problem.find:
         solution = _with_linearization(solution, on_stage)
-    rough = any(isinstance(f, Friction) for f in problem.forces)
+    rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
     if Find.EQUILIBRIUM in problem.find and not rough:
         solution = _with_equilibrium(solution, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
@@ -577,7 +577,10 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
-    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction) for f in problem.forces):
+    belts = [f for f in problem.forces if isinstance(f, Belt)]
+    if belts and {Find.MOTION, Find.LINEARIZATION} & {*problem.find}:
+        raise NotCoveredError(f"a belt on a rough drum, `{belts[0].name}`, in motion", belts[0].span)
+    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction | Belt) for f in problem.forces):
         message = "impending motion is asked for, and no friction is given"
         help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
         raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))

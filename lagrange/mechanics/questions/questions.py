@@ -19,6 +19,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
@@ -30,12 +31,7 @@ from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import (
-    joined,
-    under_one_root,
-    without_leading_minus,
-    without_roots_in_logarithms,
-)
+from lagrange.mechanics.questions.forms import joined, under_one_root, without_roots_in_logarithms
 from lagrange.mechanics.questions.integrals_of_motion import integrals
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
