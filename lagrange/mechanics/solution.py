@@ -399,6 +399,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
+    from lagrange.mechanics.equilibrium.spring_forces import spring_forces
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
@@ -414,6 +415,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         resting = original
         if view is not own:
             resting = without_poles(equilibrium(view.configuration, view.elimination, problem.unknowns), original)
+        resting = replace(resting, pulls=spring_forces(resting))
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]

@@ -33,6 +33,7 @@ from lagrange.problem.sections import (
     CONSTANT,
     ENERGY,
     FORCE,
+    PLACE,
     POSITION,
     RATE,
     SPRING,
@@ -198,7 +199,7 @@ class _Entry:
 
 
 def _applied(f: _Entry) -> Force:
-    on, vector, at = f.all_of(f.point, lambda: f.vector("vector"), lambda: f.optional_vector("at", POSITION))
+    on, vector, at = f.all_of(f.point, lambda: f.vector("vector"), lambda: f.optional_vector("at", PLACE))
     return AppliedForce(f.name, on, vector, f.span, at)
 
 

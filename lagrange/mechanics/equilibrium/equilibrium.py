@@ -18,7 +18,7 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -107,6 +107,7 @@ class Equilibrium:
     idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
     poles        such branches of a choice at which the forces do not balance in the file's coordinates, left out above
     outside      branches that lie outside of the ranges of the coordinates, left out above
+    pulls        for each branch the forces of the springs there, by name (`spring_forces`)
     laws         further conditions on the unknown forces, each zero, that are no virtual work: friction at its limit
     """
 
@@ -125,6 +126,7 @@ class Equilibrium:
     idle: tuple[tuple[sp.Symbol, ...], ...] = ()
     poles: tuple[Branch, ...] = ()
     outside: tuple[Branch, ...] = ()
+    pulls: tuple[Mapping[str, sp.Expr], ...] = ()
     laws: tuple[sp.Expr, ...] = ()
 
     @property
