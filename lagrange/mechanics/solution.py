@@ -46,7 +46,7 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
-from lagrange.problem.model import Find, Friction, Problem
+from lagrange.problem.model import Belt, Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
@@ -209,7 +209,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_linearization(solution, on_stage)
     if Find.HAMILTONIAN in problem.find:
         solution = _with_hamiltonian(solution, on_stage)
-    rough = any(isinstance(f, Friction) for f in problem.forces)
+    rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
     if Find.EQUILIBRIUM in problem.find and not rough:
         solution = _with_equilibrium(solution, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
@@ -431,6 +431,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
+    from lagrange.mechanics.equilibrium.spring_forces import spring_forces
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
@@ -446,6 +447,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         resting = original
         if view is not own:
             resting = without_poles(equilibrium(view.configuration, view.elimination, problem.unknowns), original)
+        resting = replace(resting, pulls=spring_forces(resting))
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]

@@ -325,6 +325,15 @@ FORCES = {
             Key("contact", "sense", "The sign of the reaction, when known."),
         ),
     ),
+    "belt": Form(
+        "a belt on a rough drum",
+        (
+            Key("belt", "expression", "A belt or rope on a rough drum: the coefficient.", required=True, example="mu"),
+            Key("angle", "expression", "The angle of contact.", required=True, example="beta"),
+            Key("tight", "expression", "The larger tension: a name or an expression.", required=True, example="T_1"),
+            Key("slack", "expression", "The smaller tension.", required=True, example="T_2"),
+        ),
+    ),
 }
 """The kinds of forces, each recognised by the key of its name."""
 

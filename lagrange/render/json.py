@@ -381,6 +381,8 @@ def _statics(
         "equilibrium_conditions": [_sign_conditions(b, write) for b in equilibrium.branches],
         "equilibrium_exists": equilibrium.exists,
     }
+    if any(equilibrium.pulls):
+        result["spring_forces"] = [{name: write(f) for name, f in pulls.items()} for pulls in equilibrium.pulls]
     if equilibrium.outside:
         outside = [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.outside]
         result["equilibrium_outside_ranges"] = outside
