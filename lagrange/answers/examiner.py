@@ -240,6 +240,10 @@ class Examiner:
         scope = self.reference if moving else self._statics_reference
         working = understood(answer, scope, moving=moving and (solution is None or solution.own.equilibrium is None))
         if not working.judged:
+            if working.quoting and not working.unreadable:
+                message = "the method is quoted, and no equation follows that could be checked"
+                help_ = "carry the derivatives out, or write down the Lagrangian: `L = ...`"
+                raise ProblemError(Diagnostic("no-answer", message, answer[0].whole, help=help_))
             working = Working(answer)
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
         if solution is not None and at_rest and any(v.impending for v in solution.views):

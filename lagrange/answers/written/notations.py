@@ -41,6 +41,7 @@ _OPERATOR = re.compile(
     rf"(?<![A-Za-z0-9_'])\(?[dⅆ∂]{_POWER}\s*/\s*\(?\s*[dⅆ∂]\s*(?P<by>{_NAME})(?P<more>['\u0307\u0308]*)"
     r"(?:\s*\^\s*\{?\s*[1-4]\s*\}?|[²³]|\*\*[1-4])?\s*\)?"
 )
+_GREEK_INDEX = re.compile(rf"(?<=[A-Za-z{''.join(GREEK)}]_)[{''.join(GREEK)}]")
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
 _SUFFIX = re.compile(rf"(?P<name>{_NAME}?)_?(?P<dots>d{{1,3}}ot)(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])")
@@ -50,8 +51,8 @@ _DOLLAR = re.compile(r"\$\s*([1-4])")
 _BRACES_OF_TIME = re.compile(r",\s*\{\s*(t)\s*,\s*([1-4])\s*\}")
 _MAPLE = re.compile(rf"\(?\bD(?:\s*@@\s*([1-3]))?\)?\s*\(\s*({_NAME})\s*\)\s*\(\s*t\s*\)")
 _DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
-_OF_TIME = re.compile(r"(?<=[A-Za-z0-9_'])\[\s*t\s*\]")
-_APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7})\s*(?=\[)")
+_OF_TIME = re.compile(r"(?<=[\w'])\[\s*t\s*\]")
+_APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7}|D)\s*(?=\[)")
 _CALLED = re.compile(
     r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
 )
@@ -94,6 +95,8 @@ def cleaned(fragment: Fragment) -> Fragment:
     """The text with invisible operators and odd signs replaced: they are harmless in an answer."""
     draft = Draft(fragment)
     _characters(draft)
+    if "\\" not in draft.text and "$" not in draft.text:
+        draft.replace(_GREEK_INDEX, lambda m: GREEK[m[0]])
     return draft.finished(latex=getattr(fragment, "latex", False))
 
 
@@ -103,11 +106,12 @@ def _function(name: str) -> str:
 
 
 def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
-    """`Sin[x]` as sin(x)."""
+    """`Sin[x]` as sin(x), `D[L, x]` as diff(L, x)."""
     ends: dict[int, int] | None = None
     for match in _APPLIED.finditer(text):
         name = _function({"ArcTan": "arctan", "ArcSin": "arcsin", "ArcCos": "arccos"}.get(match[1], match[1]))
-        if name not in FUNCTIONS or scope.role(match[1]) is not Role.UNDECLARED:
+        name = "diff" if name == "d" else name
+        if name not in (*FUNCTIONS, "diff") or scope.role(match[1]) is not Role.UNDECLARED:
             continue
         ends = closings(text) if ends is None else ends
         if match.end() in ends:
@@ -165,11 +169,16 @@ def _rate(match: re.Match[str], scope: Scope) -> str | None:
     if scope.role(whole) is not Role.UNDECLARED and whole[0] == "d":
         return None
     if by == "t" and not match["more"]:
-        return f"{name}{chr(39) * order}" if not name.isdigit() else None
+        return f"{name}{chr(39) * order}{_left_over(match)}" if not name.isdigit() else None
     inner = f"{name}"
     for _ in range(order):
         inner = f"diff({inner}, {by}{match['more']})"
-    return inner
+    return inner + _left_over(match)
+
+
+def _left_over(match: re.Match[str]) -> str:
+    """The bracket after a derivative that closes one before it: (dL/dx), and not dL/(dx)."""
+    return ")" if match[0].count(")") > match[0].count("(") else ""
 
 
 def _operator(text: str, match: re.Match[str]) -> Iterator[Edit]:
@@ -188,7 +197,8 @@ def _operator(text: str, match: re.Match[str]) -> Iterator[Edit]:
         while end < len(text) and text[end] not in "+-−=,;)]}":
             end = ends[end] + 1 if end in ends else end + 1
     order = _order(match)
-    yield match.start(), match.end(), " " + "diff(" * order
+    opened = "(" if match[0].count("(") > match[0].count(")") else ""
+    yield match.start(), match.end(), f"{opened} {'diff(' * order}"
     yield end, end, f", {match['by']}{match['more']})" * order
 
 
