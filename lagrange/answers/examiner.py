@@ -7,7 +7,7 @@ any number of answers, as `lagsolve check` and `lagsolve grade` do.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cached_property, partial
 
 import sympy as sp
@@ -94,6 +94,21 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
         from lagrange.answers.questions.asked_quantities import check_asked
 
         yield check_asked(answers.ask, solution)
+    yield from _quantities(solution, answers)
+
+
+def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
+    """The verdicts on energies, generalized forces, first integrals and virtual displacements."""
+    from lagrange.answers.questions import stated_quantities as quantities
+
+    if answers.kinetic_energy is not None:
+        yield quantities.check_kinetic_energy(answers.kinetic_energy, solution)
+    if answers.generalized_forces:
+        yield quantities.check_generalized_forces(answers.generalized_forces, solution)
+    if answers.conserved:
+        yield quantities.check_conserved(answers.conserved, solution)
+    if answers.virtual_displacements:
+        yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
 
 
 def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
@@ -361,8 +376,8 @@ def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...]
 def _nothing_to_compare(answers: Answers) -> Iterator[AnswerVerdict]:
     """The answers to questions that equations given outright do not settle: undecided."""
     why = "the problem gives its equations and no more: there is nothing to compare this with"
-    for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions", "ask"):
-        if getattr(answers, name) not in (None, (), {}):
+    for answer in fields(Answers):
+        if answer.name != "equations" and getattr(answers, name := answer.name) not in (None, (), {}):
             yield AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=why)
 
 

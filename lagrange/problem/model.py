@@ -308,6 +308,10 @@ class Answers:
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
+    kinetic_energy: Fragment | None = None
+    generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
+    conserved: tuple[Fragment, ...] = ()
+    virtual_displacements: tuple[Fragment, ...] = ()
 
 
 @record

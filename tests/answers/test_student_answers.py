@@ -23,12 +23,12 @@ def answers() -> dict[str, list[tuple[str, str, str, str]]]:
     """Problem -> its answers: their place, the verdict expected, the extension, and the text."""
     found: dict[str, list[tuple[str, str, str, str]]] = {}
     for file in sorted(FOLDER.glob("*.txt")):
-        for place, problem, verdict, ending, text in _of_file(file):
+        for place, problem, verdict, ending, text in in_file(file):
             found.setdefault(problem, []).append((place, verdict, ending, text))
     return found
 
 
-def _of_file(file: Path) -> Iterator[tuple[str, str, str, str, str]]:
+def in_file(file: Path) -> Iterator[tuple[str, str, str, str, str]]:
     problem, head, lines = "", ("", "", ""), list[str]()
     for number, line in enumerate([*file.read_text(encoding="utf-8").splitlines(), "---"], 1):
         if line.startswith(("@ ", "---")):

@@ -1,6 +1,7 @@
 r"""Other notations of an equation, rewritten in the language of expressions: nothing here is ever run as code.
 
     d/dt(e)   d^2θ/dt^2   dU/dr   ∂L/∂θ'               diff(e, t)   θ''   diff(U, r)   diff(L, θ')
+    δx   dx                                            delta(x)   d(x)
     ddot(x)   x_ddot   x''[t]   D(x)(t)   θ¨           x''          x''   x''          x'   θ''
     Derivative(x(t), (t, 2))   diff(x(t), t$2)         diff(x, t, t)
     Sin[x]   arctan(x)   sgn(x)                        sin(x)   atan(x)   sign(x)
@@ -42,6 +43,8 @@ _OPERATOR = re.compile(
     r"(?:\s*\^\s*\{?\s*[1-4]\s*\}?|[²³]|\*\*[1-4])?\s*\)?"
 )
 _GREEK_INDEX = re.compile(rf"(?<=[A-Za-z{''.join(GREEK)}]_)[{''.join(GREEK)}]")
+_VARIATION = re.compile(rf"δ\s*(?P<name>{_NAME})(?!\s*\()")
+_DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
 _SUFFIX = re.compile(rf"(?P<name>{_NAME}?)_?(?P<dots>d{{1,3}}ot)(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])")
@@ -80,9 +83,25 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.apply(_dotted(draft.text))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
     _derivatives(draft, scope)
+    _displacements(draft, scope)
     draft.apply(_of_argument(draft.text, scope))
     draft.replace(_RUN, lambda m: _product(m, scope))
     return draft.finished()
+
+
+def _displacements(draft: Draft, scope: Scope) -> None:
+    """`δx` as delta(x), and `dx` as d(x)."""
+    moving = {q.name for q in scope.slots.coordinates} | {"t"}
+
+    def displaced(match: re.Match[str], sign: str) -> str | None:
+        name = scope.spelling("".join(GREEK.get(c, c) for c in match["name"]))
+        own = sign == "d" and scope.role(match[0].replace(" ", "")) is not Role.UNDECLARED
+        return f" {sign}({name})" if name in moving and not own else None
+
+    if scope.role("delta") is Role.UNDECLARED:
+        draft.replace(_VARIATION, lambda m: displaced(m, "delta"))
+    if scope.role("d") is Role.UNDECLARED:
+        draft.replace(_DIFFERENTIAL, lambda m: displaced(m, "d"))
 
 
 def _characters(draft: Draft) -> None:
