@@ -28,7 +28,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.judging import verdict_on
 from lagrange.answers.written.lines import separated
-from lagrange.answers.written.working import Working, scope_of_answers, understood
+from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import base
@@ -274,8 +274,9 @@ class Examiner:
         return self._judgement(verdict)
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
-        unknowns = (*self.reference.unknowns, *working.unknowns)
-        reference = replace(self.reference, scope=scope_of_answers(self.reference), unknowns=unknowns)
+        reference = self.reference.of_answers
+        if working.unknowns:
+            reference = replace(reference, unknowns=(*reference.unknowns, *working.unknowns))
 
         def check(equations: Sequence[Fragment], diagnosing: bool) -> AnswerVerdict:
             return check_equations(equations, reference, diagnosing=diagnosing)

@@ -86,6 +86,9 @@ MAX_NAMED_SIZE = 60
 MAX_DETERMINANT = 4
 """Rows of a determinant that is expanded symbolically: 4! = 24 products, or 5! = 120 for the derived equations."""
 
+MAX_KEPT_FACTORS = 500
+"""Expressions whose factors are kept for the answers after this one; an answer brings some ten of its own."""
+
 MAX_CONDITIONS = 8
 """Factors of one equation that are tested for real zeros: each may take a run of Newton's iteration."""
 

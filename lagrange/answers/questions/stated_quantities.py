@@ -31,7 +31,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.decimals import as_written, remark_on, rounded_in_motion
 from lagrange.answers.written.notations import cleaned
-from lagrange.answers.written.working import read_as_written, scope_of_answers
+from lagrange.answers.written.working import read_as_written
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import CONSTANT, base, variation
 from lagrange.expressions.edits import Draft
@@ -160,7 +160,7 @@ def _part(
 
 def _read(fragment: Fragment, reference: Reference, *, equations: bool) -> Reading:
     """A statement as an equation: 0 = value for one without a left side, or with a name alone on it."""
-    scope = scope_of_answers(reference)
+    scope = reference.scope_of_answers
     text = cleaned(fragment)
     if equations:
         return read_as_written(text, scope)

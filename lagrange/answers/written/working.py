@@ -59,6 +59,8 @@ kgm2 units metres meters seconds kilograms newton newtons
 _UNITS = frozenset(_UNIT_NAMES.split())
 _WORDS = re.compile(r"[^\W\d]+")
 _LONGEST_LAW = 60
+_LONGEST_NAME = 60
+"""Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _APPROXIMATE = re.compile(
@@ -187,7 +189,7 @@ class _Sorting:
     def __init__(self, reference: Reference, values_are_asides: bool) -> None:
         self.reference = reference
         self.values_are_asides = values_are_asides
-        self.scope = scope_of_answers(reference)
+        self.scope = reference.scope_of_answers
         self.declared = reference.declared
         self.notes: list[Diagnostic] = []
         self.defined: list[str] = []
@@ -201,7 +203,7 @@ class _Sorting:
             before = len(self.defined)
             for line in plain:
                 line.definition = line.definition or self._defines(line)
-            if len(self.defined) == before:
+            if len(self.defined) == before or all(line.definition for line in plain):
                 break
         for line in waiting:
             if line.whole:
@@ -297,6 +299,8 @@ class _Sorting:
 
     def _name_alone(self, side: Fragment) -> tuple[str, str]:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
+        if len(side.text.strip()) > _LONGEST_NAME:
+            return "", ""
         try:
             texts = _tried(side, self.scope, lambda f: token_texts(f, self.scope))
         except ProblemError:
@@ -376,20 +380,6 @@ class _Sorting:
             strange = set(symbols.values()) - set(self.unknowns)
             if new and not new.error and not any(c.free_symbols & strange for c in new.components):
                 line.reading = new
-
-
-def scope_of_answers(reference: Reference) -> Scope:
-    """The names that an answer may use: without letters of the derivation that are declared names but for their case.
-
-    `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
-    """
-    lower = {n.lower() for n in reference.declared}
-    hidden = {n for n in reference.letters if n.lower() in lower and n not in reference.declared}
-    if not hidden:
-        return reference.scope
-    scalars = {n: v for n, v in reference.scope.scalars.items() if n not in hidden}
-    coordinates = tuple(q for q in reference.scope.slots.coordinates if q.name not in hidden)
-    return replace(reference.scope, scalars=scalars, slots=replace(reference.scope.slots, coordinates=coordinates))
 
 
 def _is_name(text: str) -> bool:
