@@ -354,7 +354,9 @@ def _with_reasons(
             following.append((n, es[0]))
     # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
     complete = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
-    nonzero = conditions([e for _, e in following], system, complete=complete)
+    nonzero = (
+        conditions([e for _, e in following], attempt.candidate.factorizations, complete=complete) if following else []
+    )
     for (n, _), own in zip(following, nonzero, strict=True):
         equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, own)))
     return replace(verdict, equations=tuple(equations))

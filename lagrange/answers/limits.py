@@ -17,6 +17,9 @@ MAX_MARKS = 50_000
 """Signs of equality, and of brackets, commas and commands, in a file: a record is made of each. A thesis with its
 appendix has as many; a file of 262,000 equations took 46 s and 2.2 GB before it was refused."""
 
+MAX_FILE_LINES = 20_000
+"""Lines of a file, of which the places are kept: 300 pages. A megabyte of empty lines took 3 s and 130 MB."""
+
 MAX_ALTERNATIVES = 32
 """Alternatives in an answer about equilibria: five equations with two solutions each. The shipped maximum is 4."""
 
@@ -82,6 +85,9 @@ MAX_NAMED_SIZE = 60
 
 MAX_DETERMINANT = 4
 """Rows of a determinant that is expanded symbolically: 4! = 24 products, or 5! = 120 for the derived equations."""
+
+MAX_KEPT_FACTORS = 500
+"""Expressions whose factors are kept for the answers after this one; an answer brings some ten of its own."""
 
 MAX_CONDITIONS = 8
 """Factors of one equation that are tested for real zeros: each may take a run of Newton's iteration."""

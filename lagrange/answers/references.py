@@ -18,6 +18,7 @@ import sympy as sp
 from lagrange.answers.force_names import other_readings
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.slips import terms_of
+from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Sign, prime, variation
 from lagrange.core.vectors import Vector
@@ -66,7 +67,12 @@ class ReferenceCandidate:
         """The system, with the numbers that the file gives."""
         return _with_values(self.build(), self.values) if self.values else self.build()
 
-    @property
+    @cached_property
+    def factorizations(self) -> Factorizations:
+        """The factors that are known of the system."""
+        return Factorizations(self.system)
+
+    @cached_property
     def known(self) -> set[str]:
         """The names of coordinates and unknowns that may occur in answers compared with it."""
         slots = self.configuration.slots
@@ -129,6 +135,25 @@ class Reference:
     def coordinates(self) -> frozenset[str]:
         """The names of the coordinates."""
         return frozenset(q.name for q in self.scope.slots.coordinates)
+
+    @cached_property
+    def scope_of_answers(self) -> Scope:
+        """The names without letters of the derivation that are declared names but for their case.
+
+        `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
+        """
+        lower = {n.lower() for n in self.declared}
+        hidden = {n for n in self.letters if n.lower() in lower and n not in self.declared}
+        if not hidden:
+            return self.scope
+        scalars = {n: v for n, v in self.scope.scalars.items() if n not in hidden}
+        coordinates = tuple(q for q in self.scope.slots.coordinates if q.name not in hidden)
+        return replace(self.scope, scalars=scalars, slots=replace(self.scope.slots, coordinates=coordinates))
+
+    @cached_property
+    def of_answers(self) -> Reference:
+        """The same with only the names that answers may use."""
+        return self if self.scope_of_answers is self.scope else replace(self, scope=self.scope_of_answers)
 
     def candidates_for(self, used: Collection[str]) -> Iterator[ReferenceCandidate]:
         """The candidates for an answer with these names: as in the derivation, then for other meanings of reactions."""

@@ -383,6 +383,10 @@ ANSWERS = Form(
         Key(
             "hamiltonian", AnyOf(("expression", "equation")), "Hamilton's function, in coordinates and momenta p_theta."
         ),
+        Key("kinetic_energy", "expression", "T, in the coordinates of the file or of a choice."),
+        Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
+        Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
+        Key("virtual_displacements", _one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
     ),
 )
 

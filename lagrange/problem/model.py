@@ -324,6 +324,10 @@ class Answers:
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
     hamiltonian: Fragment | None = None
+    kinetic_energy: Fragment | None = None
+    generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
+    conserved: tuple[Fragment, ...] = ()
+    virtual_displacements: tuple[Fragment, ...] = ()
 
 
 @record
