@@ -96,3 +96,14 @@ WIDEST = 100
 
 MAX_SHOWN_CHARACTERS = 1000
 """Characters of an equation that are shown. An answer may have 2,000; the longest shipped equation has 177."""
+
+# Models of a wrong answer
+
+MAX_MODEL_WORK = 20_000
+"""Numbers in the rows of changed equations that are compared with one answer. Two equations of two coordinates have 6,
+so that all variations of most problems fit; a rigid body with rolling constraints has 40, and 500 are tried."""
+
+MAX_BESIDE = 150
+"""Terms times squared parameters of an equation in which one change is sought although a model explains it: a
+pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes
+the longest."""
