@@ -11,13 +11,14 @@ record, made by the same functions.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
+from lagrange.core.diagnostics import Diagnostic, GaveUpError, ProblemError, suggestion
+from lagrange.core.effort import GivenUpError, allowed, reason
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.verdicts import all_hold
@@ -46,6 +47,8 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
+from lagrange.mechanics.limits import UNITS_OF_SOLVING
+from lagrange.mechanics.refusals import refuse_what_is_not_covered
 from lagrange.problem.model import Choice, Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
@@ -141,6 +144,7 @@ class Solution:
     law              Newton's law in the file's coordinates, if the motion or the reactions at rest are requested
     works            the work of the reactions
     asked            the answers to the questions of the file
+    given_up         the stage at which the work was given up, and why; later results are missing
     """
 
     problem: Problem
@@ -153,6 +157,7 @@ class Solution:
     works: tuple[WorkOfReaction, ...] = ()
     checks: tuple[Check, ...] = ()
     asked: tuple[Asked, ...] = ()
+    given_up: str = ""
 
     @property
     def views(self) -> tuple[InCoordinates, ...]:
@@ -164,7 +169,7 @@ class Solution:
         """Whether every check passed and nothing is undecided."""
         c = self.classification
         decided = None not in (c.holonomic, c.scleronomic, c.catastatic)
-        return decided and all(check.passed for check in self.checks)
+        return decided and not self.given_up and all(check.passed for check in self.checks)
 
 
 def solve(
@@ -182,36 +187,62 @@ def solve(
               dependent coordinates, if a choice has them
     on_stage  called with the name of each stage when it begins
 
-    Raises ProblemError if the problem contradicts itself, UndecidedError or NotCoveredError if it cannot be solved.
+    A stage that takes more work than is allowed (`UNITS_OF_SOLVING`) is given up, and so are those after it.
+
+    Raises ProblemError if the problem contradicts itself, UndecidedError or NotCoveredError if it cannot be solved,
+    GaveUpError if not even its constraints can be classified with the work allowed.
     """
-    with explained_failures(problem):
+    with explained_failures(problem), allowed(UNITS_OF_SOLVING):
         return _solved(problem, choice, complete, method, on_stage)
 
 
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
-    _refuse_what_is_not_covered(problem)
+    refuse_what_is_not_covered(problem)
     needs_motion = Find.LINEARIZATION in problem.find or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
-    solution = blank = _kinematics(problem, choice, on_stage)
+    running = ""
+
+    def begin(stage: str) -> None:
+        nonlocal running
+        running = stage
+        on_stage(stage)
+
+    try:
+        solution = blank = _kinematics(problem, choice, begin)
+    except (GivenUpError, MemoryError) as stop:
+        raise GaveUpError(running, reason(stop)) from None
+    stages = _stages(problem, blank, complete, method, begin)
+    try:
+        for stage in stages:
+            solution = stage(solution)
+    except (GivenUpError, MemoryError) as stop:
+        return replace(solution, given_up=f"{running}, {reason(stop)}")
+    return solution
+
+
+def _stages(
+    problem: Problem, blank: Solution, complete: bool, method: Method, on_stage: OnStage
+) -> Iterator[Callable[[Solution], Solution]]:
+    """The stages after the constraints, as the file asks for them. blank: the solution before them."""
+    rough = any(isinstance(f, Friction) for f in problem.forces)
     if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         from lagrange.mechanics.equilibrium.checks import check_statics
 
-        check_statics(problem, solution.own.configuration)
+        check_statics(problem, blank.own.configuration)
     if Find.MOTION in problem.find:
-        solution = _with_motion(solution, complete, method, on_stage)
+        yield lambda s: _with_motion(s, complete, method, on_stage)
     if problem.speeds:
-        solution = _with_speeds(solution, on_stage)
+        yield lambda s: _with_speeds(s, on_stage)
     if Find.LINEARIZATION in problem.find:
-        solution = _with_linearization(solution, on_stage)
-    rough = any(isinstance(f, Friction) for f in problem.forces)
+        yield lambda s: _with_linearization(s, on_stage)
     if Find.EQUILIBRIUM in problem.find and not rough:
-        solution = _with_equilibrium(solution, on_stage)
+        yield lambda s: _with_equilibrium(s, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
-        solution = _with_rest(solution, blank, on_stage)
+        yield lambda s: _with_rest(s, blank, on_stage)
     if problem.questions:
-        solution = _with_questions(solution, on_stage)
-    return _with_numbers(solution)
+        yield lambda s: _with_questions(s, on_stage)
+    yield _with_numbers
 
 
 def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solution:
@@ -265,8 +296,7 @@ def _law(solution: Solution, at_rest: bool = False, method: Method = Method.DALE
 def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     """The solution with the equations of motion in every set of coordinates."""
     on_stage("Newton's law")
-    law = _law(solution, method=method)
-    configuration = solution.own.configuration
+    law, configuration = _law(solution, method=method), solution.own.configuration
     check_constant_inertia(law.problem, configuration)
     works = works_of_reactions(law.newton, configuration, solution.own.elimination)
     checks = [*solution.checks, *check_workless(works, configuration)]
@@ -568,20 +598,3 @@ def _choices(problem: Problem, name: str | None) -> list[Choice]:
         help_ = suggestion(name, names, "choices")
         raise ProblemError(Diagnostic("no-such-choice", f"the problem has no choice `{name}`", help=help_))
     return chosen
-
-
-def _refuse_what_is_not_covered(problem: Problem) -> None:
-    for force in (f for f in problem.forces if isinstance(f, Friction)):
-        if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
-            what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
-            raise NotCoveredError(what, force.span)
-        if Find.LINEARIZATION in problem.find:
-            raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
-    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction) for f in problem.forces):
-        message = "impending motion is asked for, and no friction is given"
-        help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
-        raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
-    if problem.equations:
-        raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
-    if Find.LINEARIZATION in problem.find and problem.unknowns:
-        raise NotCoveredError("small oscillations with unknown forces, which have no law,")
