@@ -8,14 +8,20 @@ from __future__ import annotations
 
 import re
 import zlib
+from collections import Counter
+from collections.abc import Sequence
 from functools import cache
+from typing import Any
 
 from xdist.scheduler import LoadScopeScheduling
 
 from tests.support.paths import PROBLEMS, SYSTEM_FILES
+from tests.support.tiers import SECONDS
 
 NAMES = sorted({p.stem for p in (*PROBLEMS.glob("*/*.yaml"), *SYSTEM_FILES.glob("*.yaml"))}, key=len, reverse=True)
 PROBLEM = re.compile(rf"(?:^|[-/])({'|'.join(map(re.escape, NAMES))})(?:-|$)")
+LITTLE = 0.01
+"""Seconds of a test that is not in the list of slow ones."""
 
 
 @cache
@@ -32,8 +38,26 @@ def part_of(test: str, parts: int) -> int:
     return zlib.crc32((test if group == test.partition("[")[0] else group).encode()) % parts
 
 
+def longest_first(tests: Sequence[str]) -> list[int]:
+    """The order in which several processes take tests: those of a group together, and groups that take longest first.
+
+    Otherwise a test of half a minute, which is a group by itself, may be the last, and the other processes wait for it.
+    """
+    functions = [test.partition("[")[0] for test in tests]
+    number = Counter(functions)
+    seconds: Counter[str] = Counter()
+    for test, function in zip(tests, functions, strict=True):
+        seconds[group_of(test)] += SECONDS.get(function, 0.0) / number[function] + LITTLE
+    first = {group: n for n, group in reversed([*enumerate(map(group_of, tests))])}
+    return sorted(range(len(tests)), key=lambda n: (-seconds[g := group_of(tests[n])], first[g], n))
+
+
 class ByProblem(LoadScopeScheduling):  # type: ignore[misc]
-    """Hands out the tests of a group together, large groups first."""
+    """Hands out the tests of a group together, in the order in which they were collected."""
+
+    def __init__(self, config: Any, log: Any) -> None:
+        super().__init__(config, log)
+        config.option.loadscopereorder = False
 
     def _split_scope(self, nodeid: str) -> str:
         return group_of(nodeid)
