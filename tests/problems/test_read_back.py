@@ -25,8 +25,8 @@ from lagrange.expressions.reader import EquationRead, Scope, read_equation
 from lagrange.problem.loader import load
 from lagrange.render.json import as_object
 from lagrange.render.latex import body
+from tests.support.printed_equations import equations_in, unreadable
 from tests.support.shared import SHIPPED, reported
-from tests.support.sweep import equations_in, unreadable
 
 
 @pytest.fixture(scope="module", params=SHIPPED)

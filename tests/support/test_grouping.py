@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from tests.support import grouping
-from tests.support.grouping import NAMES, group_of, longest_first, part_of
+from tests.support.grouping import BATCHES, NAMES, batch_of, group_of, longest_first, part_of, unit_of
+from tests.support.shared import SHIPPED
 
 
 @pytest.mark.parametrize(
@@ -27,6 +28,14 @@ def test_group(test: str, group: str) -> None:
 
 def test_every_problem_has_its_own_group() -> None:
     assert all(group_of(f"a.py::test[{name}]") == name for name in NAMES)
+
+
+def test_a_batch_of_problems_is_one_unit() -> None:
+    batch = f"batch-{batch_of('heavy-top')}"
+    assert unit_of("a.py::test_a[heavy-top]") == unit_of(f"b.py::test_b[brief-{batch}]") == batch
+    assert unit_of(f"b.py::test_b[{batch}-brief]") == unit_of(f"b.py::test_b[{batch}]") == batch
+    assert unit_of("a.py::test_a[heavy_top]") == "heavy_top"
+    assert {batch_of(name) for name in SHIPPED} == {*range(BATCHES)}
 
 
 def test_the_longest_group_comes_first_and_groups_stay_together(monkeypatch: pytest.MonkeyPatch) -> None:
