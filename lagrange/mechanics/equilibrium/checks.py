@@ -39,7 +39,7 @@ from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
-from lagrange.problem.model import AppliedForce, AppliedMoment, Damper, Friction, Potential, Problem, Spring
+from lagrange.problem.model import AppliedForce, AppliedMoment, Belt, Damper, Friction, Potential, Problem, Spring
 
 
 def check_statics(problem: Problem, configuration: Configuration) -> None:
@@ -71,6 +71,8 @@ def _forces(problem: Problem) -> Iterable[Diagnostic]:
                 continue
             case Friction():
                 continue  # refused before, by `solve`
+            case Belt():
+                parts = (f.angle, f.tight, f.slack)
             case unreachable:
                 assert_never(unreachable)
         symbols = sorted({s for p in parts for s in p.free_symbols}, key=str)
