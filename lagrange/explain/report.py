@@ -42,14 +42,17 @@ from lagrange.mechanics.constraints.definedness import explained_failures
 from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
-from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
+from lagrange.mechanics.energy_symbols import (
+    energy_symbols,
+    letters_of_oscillations,
+    small_displacements,
+    states_potential,
+)
 from lagrange.mechanics.solution import (
     InCoordinates,
     OnStage,
     Solution,
-    letters_of_oscillations,
     silent,
-    small_displacements,
     solve,
 )
 from lagrange.problem.model import Find, Friction, Problem

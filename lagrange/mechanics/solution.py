@@ -587,16 +587,3 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
         choices=tuple(views[1:]),
         checks=tuple(checks),
     )
-
-
-def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
-    """The letters ξ of all linear equations."""
-    return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
-
-
-def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
-    """The letters for frequencies, exponents and damping ratios."""
-    linear = [v.linearization for v in solution.views if v.linearization is not None]
-    names = {f"{f.omega}{i}" for f in linear for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
-    names |= {f.exponent.name for f in linear} | ({"zeta"} if linear else set())
-    return tuple(sp.Symbol(n, real=True) for n in sorted(names))
