@@ -111,6 +111,17 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         yield quantities.check_conserved(answers.conserved, solution)
     if answers.virtual_displacements:
         yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
+    if answers.steady:
+        from lagrange.answers.equilibria import check_equilibria
+
+        conditions = [v.steady.about.equilibrium for v in solution.views if v.steady is not None]
+        if conditions:
+            verdict = check_equilibria(answers.steady, conditions, reference_of_solution(solution))
+            missing = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
+            yield replace(verdict, name="steady", diagnosis=missing)
+        else:
+            why = "the problem does not ask for steady motions"
+            yield AnswerVerdict(Verdict.UNDECIDED, name="steady", diagnosis=why)
     if answers.hamiltonian is not None:
         from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
 

@@ -212,7 +212,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     if solution.own.dynamics is None:
         yield _speeds(solution.own.in_speeds, solution)
     yield _small_oscillations(solution.own.linearization)
-    yield _in_momenta(solution.own, solution)
+    yield from _in_momenta(solution.own, solution)
     for c in solution.choices:
         yield from (step and replace(step, choice=c.name) for step in _in_choice(solution, c, complete))
     if solution.asked:
@@ -246,7 +246,7 @@ def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator
     yield _rolling(c)
     yield _conserved(c.conserved, problem, c.name)
     yield _small_oscillations(c.linearization)
-    yield _in_momenta(c, solution)
+    yield from _in_momenta(c, solution)
 
 
 def names_of(problem: Problem) -> frozenset[str]:
@@ -303,12 +303,15 @@ def _small_oscillations(linearization: Linearization | None) -> Step | None:
     return explain_linearization(linearization)
 
 
-def _in_momenta(view: InCoordinates, solution: Solution) -> Step | None:
-    if view.hamiltonian is None:
-        return None
-    from lagrange.explain.hamilton import explain_hamiltonian
+def _in_momenta(view: InCoordinates, solution: Solution) -> Iterator[Step]:
+    if view.hamiltonian is not None:
+        from lagrange.explain.hamilton import explain_hamiltonian
 
-    return explain_hamiltonian(view.hamiltonian, energy_symbols(solution))
+        yield explain_hamiltonian(view.hamiltonian, energy_symbols(solution))
+    if view.steady is not None:
+        from lagrange.explain.rest.steady_motions import explain_steady
+
+        yield explain_steady(view.steady)
 
 
 def _reactions_at_rest(solution: Solution, reactions: StaticReactions | None) -> Step | None:

@@ -6,12 +6,17 @@ valid in the language of problem files, so that what is printed with them can be
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.core.symbols import free_letter
 from lagrange.mechanics.dynamics.energies import Energies
 from lagrange.mechanics.solution import Solution
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.linearization import Linearization
 
 
 @record
@@ -99,12 +104,18 @@ def energy_symbols(solution: Solution) -> EnergySymbols:
 
 def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
     """The letters ξ of all linear equations."""
-    return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
+    return tuple(dict.fromkeys(x for f in _linearizations(solution) for x in f.displacements))
+
+
+def _linearizations(solution: Solution) -> list[Linearization]:
+    """Those about equilibria, and about steady motions."""
+    found = [v.linearization for v in solution.views] + [v.steady.about for v in solution.views if v.steady is not None]
+    return [f for f in found if f is not None]
 
 
 def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
     """The letters for frequencies, exponents and damping ratios."""
-    linear = [v.linearization for v in solution.views if v.linearization is not None]
+    linear = _linearizations(solution)
     names = {f"{f.omega}{i}" for f in linear for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
     names |= {f.exponent.name for f in linear} | ({"zeta"} if linear else set())
     return tuple(sp.Symbol(n, real=True) for n in sorted(names))

@@ -63,6 +63,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.steady_motions import SteadyMotions
     from lagrange.mechanics.questions.results import Asked
 
 
@@ -90,6 +91,7 @@ class InCoordinates:
     conserved          the conserved quantities
     linearization      small oscillations
     hamiltonian        Hamilton's function and equations
+    steady             steady motions
     in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
     at_rest            where the system can be at rest with friction
     rolling            the conditions under which what rolls does not slip
@@ -110,6 +112,7 @@ class InCoordinates:
     conserved: Conserved | None = None
     linearization: Linearization | None = None
     hamiltonian: Hamiltonian | None = None
+    steady: SteadyMotions | None = None
     in_numbers: EquilibriaInNumbers | None = None
     at_rest: AtRest | None = None
     rolling: Rolling | None = None
@@ -201,7 +204,7 @@ def solve(
 
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     refuse_what_is_not_covered(problem)
-    needs_motion = {Find.LINEARIZATION, Find.HAMILTONIAN} & {*problem.find} or problem.questions
+    needs_motion = {Find.LINEARIZATION, Find.HAMILTONIAN, Find.STEADY} & {*problem.find} or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     running = ""
@@ -239,8 +242,8 @@ def _stages(
         yield lambda s: _with_speeds(s, on_stage)
     if Find.LINEARIZATION in problem.find:
         yield lambda s: _with_linearization(s, on_stage)
-    if Find.HAMILTONIAN in problem.find:
-        yield lambda s: _with_hamiltonian(s, on_stage)
+    if {Find.HAMILTONIAN, Find.STEADY} & {*problem.find}:
+        yield lambda s: _with_momenta(s, on_stage)
     if Find.EQUILIBRIUM in problem.find and not rough:
         yield lambda s: _with_equilibrium(s, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
@@ -430,21 +433,28 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     return replace(solution, own=own, choices=choices, checks=tuple(checks))
 
 
-def _with_hamiltonian(solution: Solution, on_stage: OnStage) -> Solution:
-    """The solution with Hamilton's function, in every set of free coordinates that is given without square roots."""
+def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with Hamilton's function and steady motions, in every set of free coordinates without roots."""
     from lagrange.mechanics.momenta.hamiltonian import check_hamiltonian, hamiltonian
+    from lagrange.mechanics.momenta.steady_motions import check_steady, steady_motions
 
-    on_stage("Hamilton's equations")
-    taken = _names(solution.problem)
+    taken, find = _names(solution.problem), solution.problem.find
     checks = [*solution.checks]
     free = {v.name for v in solution.views if not v.configuration.rows and not v.signs} or {solution.views[-1].name}
 
     def in_momenta(view: InCoordinates) -> InCoordinates:
-        if view.motion is None or view.name not in free:
+        equations = view.motion
+        if equations is None or view.name not in free:
             return view
-        found = hamiltonian(view.motion, taken)
-        checks.extend(check_hamiltonian(found))
-        return replace(view, hamiltonian=found)
+        if Find.HAMILTONIAN in find:
+            on_stage(_stage("Hamilton's equations", view))
+            view = replace(view, hamiltonian=hamiltonian(equations, taken))
+            checks.extend(check_hamiltonian(view.hamiltonian) if view.hamiltonian else ())
+        if Find.STEADY in find:
+            on_stage(_stage("steady motions", view))
+            view = replace(view, steady=steady_motions(equations, taken))
+            checks.extend(check_steady(view.steady) if view.steady else ())
+        return view
 
     own, *choices = map(in_momenta, solution.views)
     return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))

@@ -126,6 +126,7 @@ class Find(StrEnum):
     LINEARIZATION = "linearization"
     IMPENDING = "impending"
     HAMILTONIAN = "hamiltonian"
+    STEADY = "steady"
 
 
 class FrameType(StrEnum):
@@ -383,6 +384,7 @@ ANSWERS = Form(
         Key(
             "hamiltonian", AnyOf(("expression", "equation")), "Hamilton's function, in coordinates and momenta p_theta."
         ),
+        Key("steady", "alternatives", "Steady motions: a list is one; lists in a list are alternatives."),
         Key("kinetic_energy", "expression", "T, in the coordinates of the file or of a choice."),
         Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
         Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),

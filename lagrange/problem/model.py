@@ -324,6 +324,7 @@ class Answers:
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
     hamiltonian: Fragment | None = None
+    steady: tuple[tuple[Fragment, ...], ...] = ()
     kinetic_energy: Fragment | None = None
     generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
     conserved: tuple[Fragment, ...] = ()

@@ -87,6 +87,7 @@ class AnswerReader:
             frequencies=self._frequencies(section.get("frequencies")),
             ask=self._asked(section.get("ask")),
             rest=self._rest(section.get("rest")),
+            steady=self._equilibrium(section.get("steady"), "`steady`"),
             hamiltonian=self._one(section.get("hamiltonian"), "`hamiltonian`"),
             kinetic_energy=self._one(section.get("kinetic_energy"), "a kinetic energy"),
             generalized_forces=self._by_coordinates(section.get("generalized_forces")),
@@ -191,9 +192,8 @@ class AnswerReader:
         for equation in equations(fragment):
             self.context.read_quietly(limited, equation, self.scope, [])
 
-    def _equilibrium(self, node: Node | None) -> tuple[tuple[Fragment, ...], ...]:
+    def _equilibrium(self, node: Node | None, what: str = "`equilibrium`") -> tuple[tuple[Fragment, ...], ...]:
         """Nested lists are alternatives; a flat list is one system."""
-        what = "`equilibrium`"
         if isinstance(node, ListNode) and any(isinstance(item, ListNode) for item in node.items):
             if not all(isinstance(item, ListNode) for item in node.items):
                 help_ = "write `[a, b]` for one system, `[[a], [b]]` for alternatives"

@@ -1,14 +1,17 @@
-"""Hamilton's function, the canonical equations and Routh's function in JSON."""
+"""Hamilton's function, the canonical equations, Routh's function and steady motions in JSON."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+import sympy as sp
+
 from lagrange.core.symbols import prime
 
 if TYPE_CHECKING:
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 
 Write = Callable[[Any], str]
 
@@ -29,3 +32,25 @@ def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:
     if found.routhian is not None:
         result["routhian"] = write(found.routhian)
     return result
+
+
+def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
+    """One entry for each solution of the conditions, with the linear equations about it at constant momenta."""
+    entries = []
+    for b, s in zip(found.about.branches, found.about.at, strict=True):
+        entry: dict[str, Any] = {
+            "cyclic": [q.name for q in found.cyclic],
+            "conditions": [f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations],
+            "exists_where": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions],
+        }
+        if s is not None:
+            stability = s.judgement.stability
+            squares = [f.square for f in s.frequencies]
+            entry["linear"] = [f"{write(e)} = 0" for e in s.equations]
+            entry["frequencies"] = [None if w is None else write(sp.sqrt(w)) for w in squares]
+            entry["stability"] = stability.verdict.value
+            where = [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in stability.conditions]
+            if where:
+                entry["stable_where"] = " and ".join(where)
+        entries.append(entry)
+    return entries

@@ -227,7 +227,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unknown-key": ("The key is misspelt.", problem("constraint: {rod: x = 0}")),
     "unknown-name": ("The file has no particle, body or constraint of that name.", problem(
         PARTICLE + "forces: {push: {on: Q, vector: g*i}}")),
-    "unknown-question": ("Ask for constraints, equilibrium, motion, linearization or impending.", problem("find: movement")),
+    "unknown-question": ("Ask for constraints, equilibrium, motion, linearization, impending, hamiltonian or steady.", problem("find: movement")),
     "unknown-keeper": ("What keeps a constraint: a rod, a string, a surface, a wire, a hinge, rolling or a gear.", problem(
         PARTICLE + "constraints: {rod: {equation: x^2 + y^2 = l^2, by: rubber}}")),
     "unknown-sense": ("Write positive or negative.", problem(

@@ -446,6 +446,13 @@ def spherical_pendulum_by_routh() -> tuple[Route, ...]:
     return (newton("theta phi", [(m, at, (0, 0, -m * g))]),)
 
 
+def marble_in_a_cone() -> tuple[Route, ...]:
+    r, phi = moving("r phi")
+    m, alpha, g = constants("m alpha g")
+    at = (r * sin(alpha) * cos(phi), r * sin(alpha) * sin(phi), r * cos(alpha))
+    return (newton("r phi", [(m, at, (0, 0, -m * g))]),)
+
+
 def triatomic_molecule() -> tuple[Route, ...]:
     x1, x2, x3 = moving("x1 x2 x3")
     m, big, c, b = constants("m M c b")
@@ -501,6 +508,8 @@ SHIPPED: dict[str, Textbook] = {
     "aircraft": Textbook(aircraft, HOLONOMIC, 6, 0),
     "bead-in-a-turning-tube": Textbook(bead_in_a_turning_tube, RHEONOMIC, 1, 0),
     "spherical-pendulum-by-routh": Textbook(spherical_pendulum_by_routh, HOLONOMIC, 2, 0),
+    "conical-pendulum": Textbook(spherical_pendulum_by_routh, HOLONOMIC, 2, 0),
+    "marble-in-a-cone": Textbook(marble_in_a_cone, HOLONOMIC, 2, 0),
     "bead-on-rotating-hoop": Textbook(bead_on_rotating_hoop, RHEONOMIC, 1, 2),
     "coupled-pendulums": Textbook(coupled_pendulums, HOLONOMIC, 2, 0),
     "double-pendulum-small-oscillations": Textbook(double_pendulum, HOLONOMIC, 2, 0),

@@ -42,11 +42,12 @@ def explain_linearization(linearization: Linearization) -> Step:
     if any(s is not None for s in linearization.at):
         body.append(_names(linearization))
     for n, (b, s) in enumerate(zip(linearization.branches, linearization.at, strict=True), start=1):
-        body += _about(n, b, s, linearization)
+        body += explain_about(n, b, s, linearization)
     return Step(Rule.LINEARIZATION, title_in("Small oscillations", name), tuple(body))
 
 
-def _label(linearization: Linearization, kind: str, n: int) -> str:
+def label_of(linearization: Linearization, kind: str, n: int) -> str:
+    """The label of an equation about the nth equilibrium."""
     return f"{kind}{suffix_of(linearization.configuration.name)}-{n}"
 
 
@@ -69,7 +70,7 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
         one = len(shown) == 1
         yield prose(start, ", and the equation of motion reduces to" if one else
                     ", and the equations of motion reduce to")  # fmt: skip
-        yield display(*(Equation((c, ZERO), label=_label(linearization, "rest", n)) for n, c in enumerate(shown, 1)))
+        yield display(*(Equation((c, ZERO), label=label_of(linearization, "rest", n)) for n, c in enumerate(shown, 1)))
         start = "This holds"
     if not linearization.branches:
         nowhere = f"{start} nowhere: there is no equilibrium."
@@ -86,10 +87,10 @@ def _rest(linearization: Linearization) -> Iterator[Block]:
             yield prose("every position.")
             continue
         last = lines[-1]
-        lines[-1] = Equation(last.sides, label=_label(linearization, "at-rest", n), condition=branch_conditions(b))
+        lines[-1] = Equation(last.sides, label=label_of(linearization, "at-rest", n), condition=branch_conditions(b))
         yield display(*lines, detail=Detail.BRIEF)
     branches = enumerate(linearization.branches, start=1)
-    yield from existence_left_open((Ref(_label(linearization, "at-rest", n)), b) for n, b in branches)
+    yield from existence_left_open((Ref(label_of(linearization, "at-rest", n)), b) for n, b in branches)
     yield from singular_places(e)
     yield from outside_ranges(e)
 
@@ -110,9 +111,11 @@ def _names(linearization: Linearization) -> Block:
     return replace(paragraph(be, neglected), short=be.parts, detail=Detail.BRIEF if used else Detail.STEPS)
 
 
-def _about(n: int, b: Branch, s: SmallOscillations | None, linearization: Linearization) -> Iterator[Block]:
-    """One equilibrium."""
-    place: Part = Ref(_label(linearization, "at-rest", n)) if b.equations else "any position"
+def explain_about(
+    n: int, b: Branch, s: SmallOscillations | None, linearization: Linearization, noun: str = "equilibrium"
+) -> Iterator[Block]:
+    """The linear equations about one equilibrium, or whatever `noun` says."""
+    place: Part = Ref(label_of(linearization, "at-rest", n)) if b.equations else "any position"
     if s is None:
         if n > MOST_EQUILIBRIA or b.left or b.special:
             return
@@ -121,16 +124,24 @@ def _about(n: int, b: Branch, s: SmallOscillations | None, linearization: Linear
         )
         return
     symbols = {x for e in s.equations for x in e.free_symbols} & set(linearization.configuration.slots.coordinates)
-    taken = (", with ", *listed(math(q) for q in sorted(symbols, key=str)), " at equilibrium,") if symbols else ()
+    taken = (
+        (
+            ", with ",
+            *listed(math(q) for q in sorted(symbols, key=str)),
+            f" at {noun}," if noun == "equilibrium" else f" in the {noun},",
+        )
+        if symbols
+        else ()
+    )
     yield prose("About ", place, *taken, plural(len(s.equations), " the equation of motion becomes",
                                                 " the equations of motion become"))  # fmt: skip
     hidden = s.judgement.stability.verdict is StabilityVerdict.UNSTABLE
-    lines = [Equation((e, ZERO), label=_label(linearization, f"linear-{k}", n)) for k, e in enumerate(s.equations, 1)]
+    lines = [Equation((e, ZERO), label=label_of(linearization, f"linear-{k}", n)) for k, e in enumerate(s.equations, 1)]
     yield display(*lines, boxed=not hidden, detail=Detail.STEPS if hidden else Detail.BRIEF)
     yield from _bound(s, linearization)
     yield from _matrices(s)
     yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
-    named = ("the equilibrium ", place) if b.equations else ("every position of rest",)
+    named = (f"the {noun} ", place) if b.equations else ("every position of rest",)
     yield from _verdict(named, s)
 
 
@@ -173,7 +184,7 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
     if len(s.free) > 1 and c.count_ops() <= LONGEST:
         words = ", with constant amplitudes not all zero, exist if"
         yield prose("Solutions proportional to ", *wave, words, detail=detail)
-        yield display(Equation((c, ZERO), label=_label(linearization, "frequencies", n)), detail=detail)
+        yield display(Equation((c, ZERO), label=label_of(linearization, "frequencies", n)), detail=detail)
         yield prose("The roots are" if closed else _not_closed(s), detail=detail)
     else:
         amplitude = ", with a constant amplitude" if closed and len(s.free) == 1 else ""
@@ -184,7 +195,7 @@ def _characteristic(n: int, s: SmallOscillations, linearization: Linearization, 
     for k, f in enumerate(s.frequencies, start=1):
         if f.square is not None:
             omega = sp.Symbol(f"{unknown.name}_{k}", real=True) if several else unknown
-            label = _label(linearization, f"omega-{k}", n)
+            label = label_of(linearization, f"omega-{k}", n)
             ratios = _long_ratios(f, s, linearization)
             lines.append(
                 Equation((omega**2, f.square), label=label, condition=() if ratios else _mode(f, s, linearization))
@@ -236,16 +247,16 @@ def _damped(n: int, s: SmallOscillations, linearization: Linearization) -> Itera
     wave = ("exp(", math(p), " ", math(TIME), ")")
     if c is not None and c.count_ops() <= LONGEST:
         yield prose("Nonzero solutions proportional to ", *wave, " exist if")
-        yield display(Equation((c, ZERO), label=_label(linearization, "exponents", n)))
+        yield display(Equation((c, ZERO), label=label_of(linearization, "exponents", n)))
     if s.damped is None:
         return
     omega = linearization.omega
     own, ratio = sp.Symbol(f"{omega.name}_0", real=True), sp.Symbol("zeta", real=True)
     yield prose("Without damping the frequency would be ", math(own), "; the damping ratio is ", math(ratio), ":")
     lines = [
-        Equation((own**2, s.damped.own), label=_label(linearization, "own", n)),
-        Equation((ratio, s.damped.rate / own), label=_label(linearization, "ratio", n)),
-        Equation((omega**2, own**2 * (1 - ratio**2), s.damped.square), label=_label(linearization, "omega", n)),
+        Equation((own**2, s.damped.own), label=label_of(linearization, "own", n)),
+        Equation((ratio, s.damped.rate / own), label=label_of(linearization, "ratio", n)),
+        Equation((omega**2, own**2 * (1 - ratio**2), s.damped.square), label=label_of(linearization, "omega", n)),
     ]
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
     less, more = math(ratio, sp.S.One, relation="<"), math(ratio, sp.S.One, relation="≥")

@@ -153,8 +153,7 @@ def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Lineariza
     form = matrix_form(motion)
     resting = equilibria_of_motion(form, motion)
     names = displacement_names(configuration.slots.coordinates, taken)
-    omega = sp.Symbol(_letter(("omega", "Omega", "nu", "varpi"), taken), real=True)
-    exponent = sp.Symbol(_letter(("p", "s", "sigma", "zeta"), taken), real=True)
+    omega, exponent = letters_of(taken)
     branches, complete = branches_at_rest(resting)
     places = (c for p in configuration.points for c in p.position.fixed().components)
     driven = any(is_time(s, configuration) for c in places for s in c.free_symbols)
@@ -163,6 +162,12 @@ def linearization(motion: EquationsOfMotion, taken: frozenset[str]) -> Lineariza
         for n, b in enumerate(branches)
     )
     return Linearization(motion, resting, branches, complete, names, omega, exponent, driven, at)
+
+
+def letters_of(taken: frozenset[str]) -> tuple[sp.Symbol, sp.Symbol]:
+    """The letters for a frequency, ω, and for an exponent, p."""
+    omega = _letter(("omega", "Omega", "nu", "varpi"), taken)
+    return sp.Symbol(omega, real=True), sp.Symbol(_letter(("p", "s", "sigma", "zeta"), taken), real=True)
 
 
 def _letter(letters: Sequence[str], taken: frozenset[str]) -> str:
@@ -194,9 +199,28 @@ def _about(
         matrices = matrices_on(b, form, resting)
         if matrices is None:
             return None
-        free, shape, mass, damping, stiffness = matrices
+        free, shape, *reduced = matrices
         if len(free) > MOST_OSCILLATING or not free:
             return None
+    except (DivisionByZeroError, ZeroDivisionError):
+        return None
+    mass, damping, stiffness = reduced
+    return oscillations(free, shape, (mass, damping, stiffness), b, resting, names, omega, exponent)
+
+
+def oscillations(
+    free: tuple[int, ...],
+    shape: Matrix,
+    matrices: tuple[Matrix, Matrix, Matrix],
+    b: Branch,
+    resting: Equilibrium,
+    names: Sequence[sp.Symbol],
+    omega: sp.Symbol,
+    exponent: sp.Symbol,
+) -> SmallOscillations | None:
+    """The linear equations with M, D, K, their frequencies and stability; None if M is singular."""
+    mass, damping, stiffness = matrices
+    try:
         singular = is_zero(sp.Matrix(mass).det(method="berkowitz"))
     except (DivisionByZeroError, ZeroDivisionError):
         return None

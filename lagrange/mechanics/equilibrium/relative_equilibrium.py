@@ -4,8 +4,8 @@ With q' = q'' = 0 the equations of motion become conditions for q_0: the forces 
 of a prescribed uniform rotation. A bead on a hoop rotating at ω has m R² ω² sin θ cos θ besides its weight; these are
 the forces of an effective potential. Positions may contain time as long as it cancels from the equations.
 
-Only rest in the coordinates is meant. Steady motions, in which a coordinate grows at a constant rate, are equilibria in
-other coordinates.
+Only rest in the coordinates is meant; steady motions, in which a coordinate grows at a constant rate, are found in
+`momenta.steady_motions`.
 """
 
 from __future__ import annotations

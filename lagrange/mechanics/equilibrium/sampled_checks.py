@@ -52,7 +52,7 @@ def check_stability(resting: Equilibrium, second: SecondVariation | None) -> lis
     """The check of the stability of the equilibria of one configuration; none if nothing is claimed of it."""
     if second is None:
         return []
-    samples = _Samples(resting)
+    samples = Samples(resting)
     verdicts = [
         v for b, s in zip(resting.branches, second.verdicts, strict=True) if s.order == 2 for v in samples.agree(b, s)
     ]
@@ -64,7 +64,7 @@ def check_stability(resting: Equilibrium, second: SecondVariation | None) -> lis
 def check_oscillations(linear: Linearization) -> list[Check]:
     """The checks of stability to first order and of the frequencies, in one set of coordinates."""
     name = linear.configuration.name
-    samples = _Samples(linear.equilibrium)
+    samples = Samples(linear.equilibrium)
     checks = []
     signs = [
         v
@@ -107,7 +107,7 @@ def _are_all_roots(s: SmallOscillations) -> bool | None:
         return None
 
 
-class _Samples:
+class Samples:
     """Points in numbers at which statements about the equilibria of one configuration are tried."""
 
     def __init__(self, resting: Equilibrium) -> None:
@@ -148,7 +148,7 @@ class _Samples:
             left = {True: SAMPLES_PER_SIDE, False: SAMPLES_PER_SIDE}
             for number in range(MOST_DRAWS):
                 try:
-                    point = self._point(values, number)
+                    point = self.point(values, number)
                     stable = _claimed(point, b, s)
                     sign = self._sign(point) if stable is not None and left[stable] else None
                 except (InadmissibleError, UnsupportedError, DivisionByZeroError):
@@ -158,7 +158,7 @@ class _Samples:
                 left[stable] -= 1
                 yield sign == (1 if stable else -1)
 
-    def _point(self, values: Values, number: int) -> RealPoint:
+    def point(self, values: Values, number: int) -> RealPoint:
         """Random parameters and free coordinates, and the other coordinates by the values of a branch's letters."""
         point = RealPoint(self.graph, Reals(Random(number)))
         letters = self.resting.solution.letters
@@ -222,7 +222,7 @@ def _definiteness(point: RealPoint, table: Sequence[Sequence[Any]]) -> int | Non
     positive = True
     for n in range(1, size + 1):
         for chosen in combinations(range(size), n):
-            minor = _determinant([[scaled[i][j] for j in chosen] for i in chosen])
+            minor = determinant_in_numbers([[scaled[i][j] for j in chosen] for i in chosen])
             vanishes = point.arithmetic.vanishes(minor)
             if not vanishes and minor < 0:
                 return -1
@@ -230,18 +230,24 @@ def _definiteness(point: RealPoint, table: Sequence[Sequence[Any]]) -> int | Non
     return 1 if positive else None
 
 
-def _determinant(table: Sequence[Sequence[Any]]) -> Any:
+def determinant_in_numbers(table: Sequence[Sequence[Any]]) -> Any:
     """By the first row, without a division."""
     if not table:
         return 1
     return sum(
-        (-1) ** j * x * _determinant([[*row[:j], *row[j + 1 :]] for row in table[1:]]) for j, x in enumerate(table[0])
+        (-1) ** j * x * determinant_in_numbers([[*row[:j], *row[j + 1 :]] for row in table[1:]])
+        for j, x in enumerate(table[0])
     )
+
+
+def exists(b: Branch, point: RealPoint) -> bool:
+    """Whether the conditions of a branch hold strictly at a point."""
+    return all(_sense(point, c) == 1 for c in (*b.conditions, *b.implied))
 
 
 def _claimed(point: RealPoint, b: Branch, s: Stability) -> bool | None:
     """Whether an equilibrium is stated to be stable at a point; None where it does not exist, or nothing is stated."""
-    if not all(_sense(point, c) == 1 for c in (*b.conditions, *b.implied)):
+    if not exists(b, point):
         return None
     match s.verdict:
         case StabilityVerdict.STABLE | StabilityVerdict.UNSTABLE:

@@ -1,0 +1,85 @@
+"""Steady motions: which coordinates are cyclic, the conditions, the linear equations about them at constant momenta."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.core.symbols import prime
+from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
+from lagrange.explain.rest.oscillations import explain_about, label_of
+from lagrange.explain.words import are, branch_conditions, plural, title_in
+from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+
+ZERO = sp.S.Zero
+
+
+def explain_steady(found: SteadyMotions) -> Step:
+    """The step on steady motions in one set of coordinates."""
+    about = found.about
+    body = [*_conditions(found), *_branches(found)]
+    if any(s is not None for s in about.at):
+        body.append(_at_constant_momenta(found))
+    for n, (b, s) in enumerate(zip(about.branches, about.at, strict=True), start=1):
+        body += explain_about(n, b, s, about, "steady motion")
+    return Step(Rule.STEADY, title_in("Steady motions", about.configuration.name), tuple(body))
+
+
+def _conditions(found: SteadyMotions) -> Iterator[Block]:
+    """Which coordinates are cyclic, and what the equations of motion require of the others."""
+    about = found.about
+    cyclic = [math(q) for q in found.cyclic]
+    rates = [math(prime(q)) for q in found.cyclic]
+    others = [math(q) for q in about.configuration.slots.coordinates]
+    verb = plural(len(cyclic), " does not appear in the equations of motion, only its velocity does: it is cyclic.",
+                  " do not appear in the equations of motion, only their velocities do: they are cyclic.")  # fmt: skip
+    rest: tuple[Part, ...] = (", and ", *listed(others), are(others), "constant too") if others else ()
+    steady = prose("In a steady motion ", *listed(rates), are(rates), "constant", *rest, ".")
+    shown = list(dict.fromkeys(c.expression for c in about.equilibrium.conditions))
+    if not shown:
+        yield paragraph(prose(*listed(cyclic), verb), steady, prose("The equations of motion then hold."))
+        return
+    become = plural(len(shown), "The equation of motion of the other coordinate becomes", "Those of the others become")
+    yield paragraph(prose(*listed(cyclic), verb), steady, prose(become))
+    yield display(*(Equation((c, ZERO), label=label_of(about, "steady", n)) for n, c in enumerate(shown, 1)))
+
+
+def _branches(found: SteadyMotions) -> Iterator[Block]:
+    """The solutions of the conditions, and the positions left out."""
+    about = found.about
+    if not about.branches:
+        nowhere = "They cannot be satisfied: there are no steady motions."
+        open_ = "Solutions were not found in closed form."
+        yield prose(nowhere if about.complete else open_, detail=Detail.BRIEF)
+    else:
+        yield prose("This holds for" if about.complete else "Among other solutions, perhaps, this holds for")
+    for n, b in enumerate(about.branches, start=1):
+        lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
+        if not lines:
+            yield prose("all values of the coordinates.")
+            continue
+        lines[-1] = Equation(lines[-1].sides, label=label_of(about, "at-rest", n), condition=branch_conditions(b))
+        yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    poles = [r for b in about.equilibrium.poles for r in b.equations]
+    if poles:
+        places = listed((math(r.lhs, r.rhs) for r in poles), " or ")
+        yield prose("Where ", *places, ", the coordinates fail.")
+
+
+def _at_constant_momenta(found: SteadyMotions) -> Block:
+    """ξ, and what becomes of the cyclic velocities."""
+    about = found.about
+    coordinates = about.configuration.slots.coordinates
+    small = listed(math(x) for x in about.displacements)
+    be = prose("Let ", *small, plural(len(coordinates), " be a small change of ", " be small changes of "),
+               *listed(math(q) for q in coordinates), ".")  # fmt: skip
+    rates = listed(math(prime(q)) for q in found.cyclic)
+    momenta = plural(len(found.cyclic), "the momentum of ", "the momenta of ")
+    kept = plural(len(found.cyclic), " keeps its value", " keep their values")
+    change = plural(len(found.cyclic), "the momentum", "the momenta")
+    held = prose(*rates, plural(len(found.cyclic), " changes", " change"), " with ", *small, " so that ", momenta,
+                 *listed(math(q) for q in found.cyclic), kept, f": a change of {change} leads to another steady "
+                 "motion nearby.")  # fmt: skip
+    return paragraph(be, held, prose("Terms of second order are neglected."))

@@ -1,0 +1,283 @@
+"""Steady motions: cyclic coordinates change at constant rates, the others are at rest.
+
+A coordinate is cyclic here if it does not occur in the equations of motion, and no force acts along it once the others
+rest. With q_c' constant, and q_o' = 0 for the others, the equations of motion become conditions between q_o and q_c':
+cos θ = g/(l φ'²) for the conical pendulum. They are solved like those of equilibrium, the q_c' being parameters.
+
+About a steady motion q_o = q_0 + ξ, q_c' = const + η', and to first order, with M, D, K as for small oscillations,
+
+    M_co ξ'' + M_cc η'' + D_co ξ' = 0         which integrates to   M_co ξ' + M_cc η' + D_co ξ = const ,
+
+the change of the momenta p_c. A change of the momenta leads to a neighbouring steady motion; with the momenta as they
+were, the constant is zero, η' drops out, and what is left is an equation of small oscillations for ξ alone, that of
+Routh's function:
+
+    M̃ = M_oo − M_oc M_cc⁻¹ M_co ,   D̃ = D_oo − M_oc M_cc⁻¹ D_co − D_oc M_cc⁻¹ M_co ,   K̃ = K_oo − D_oc M_cc⁻¹ D_co .
+
+Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.eigenmodes import Matrix
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
+from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.algebra.exact.real_points import RealPoint
+from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.records import record
+from lagrange.core.symbols import Slots, partial, variation
+from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
+from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import Check
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
+from lagrange.mechanics.equilibrium.limits import (
+    MOST_COMPARED_POINTS,
+    MOST_DRAWS,
+    MOST_EQUILIBRIA,
+    MOST_OSCILLATING,
+    SAMPLES_PER_SIDE,
+)
+from lagrange.mechanics.equilibrium.linearization import (
+    Linearization,
+    SmallOscillations,
+    displacement_names,
+    letters_of,
+    oscillations,
+)
+from lagrange.mechanics.equilibrium.relative_equilibrium import branches_at_rest, is_time
+from lagrange.mechanics.equilibrium.sampled_checks import HOW, Samples, determinant_in_numbers, exists
+from lagrange.mechanics.equilibrium.stability import on_branch
+
+ZERO = sp.S.Zero
+
+
+@record
+class SteadyMotions:
+    """The steady motions in one set of free coordinates.
+
+    motion  the equations of motion
+    cyclic  shape (c,): the coordinates whose velocities are constant
+    about   the conditions, as an equilibrium of the other coordinates, and the linear equations of these at constant
+            momenta of the cyclic ones
+    """
+
+    motion: EquationsOfMotion
+    cyclic: tuple[sp.Symbol, ...]
+    about: Linearization
+
+
+def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMotions:
+    """The steady motions of a system in free coordinates.
+
+    taken  names that the letters of the linear equations must not use
+
+    Raises NotCoveredError if the coordinates are not free, time occurs, or no coordinate is cyclic.
+    """
+    configuration = motion.configuration
+    if configuration.rows:
+        names = ", ".join(f"`{r.name}`" for r in configuration.rows)
+        raise NotCoveredError(f"steady motions in coordinates that are not free: {names} still acts on them, so they")
+    form = matrix_form(motion)
+    slots = configuration.slots
+    symbols = {s for e in (*form.force, *(e for row in form.mass for e in row)) for s in e.free_symbols}
+    if any(is_time(s, configuration) for s in symbols):
+        raise NotCoveredError("steady motions where the equations of motion contain time")
+    absent = [k for k, q in enumerate(slots.coordinates) if q not in symbols]
+    steady = {v: ZERO for k, v in enumerate(slots.velocities) if k not in absent}
+    cyclic = [k for k in absent if configuration.states.is_zero(form.force[k].xreplace(steady))]
+    if not cyclic:
+        raise NotCoveredError("steady motions of a system without a cyclic coordinate")
+    others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
+    steady = {slots.velocities[k]: ZERO for k in others}
+    remaining = _without(configuration, [slots.coordinates[k] for k in others])
+    resting = _without_poles(_conditions(remaining, [form.force[k].xreplace(steady) for k in others]), form)
+    branches, complete = branches_at_rest(resting)
+    small = displacement_names(remaining.slots.coordinates, taken)
+    omega, exponent = letters_of(taken)
+    at = tuple(
+        _about(b, form, cyclic, resting, small, omega, exponent) if n < MOST_EQUILIBRIA else None
+        for n, b in enumerate(branches)
+    )
+    about = Linearization(
+        replace(motion, configuration=remaining), resting, branches, complete, small, omega, exponent, False, at
+    )
+    return SteadyMotions(motion, tuple(slots.coordinates[k] for k in cyclic), about)
+
+
+def _without(configuration: Configuration, others: Sequence[sp.Symbol]) -> Configuration:
+    """The configuration in the other coordinates alone; the cyclic velocities in it are constants."""
+    slots = Slots(tuple(others), configuration.slots.prescribed)
+    return replace(configuration, constrained=ConstrainedSystem(slots, ()))
+
+
+def _conditions(remaining: Configuration, forces: Sequence[sp.Expr]) -> Equilibrium:
+    """The conditions of steady motion, solved as those of an equilibrium under `forces`."""
+    ring = FourierRing()
+    textbook = Textbook(ring)
+    coordinates = remaining.slots.coordinates
+    coefficients = tuple(ring.from_sympy(f) for f in forces)
+    displacements = [ring.from_sympy(variation(q)) for q in coordinates]
+    statement = ring.total(q * v for q, v in zip(coefficients, displacements, strict=True))
+    work = VirtualWork(coefficients, tuple(map(textbook.form, coefficients)), textbook.form(statement), textbook)
+    free = Elimination(tuple(range(len(coordinates))), (), (), (), (), ())
+    return equilibrium(remaining, free, work=work)
+
+
+def _without_poles(resting: Equilibrium, form: MatrixForm) -> Equilibrium:
+    """The steady motions without positions where M is singular: there the coordinates fail, as an azimuth at a pole."""
+    mass = sp.Matrix(form.mass).det(method="berkowitz")
+
+    def is_pole(b: Branch) -> bool:
+        value = None if b.left or b.special else on_branch(b, mass, resting)
+        return value is not None and Surface().is_zero(value) is True
+
+    poles = tuple(b for b in resting.branches if is_pole(b))
+    kept = [(b, i) for b, i in zip(resting.branches, resting.idle, strict=True) if b not in poles]
+    solution = replace(resting.solution, branches=tuple(b for b in resting.solution.branches if not is_pole(b)))
+    branches, idle = tuple(b for b, _ in kept), tuple(i for _, i in kept)
+    return replace(resting, solution=solution, branches=branches, idle=idle, poles=poles)
+
+
+def _about(
+    b: Branch,
+    form: MatrixForm,
+    cyclic: Sequence[int],
+    resting: Equilibrium,
+    names: Sequence[sp.Symbol],
+    omega: sp.Symbol,
+    exponent: sp.Symbol,
+) -> SmallOscillations | None:
+    """The linear equations about the steady motions of one branch, at constant momenta."""
+    if b.left or b.special or not names or len(names) > MOST_OSCILLATING:
+        return None
+    try:
+        matrices = reduced_matrices(b, form, cyclic, resting)
+    except (DivisionByZeroError, ZeroDivisionError):
+        return None
+    if matrices is None:
+        return None
+    size = len(names)
+    shape = tuple(tuple(sp.Integer(i == j) for j in range(size)) for i in range(size))
+    return oscillations(tuple(range(size)), shape, matrices, b, resting, names, omega, exponent)
+
+
+def reduced_matrices(
+    b: Branch, form: MatrixForm, cyclic: Sequence[int], resting: Equilibrium
+) -> tuple[Matrix, Matrix, Matrix] | None:
+    """M̃, D̃, K̃ on a branch; None if the momenta are not constant to first order, or there is no closed form."""
+    slots = form.configuration.slots
+    others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
+    steady = {slots.velocities[k]: ZERO for k in others}
+
+    def matrix(rows: Sequence[Sequence[sp.Expr]]) -> sp.Matrix | None:
+        values = [[on_branch(b, e.xreplace(steady), resting, in_parameters=True) for e in row] for row in rows]
+        return (
+            None if any(e is None or e.has(sp.zoo, sp.nan, sp.oo) for row in values for e in row) else sp.Matrix(values)
+        )
+
+    mass = matrix(form.mass)
+    damping = matrix([[-partial(f, v) for v in slots.velocities] for f in form.force])
+    stiffness = matrix([[-partial(f, q) for q in slots.coordinates] for f in form.force])
+    if mass is None or damping is None or stiffness is None:
+        return None
+    o, c = others, list(cyclic)
+    surface = Surface()
+    changes_momenta = (*stiffness.extract(c, o), *damping.extract(c, c))
+    if any(surface.is_zero(e) is not True for e in changes_momenta):
+        return None
+    if surface.is_zero(mass.extract(c, c).det(method="berkowitz")) is not False:
+        return None
+    inverse = mass.extract(c, c).inv()
+    across, turning, back = inverse * mass.extract(c, o), inverse * damping.extract(c, o), damping.extract(o, c)
+    reduced = (
+        mass.extract(o, o) - mass.extract(o, c) * across,
+        damping.extract(o, o) - mass.extract(o, c) * turning - back * across,
+        stiffness.extract(o, o) - back * turning,
+    )
+    written = [
+        [[on_branch(b, e, resting, in_parameters=True) for e in m.row(k)] for k in range(m.rows)] for m in reduced
+    ]
+    if any(e is None for m in written for row in m for e in row):
+        return None
+    m, d, k = (tuple(tuple(e for e in row if e is not None) for row in rows) for rows in written)
+    return m, d, k
+
+
+def check_steady(found: SteadyMotions) -> list[Check]:
+    """The steady motions against Lagrange's equations, and their linear equations by determinants, in numbers.
+
+    At drawn parameters and a drawn p, det(K + p D + p² M) of all coordinates must be p^2c det M_cc times that of the
+    reduced equations: nothing of the elimination of the η is used.
+    """
+    configuration, about = found.motion.configuration, found.about
+    slots = configuration.slots
+    left = lagrange_equations(configuration).left
+    steady = dict.fromkeys((*about.configuration.slots.velocities, *slots.accelerations), ZERO)
+    tables = [
+        [[partial(e, s).xreplace(steady) for s in symbols] for e in left]
+        for symbols in (slots.coordinates, slots.velocities, slots.accelerations)
+    ]
+    balance = [e.xreplace(steady) for e in left]
+    c = [slots.coordinates.index(q) for q in found.cyclic]
+    hold: list[bool] = []
+    linear: list[bool] = []
+    for b, s in zip(about.branches, about.at, strict=True):
+        for point in _points(b, about.equilibrium):
+            try:
+                hold.append(all(point.is_zero(e) for e in balance))
+                if s is not None:
+                    p = point.arithmetic.sample()
+                    full = [point.matrix(t) for t in tables]
+                    reduced = [point.matrix(m) for m in (s.system.stiffness, s.system.damping, s.system.mass)]
+                    inner = determinant_in_numbers([[full[2][i][j] for j in c] for i in c])
+                    product = p ** (2 * len(c)) * inner * determinant_in_numbers(_pencil(reduced, p))
+                    total = determinant_in_numbers(_pencil(full, p))
+                    linear.append(point.arithmetic.vanishes((total - product) / (abs(total) + abs(product))))
+            except (InadmissibleError, UnsupportedError, DivisionByZeroError):
+                continue
+    statements = [
+        ("the steady motions satisfy Lagrange's equations", hold),
+        ("the linear equations about them have the exponents of Lagrange's equations", linear),
+    ]
+    return [Check(name, all(v), HOW, configuration.name) for name, v in statements if v]
+
+
+def _points(b: Branch, resting: Equilibrium) -> Iterator[RealPoint]:
+    """Points at which a branch exists, with drawn parameters; none if it is not in closed form."""
+    if b.left or b.special:
+        return
+    samples = Samples(resting)
+    for values in b.points[:MOST_COMPARED_POINTS]:
+        used = 0
+        for number in range(MOST_DRAWS):
+            try:
+                point = samples.point(values, number)
+                usable = exists(b, point)
+            except (InadmissibleError, UnsupportedError, DivisionByZeroError):
+                continue
+            if usable:
+                used += 1
+                yield point
+            if used == SAMPLES_PER_SIDE:
+                break
+
+
+def _pencil(matrices: Sequence[Sequence[Sequence[Any]]], p: Any) -> list[list[Any]]:
+    """K + p D + p² M in numbers."""
+    k, d, m = matrices
+    size = range(len(k))
+    return [[k[i][j] + p * d[i][j] + p**2 * m[i][j] for j in size] for i in size]

@@ -1,0 +1,146 @@
+"""Steady motions against known results, and against the motion itself in numbers.
+
+The stated frequency is compared with that of a small disturbance: the equations of motion, written down here a second
+time, are integrated from a state close to the steady one with the same momenta, and the time between two passages of
+the coordinate through its constant value is measured.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import cos, pi, sin, sqrt, tan
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+from lagrange.mechanics.solution import solve
+from tests.support.problem_texts import read
+
+AROUND = 'position: "l*sin(theta)*cos(phi)*i + l*sin(theta)*sin(phi)*j - l*cos(theta)*k"'
+CONICAL = f"coordinates: [theta, phi]\nparameters: [m, l, g]\nparticles: {{P: {{mass: m, {AROUND}}}}}\ngravity: -g*k\n"
+ORBIT = """coordinates: [r, phi]
+parameters: [m, K]
+particles: {P: {mass: m, position: "r*cos(phi)*i + r*sin(phi)*j"}}
+forces: {V: {potential: "-m*K/r"}}
+"""
+CONE = """coordinates: [r, phi]
+parameters: {m: positive, g: positive, alpha: acute}
+particles: {P: {mass: m, position: "r*sin(alpha)*cos(phi)*i + r*sin(alpha)*sin(phi)*j + r*cos(alpha)*k"}}
+gravity: -g*k
+"""
+TOP = """coordinates: [alpha, beta, psi]
+parameters: [m, g, l, A, C]
+bodies: {top: {mass: m, inertia: [A, A, C], position: 0*i, orientation: {axes: 123, angles: [alpha, beta, psi]}}}
+forces: {weight: {potential: m*g*l*cos(alpha)*cos(beta)}}
+"""
+
+
+def found_in(text: str) -> SteadyMotions:
+    solution = solve(read(f"title: T\n{text}find: steady\n"))
+    assert solution.holds
+    assert solution.own.steady is not None
+    return solution.own.steady
+
+
+def number(e: sp.Expr, **values: float) -> float:
+    return float(e.xreplace({s: sp.Float(values[s.name.replace("'", "_")]) for s in e.free_symbols}))
+
+
+def period(rates: Callable[[float, np.ndarray], list[float]], start: list[float], rest: float) -> float:
+    """The time between two upward passages of the first coordinate through its constant value."""
+
+    def passage(_: float, y: np.ndarray) -> float:
+        return y[0] - rest
+
+    passage.direction = 1  # type: ignore[attr-defined]
+    motion = solve_ivp(rates, (0, 20), start, events=passage, rtol=1e-11, atol=1e-13)
+    first, *_, last = motion.t_events[0]
+    return (last - first) / (len(motion.t_events[0]) - 1)
+
+
+def test_the_conical_pendulum() -> None:
+    found = found_in(CONICAL)
+    [branch] = found.about.branches
+    [relation] = branch.equations
+    l, g, turn = 0.9, 9.8, 4.1
+    rest = float(sp.acos(sp.Float(number(relation.rhs, l=l, g=g, phi_=turn))))
+    assert cos(rest) == pytest.approx(g / (l * turn**2))
+    momentum = sin(rest) ** 2 * turn
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        around = momentum / sin(y[0]) ** 2
+        return [y[1], around**2 * sin(y[0]) * cos(y[0]) - g / l * sin(y[0])]
+
+    [frequency] = found.about.at[0].frequencies
+    stated = sqrt(number(frequency.square, l=l, g=g, phi_=turn))
+    assert stated == pytest.approx(turn * sqrt(1 + 3 * cos(rest) ** 2))  # Whittaker, § 56
+    assert period(rates, [rest + 1e-4, 0.0], rest) == pytest.approx(2 * pi / stated, rel=1e-4)
+    assert found.about.at[0].judgement.stability.verdict is StabilityVerdict.STABLE
+    assert len(found.about.equilibrium.poles) == 2  # θ = 0 and π, where φ has no meaning
+
+
+def test_an_orbit_closes() -> None:
+    found = found_in(ORBIT)
+    [branch] = found.about.branches
+    assert str(branch.equations[0].lhs) == "r**3"  # Kepler's third law
+    [frequency] = found.about.at[0].frequencies
+    assert frequency.square == sp.Symbol("phi'", real=True) ** 2
+
+
+def test_a_particle_in_a_cone() -> None:
+    found = found_in(CONE)
+    g, alpha, turn = 9.8, 0.5, 3.0
+    rest = number(found.about.branches[0].equations[0].rhs, g=g, alpha=alpha, phi_=turn)
+    assert rest == pytest.approx(g / (turn**2 * sin(alpha) * tan(alpha)))
+    momentum = rest**2 * turn
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        return [y[1], momentum**2 / y[0] ** 3 * sin(alpha) ** 2 - g * cos(alpha)]
+
+    [frequency] = found.about.at[0].frequencies
+    stated = sqrt(number(frequency.square, g=g, alpha=alpha, phi_=turn))
+    assert period(rates, [rest * 1.0001, 0.0], rest) == pytest.approx(2 * pi / stated, rel=1e-4)
+
+
+def test_the_sleeping_top_is_stable_where_it_spins_fast() -> None:
+    found = found_in(TOP)
+    upright = [
+        s
+        for b, s in zip(found.about.branches, found.about.at, strict=True)
+        if s is not None and all(r.rhs == 0 for r in b.equations)
+    ]
+    [s] = upright
+    conditions = [c for c in s.judgement.stability.conditions if c.relation == ">"]
+    m, g, l, A, C = sp.symbols("m g l A C", positive=True)
+    spin = sp.Symbol("psi'", real=True)
+    [condition] = conditions
+    assert sp.expand(condition.lhs - condition.rhs - (C**2 * spin**2 - 4 * A * m * g * l)) == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("coordinates: [x, y]\nparameters: [m, l]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
+         "constraints: {rod: x^2 + y^2 = l^2}\n", "not free"),
+        ("coordinates: [x]\nparameters: [m, k]\nparticles: {P: {mass: m, position: x*i}}\n"
+         "forces: {V: {potential: k*x^2/2}}\n", "cyclic"),
+        ("coordinates: [x, y]\nparameters: [m, k, w]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
+         "forces: {push: {on: P, vector: k*cos(w*t)*i}}\n", "time"),
+    ],
+)  # fmt: skip
+def test_what_is_refused(text: str, said: str) -> None:
+    with pytest.raises(NotCoveredError, match=said):
+        solve(read(f"title: T\n{text}find: steady\n"))
+
+
+def test_a_coordinate_along_which_a_force_acts_is_not_cyclic() -> None:
+    text = CONICAL.replace("[m, l, g]", "[m, l, g, c]") + "forces: {drag: {on: P, vector: \"-c*phi'*(0*i)\"}}\n"
+    assert [q.name for q in found_in(text).cyclic] == ["phi"]
+    text = CONICAL + "forces: {push: {on: P, vector: -m*g*sin(phi)*i + m*g*cos(phi)*j}}\n"
+    with pytest.raises(NotCoveredError, match="cyclic"):
+        found_in(text)
