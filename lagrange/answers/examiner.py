@@ -13,6 +13,7 @@ from functools import cached_property, partial
 import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
+from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -29,7 +30,8 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.judging import verdict_on
 from lagrange.answers.written.lines import separated
 from lagrange.answers.written.working import Working, understood
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
+from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 from lagrange.mechanics.solution import OnStage, Solution, silent, solve
@@ -261,7 +263,10 @@ class Examiner:
     @classmethod
     def of(cls, problem: Problem, on_stage: OnStage = silent) -> Examiner:
         """Solves the problem, so that answers can be checked. Raises ProblemError if it cannot be solved."""
-        return cls(problem, None if problem.equations else solve(problem, on_stage=on_stage))
+        solution = None if problem.equations else solve(problem, on_stage=on_stage)
+        if solution is not None and solution.given_up:
+            raise GaveUpError(*solution.given_up.split(", ", 1))
+        return cls(problem, solution)
 
     @cached_property
     def reference(self) -> Reference:
@@ -270,6 +275,10 @@ class Examiner:
 
     def check(self, answer: tuple[Fragment, ...]) -> Judgement:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
+        with allowed_for("comparing answers", UNITS_OF_CHECKING):
+            return self._checked(answer)
+
+    def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         answer = separated(answer)
         solution = self.solution
         moving = solution is None or solution.own.motion is not None

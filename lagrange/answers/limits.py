@@ -92,6 +92,9 @@ MAX_KEPT_FACTORS = 500
 MAX_CONDITIONS = 8
 """Factors of one equation that are tested for real zeros: each may take a run of Newton's iteration."""
 
+UNITS_OF_CHECKING = 200_000
+"""Of work (`core.effort`) for one answer, with its diagnosis."""
+
 MOST_MEANINGS = 100
 """Readings of the names of reactions in one answer: three names of four meanings each have 63 besides the usual one."""
 

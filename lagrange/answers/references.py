@@ -31,8 +31,8 @@ from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
-from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.solution import InCoordinates, Solution, letters_of_oscillations, small_displacements
+from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
+from lagrange.mechanics.solution import InCoordinates, Solution
 from lagrange.problem.model import Problem
 from lagrange.values.dimensions import Mismatch, mismatch
 

@@ -114,6 +114,8 @@ def as_object(report: Report) -> dict[str, Any]:
     first = next((s for s in spots if s is not None), None)
     if first is not None:
         found["spot"] = _spot(first, write)
+    if solution.given_up:
+        found["given_up"] = solution.given_up
     found["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
     found["steps"] = [
         {
