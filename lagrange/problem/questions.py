@@ -13,13 +13,13 @@ contain coordinates of the file and of its choices, velocities, accelerations, t
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, ProblemError, Span
+from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, t
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, read_scalar
@@ -150,8 +150,3 @@ def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:
     message = f"`{scalar.text}` is neither a coordinate nor `t`"
     help_ = "`by` names the coordinate of which the quantity is wanted as a function, or `t`"
     raise ProblemError(Diagnostic("no-variable", message, scalar.span, help=help_))
-
-
-def names_of_questions(questions: Iterable[Question]) -> Mapping[str, Span]:
-    """The names of the questions, each with its place."""
-    return {q.name: q.span for q in questions}

@@ -27,8 +27,6 @@ Box = list[Any]  # of intervals
 INFLATION = 0.05
 CUT = 0.4871  # never in the middle, where roots are
 
-CONVERGED = sp.Float(10) ** (-WORKING_DIGITS - 5)
-
 
 class _NoValueError(Exception):
     """An expression has no value in a part of a box."""

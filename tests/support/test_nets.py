@@ -193,5 +193,5 @@ def test_a_state_is_consistent() -> None:
     ],
 )
 def test_a_few_cases(net: Any, seed: int) -> None:
-    """Seven cases that always run; several hundred are in truth/test_nets.py."""
+    """Seven cases that always run; more are in truth/test_nets.py."""
     assert [str(f) for f in net.findings(seed)] == []

@@ -34,7 +34,7 @@ from tests.truth.textbook_systems import SYSTEMS
 Data = dict[str, Any]
 
 LAW = settings(
-    max_examples=times(8), deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow], database=None
+    max_examples=times(6), deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow], database=None
 )
 
 CONSTRAINED = (

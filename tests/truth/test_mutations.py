@@ -20,7 +20,7 @@ from tests.support.chance import times
 from tests.support.mutations import best_system, mutations
 from tests.support.shared import asking, solved
 
-MOST = times(6)
+MOST = times(5)
 """Slips of one problem that are tried, taken from all of its equations; `make bench` tries every one."""
 
 

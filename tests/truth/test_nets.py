@@ -11,8 +11,8 @@ from tests.support.chance import times
 from tests.support.nets import constraint_systems, motions, statics, units
 from tests.support.nets.run import Finding
 
-NETS = {"statics": (statics, 40), "motions": (motions, 40), "constraint_systems": (constraint_systems, 20)}
-NETS |= {"units": (units, 18)}
+NETS = {"statics": (statics, 30), "motions": (motions, 30), "constraint_systems": (constraint_systems, 15)}
+NETS |= {"units": (units, 12)}
 FIRST = 1000
 MENDED = {"statics": (1, 108, 147, 153, 20122)}
 """Seeds beside the run that found something once."""

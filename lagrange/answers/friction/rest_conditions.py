@@ -20,6 +20,7 @@ from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
+from lagrange.core.verdicts import all_hold
 from lagrange.expressions.relations import limit_of
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
@@ -165,11 +166,10 @@ def _any_case(cases: Sequence[Sequence[_Stated]], point: Mapping[sp.Symbol, sp.E
 
 
 def _all_hold(conditions: Sequence[_Stated], point: Mapping[sp.Symbol, sp.Expr]) -> bool | None:
-    verdicts: list[bool | None] = []
-    for c in conditions:
+    def holds(c: _Stated) -> bool | None:
         value = c.slack.xreplace(dict(point)).evalf()
         if c.equation or not value.is_real or not value.is_finite or abs(value) < CLEAR:
-            verdicts.append(None)
-        else:
-            verdicts.append(bool(value > 0))
-    return False if False in verdicts else None if None in verdicts else True
+            return None
+        return bool(value > 0)
+
+    return all_hold(map(holds, conditions))

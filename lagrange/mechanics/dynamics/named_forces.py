@@ -151,11 +151,6 @@ def _is_wrench(force: Vector, moment: Vector, turnings: Sequence[Vector], surfac
     return surface.rank([*axes, force.fixed().components]) == len(axes)
 
 
-def gradient_size(direction: Vector, row: Row, configuration: Configuration) -> sp.Expr:
-    """|g|, without moduli of lengths and of single sines and cosines: 1/cos α for 1/|cos α|, but |R − r|."""
-    return _without_signs(_root_of_square(direction, row, configuration))
-
-
 def _root_of_square(direction: Vector, row: Row, configuration: Configuration) -> sp.Expr:
     square = textbook_form(direction.dot(direction))
     return textbook_form(sp.sqrt(where_it_holds(square, row, configuration)))
