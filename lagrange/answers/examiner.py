@@ -94,6 +94,10 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
         from lagrange.answers.questions.asked_quantities import check_asked
 
         yield check_asked(answers.ask, solution)
+    if answers.hamiltonian is not None:
+        from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
+
+        yield check_hamiltonian_answer(answers.hamiltonian, solution)
 
 
 def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
@@ -374,7 +378,15 @@ def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...]
 def _nothing_to_compare(answers: Answers) -> Iterator[AnswerVerdict]:
     """The answers to questions that equations given outright do not settle: undecided."""
     why = "the problem gives its equations and no more: there is nothing to compare this with"
-    for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions", "ask"):
+    for name in (
+        "degrees_of_freedom",
+        "classification",
+        "integrable",
+        "equilibrium",
+        "reactions",
+        "ask",
+        "hamiltonian",
+    ):
         if getattr(answers, name) not in (None, (), {}):
             yield AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=why)
 

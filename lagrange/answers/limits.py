@@ -96,3 +96,19 @@ WIDEST = 100
 
 MAX_SHOWN_CHARACTERS = 1000
 """Characters of an equation that are shown. An answer may have 2,000; the longest shipped equation has 177."""
+
+# Decimals
+
+MAX_DECIMALS = 12
+"""Decimals in one equation whose rounding is followed: twice as many as an equation in numbers usually has."""
+
+DECIMAL_STATES = 8
+"""States at which an equation with decimals must hold, apart from the one that confirms it: one row each at least, so
+that with as many decimals no more are left open than the form of the equation leaves."""
+
+NEWTON_STEPS_OF_DECIMALS = 40
+"""Steps to eighty digits. Each doubles the digits, and decimals that stand outside functions need one; the first ones
+gain less where two frequencies are close at a random state (up to 20 steps in 200 runs)."""
+
+MAX_PROJECTIONS = 60
+"""Projections in turn on the intervals and on the solutions, where the decimals are not determined."""

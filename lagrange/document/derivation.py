@@ -42,6 +42,7 @@ class Rule(StrEnum):
     LINEARIZATION = "linearization"  # l ξ'' + g ξ = 0, ω² = g/l
     SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
     CONSERVED = "conserved"  # m l² θ'²/2 − m g l cos θ = const
+    HAMILTON = "hamilton-equations"  # H = p_θ²/(2 m l²) − m g l cos θ, p_θ' = −∂H/∂θ
     QUESTION = "question"  # N = 0: cos θ = 2/3
     FRICTION_AT_REST = "friction-at-rest"  # |F| ≤ μ_s N: tan α ≤ μ_s
     EQUILIBRIUM = "equilibrium"  # tan θ = (2k - 1)/tan α

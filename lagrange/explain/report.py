@@ -186,6 +186,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     if solution.own.dynamics is None:
         yield _speeds(solution.own.in_speeds, solution)
     yield _small_oscillations(solution.own.linearization)
+    yield _in_momenta(solution.own, solution)
     for c in solution.choices:
         yield from (step and replace(step, choice=c.name) for step in _in_choice(solution, c, complete))
     if solution.asked:
@@ -219,6 +220,7 @@ def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator
     yield _rolling(c)
     yield _conserved(c.conserved, problem, c.name)
     yield _small_oscillations(c.linearization)
+    yield _in_momenta(c, solution)
 
 
 def names_of(problem: Problem) -> frozenset[str]:
@@ -273,6 +275,14 @@ def _small_oscillations(linearization: Linearization | None) -> Step | None:
     from lagrange.explain.rest.oscillations import explain_linearization
 
     return explain_linearization(linearization)
+
+
+def _in_momenta(view: InCoordinates, solution: Solution) -> Step | None:
+    if view.hamiltonian is None:
+        return None
+    from lagrange.explain.hamilton import explain_hamiltonian
+
+    return explain_hamiltonian(view.hamiltonian, energy_symbols(solution))
 
 
 def _reactions_at_rest(solution: Solution, reactions: StaticReactions | None) -> Step | None:
@@ -384,10 +394,11 @@ def notation_of(solution: Solution) -> Notation:
     problem = solution.problem
     new = [q for c in solution.choices for q in c.configuration.slots.coordinates]
     lengths = [link.length_symbol for link in solution.own.configuration.links]
+    momenta = (p for v in solution.views if v.hamiltonian is not None for p in v.hamiltonian.momenta)
     return Notation(
         coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *lengths, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
-        speeds=tuple(s.symbol for s in problem.speeds),
+        speeds=(*(s.symbol for s in problem.speeds), *momenta),
         frequencies=letters_of_oscillations(solution),
         parameters=tuple(p.symbol for p in problem.parameters),
         forces=(*_names_of_reactions(solution), *problem.unknowns),

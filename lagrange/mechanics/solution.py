@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
 from lagrange.core.verdicts import all_hold
@@ -26,6 +25,7 @@ from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, g
 from lagrange.mechanics.constraints.definedness import check_defined, explained_failures
 from lagrange.mechanics.constraints.displacements import Elimination, transport_rates, virtual_displacements
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
+from lagrange.mechanics.coverage import chosen_coordinates, refuse_what_is_not_covered
 from lagrange.mechanics.dynamics.checks import (
     Check,
     check_choice,
@@ -46,7 +46,7 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
-from lagrange.problem.model import Choice, Find, Friction, Problem
+from lagrange.problem.model import Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+    from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.questions.results import Asked
 
 
@@ -85,6 +86,7 @@ class InCoordinates:
     in_speeds          the velocities, and the equations of motion, in the quasi-velocities of the file
     conserved          the conserved quantities
     linearization      small oscillations
+    hamiltonian        Hamilton's function and equations
     in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
     at_rest            where the system can be at rest with friction
     rolling            the conditions under which what rolls does not slip
@@ -104,6 +106,7 @@ class InCoordinates:
     in_speeds: QuasiVelocityForm | None = None
     conserved: Conserved | None = None
     linearization: Linearization | None = None
+    hamiltonian: Hamiltonian | None = None
     in_numbers: EquilibriaInNumbers | None = None
     at_rest: AtRest | None = None
     rolling: Rolling | None = None
@@ -189,8 +192,8 @@ def solve(
 
 
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
-    _refuse_what_is_not_covered(problem)
-    needs_motion = Find.LINEARIZATION in problem.find or problem.questions
+    refuse_what_is_not_covered(problem)
+    needs_motion = {Find.LINEARIZATION, Find.HAMILTONIAN} & {*problem.find} or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     solution = blank = _kinematics(problem, choice, on_stage)
@@ -204,6 +207,8 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_speeds(solution, on_stage)
     if Find.LINEARIZATION in problem.find:
         solution = _with_linearization(solution, on_stage)
+    if Find.HAMILTONIAN in problem.find:
+        solution = _with_hamiltonian(solution, on_stage)
     rough = any(isinstance(f, Friction) for f in problem.forces)
     if Find.EQUILIBRIUM in problem.find and not rough:
         solution = _with_equilibrium(solution, on_stage)
@@ -224,7 +229,9 @@ def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solu
     own = _in_coordinates(own_coordinates(configuration))
     rates = transport_rates(configuration.constrained, own.elimination)
     on_stage("choices of coordinates")
-    choices = tuple(_in_coordinates(generalized_coordinates(c, configuration)) for c in _choices(problem, choice))
+    choices = tuple(
+        _in_coordinates(generalized_coordinates(c, configuration)) for c in chosen_coordinates(problem, choice)
+    )
     on_stage("checks")
     checks = [
         *check_reality(configuration),
@@ -377,8 +384,7 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.sampled_checks import check_oscillations
 
     on_stage("small oscillations")
-    problem = solution.problem
-    taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
+    taken = _names(solution.problem)
     checks = [*solution.checks]
 
     def linearized(view: InCoordinates) -> InCoordinates:
@@ -392,6 +398,32 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     is_solved_in_choice = any(at for c in choices if c.linearization for at in c.linearization.at)
     own = solution.own if is_solved_in_choice else linearized(solution.own)
     return replace(solution, own=own, choices=choices, checks=tuple(checks))
+
+
+def _with_hamiltonian(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with Hamilton's function, in every set of free coordinates that is given without square roots."""
+    from lagrange.mechanics.momenta.hamiltonian import check_hamiltonian, hamiltonian
+
+    on_stage("Hamilton's equations")
+    taken = _names(solution.problem)
+    checks = [*solution.checks]
+
+    def in_momenta(view: InCoordinates) -> InCoordinates:
+        if view.motion is None or view.signs or (view.configuration.rows and view is not refused):
+            return view
+        found = hamiltonian(view.motion, taken)
+        checks.extend(check_hamiltonian(found))
+        return replace(view, hamiltonian=found)
+
+    free = [v for v in solution.views if not v.configuration.rows and not v.signs]
+    refused = None if free else solution.views[-1]
+    own, *choices = map(in_momenta, solution.views)
+    return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))
+
+
+def _names(problem: Problem) -> frozenset[str]:
+    """The names that a problem uses, for letters of results that must differ from them."""
+    return frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
 
 
 def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
@@ -557,31 +589,3 @@ def _substitutions(choices: Sequence[InCoordinates]) -> list[Check]:
             listed = ", ".join(name.replace("_", " ") for name in c.coordinates.satisfied)
             checks.append(Check(f"satisfied identically: {listed}", True, "exact, at random states", c.name))
     return checks
-
-
-def _choices(problem: Problem, name: str | None) -> list[Choice]:
-    if name is None:
-        return list(problem.choices)
-    chosen = [c for c in problem.choices if c.name == name]
-    if not chosen:
-        names = [c.name for c in problem.choices]
-        help_ = suggestion(name, names, "choices")
-        raise ProblemError(Diagnostic("no-such-choice", f"the problem has no choice `{name}`", help=help_))
-    return chosen
-
-
-def _refuse_what_is_not_covered(problem: Problem) -> None:
-    for force in (f for f in problem.forces if isinstance(f, Friction)):
-        if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
-            what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
-            raise NotCoveredError(what, force.span)
-        if Find.LINEARIZATION in problem.find:
-            raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
-    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction) for f in problem.forces):
-        message = "impending motion is asked for, and no friction is given"
-        help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
-        raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
-    if problem.equations:
-        raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
-    if Find.LINEARIZATION in problem.find and problem.unknowns:
-        raise NotCoveredError("small oscillations with unknown forces, which have no law,")

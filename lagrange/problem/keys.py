@@ -125,6 +125,7 @@ class Find(StrEnum):
     MOTION = "motion"
     LINEARIZATION = "linearization"
     IMPENDING = "impending"
+    HAMILTONIAN = "hamiltonian"
 
 
 class FrameType(StrEnum):
@@ -370,6 +371,9 @@ ANSWERS = Form(
             "Of small oscillations; lists in a list are those of several equilibria.",
         ),
         Key("ask", Named(AnyOf(("expression", "equation")), new=False), "Of the questions, by their names."),
+        Key(
+            "hamiltonian", AnyOf(("expression", "equation")), "Hamilton's function, in coordinates and momenta p_theta."
+        ),
     ),
 )
 

@@ -308,6 +308,7 @@ class Answers:
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
+    hamiltonian: Fragment | None = None
 
 
 @record

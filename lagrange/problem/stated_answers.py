@@ -87,6 +87,7 @@ class AnswerReader:
             frequencies=self._frequencies(section.get("frequencies")),
             ask=self._asked(section.get("ask")),
             rest=self._rest(section.get("rest")),
+            hamiltonian=self._hamiltonian(section.get("hamiltonian")),
         )
 
     def _rest(self, node: Node | None) -> tuple[Fragment, ...]:
@@ -97,6 +98,10 @@ class AnswerReader:
         read = (node,) if isinstance(node, Scalar) else self.diagnostics.attempt(lambda: items_of(node, what, example))
         stated = (self.diagnostics.attempt(partial(self._condition, item)) for item in read or ())
         return tuple(fragment for fragment in stated if fragment is not None)
+
+    def _hamiltonian(self, node: Node | None) -> Fragment | None:
+        """Hamilton's function; it is read with the momenta when it is compared."""
+        return None if node is None else scalar_of(node, "`hamiltonian`").fragment
 
     def _condition(self, node: Node) -> Fragment:
         fragment = scalar_of(node, "an entry of `rest`").fragment

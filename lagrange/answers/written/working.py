@@ -11,7 +11,7 @@ equations or more, may be an unknown force; it is eliminated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeVar
@@ -19,7 +19,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
-from lagrange.answers.readings import GivenEquation, Reading, read_answer
+from lagrange.answers.readings import GivenEquation, Reading, decimals_in, read_answer
 from lagrange.answers.references import Reference
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
 from lagrange.answers.written.notations import cleaned, rewritten, rewritten_latex
@@ -62,7 +62,14 @@ _APPROXIMATE = re.compile(
     r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|<<", re.IGNORECASE
 )
 _NOT = re.compile(r"\bnot\b|\bwithout\b|n't\b|\bno\b|\bnon-?linear|\bnicht\b|\bohne\b|\bkein", re.IGNORECASE)
-_FUNCTIONS_OF_NAME = {"sin": sp.asin, "cos": sp.acos, "tan": sp.atan}
+_UNDOING: dict[str, Callable[[sp.Expr], sp.Expr]] = {
+    "": lambda e: e,
+    "^2": sp.sqrt,
+    "sin": sp.asin,
+    "cos": sp.acos,
+    "tan": sp.atan,
+}
+"""What a name is if what is applied to it is known."""
 
 
 @record
@@ -178,6 +185,7 @@ class _Sorting:
         self.notes: list[Diagnostic] = []
         self.defined: list[str] = []
         self.unknowns: list[sp.Symbol] = []
+        self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
 
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
@@ -192,7 +200,7 @@ class _Sorting:
             if line.whole:
                 line.reading = Reading(line.text)
             elif not line.definition and line.reading is None:
-                line.reading = read_as_written(line.fragment, self.scope, line.text)
+                line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
         judged = [line for line in waiting if not line.definition and line.reading and not line.reading.error]
@@ -307,11 +315,12 @@ class _Sorting:
                 known = sp.Symbol(name)
                 if known in value.free_symbols and self.scope.scalar(name) == known:
                     continue
-                if applied == "^2":
-                    value = sp.sqrt(value)
-                elif applied:
-                    value = _FUNCTIONS_OF_NAME[applied](value)
-                self.scope = replace(self.scope, scalars={**self.scope.scalars, name: value})
+                undone = _UNDOING[applied]
+                rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
+                with_decimals = _tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
+                if decimals_in([with_decimals]):
+                    self.rounded[name] = undone(with_decimals)
+                self.scope = replace(self.scope, scalars={**self.scope.scalars, name: undone(value)})
             self.defined.append(name)
             self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
             return True
@@ -404,13 +413,21 @@ def _undeclared(line: _Line) -> list[str]:
 # Reading
 
 
-def read_as_written(fragment: Fragment, scope: Scope, text: str = "") -> Reading:
-    """One equation of an answer in whatever notation it is; if none can be read, the error of the first."""
+def read_as_written(
+    fragment: Fragment, scope: Scope, text: str = "", rounded: Mapping[str, sp.Expr] | None = None
+) -> Reading:
+    """One equation of an answer in whatever notation it is; if none can be read, the error of the first.
+
+    rounded  the names that are defined with decimals, in which these are symbols
+    """
     first: Reading | None = None
     for candidate in _notations(fragment, scope):
         reading = read_answer(candidate, scope)
         if reading.error is None:
             shown = replace(reading, text=text or fragment.text.strip())
+            if rounded and not isinstance(candidate, GivenEquation):
+                wider = replace(scope, scalars={**scope.scalars, **rounded}, decimals="")
+                shown = replace(shown, source=(candidate, wider))
             return replace(shown, other=_other(candidate, scope, shown))
         first = first or reading
     assert first is not None
