@@ -201,7 +201,7 @@ def _with_right_decimals(
 
 
 def _right_decimals(equations: Sequence[sp.Expr], comparison: EquilibriumComparison) -> dict[Decimal, sp.Expr]:
-    """The exact value of one decimal of an equation at an equilibrium, the others rounded; none if it is not close."""
+    """The value of one decimal of an equation at an equilibrium, exactly, the others rounded; none if none is close."""
     (e,) = equations
     decimals = decimals_in([e])
     found = []

@@ -30,6 +30,8 @@ def explain_checks(
     body: list[Block] = [*_grouped(solution.checks), *_answers(answers)]
     for name, remark in remarks:
         body.append(prose(f"In the answer for {constraints_called([name])} {remark.replace('`', '')}."))
+    if solution.given_up:
+        body.append(prose(f"Given up at: {solution.given_up}. What it and the later stages find is missing."))
     if not body:
         body.append(prose("The file states no answers to compare with, and nothing asked for has a second route."))
     spots = [(v.name, v.spot) for v in solution.views]

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.answers.examiner import compared_answers, not_compared, stated_equations
+from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
-from lagrange.core.diagnostics import Diagnostic
+from lagrange.core.diagnostics import Diagnostic, GaveUpError
+from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.document.derivation import Derivation, Step
 from lagrange.document.notation import Notation
@@ -40,14 +42,17 @@ from lagrange.mechanics.constraints.definedness import explained_failures
 from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
-from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
+from lagrange.mechanics.energy_symbols import (
+    energy_symbols,
+    letters_of_oscillations,
+    small_displacements,
+    states_potential,
+)
 from lagrange.mechanics.solution import (
     InCoordinates,
     OnStage,
     Solution,
-    letters_of_oscillations,
     silent,
-    small_displacements,
     solve,
 )
 from lagrange.problem.model import Find, Friction, Problem
@@ -62,6 +67,9 @@ if TYPE_CHECKING:
 
 EVERY_CHOICE = "all"
 """In place of the name of a choice: all of them, and none folded. A choice that is called so takes precedence."""
+
+UNITS_OF_EXPLAINING = 200_000
+"""Of work (`core.effort`) for all steps and pictures."""
 
 DIGITS = 4
 """The significant digits of results in numbers, where no other number is asked for."""
@@ -122,10 +130,28 @@ def _reported(
     named = None if every_choice else choice
     solution = solve(problem, named, complete=complete, method=method, on_stage=on_stage)
     on_stage("comparing answers")
-    answers = tuple(compared_answers(solution))
+    answers: tuple[AnswerVerdict, ...] = ()
+    try:
+        with allowed_for("comparing answers", UNITS_OF_CHECKING):
+            answers = tuple(compared_answers(solution))
+    except GaveUpError as error:
+        solution = replace(solution, given_up=solution.given_up or error.place)
+    with allowed_for("explanations and pictures", UNITS_OF_EXPLAINING):
+        return _explained(solution, answers, complete, every_choice, method, digits, on_stage)
+
+
+def _explained(
+    solution: Solution,
+    answers: tuple[AnswerVerdict, ...],
+    complete: bool,
+    every_choice: bool,
+    method: Method,
+    digits: int,
+    on_stage: OnStage,
+) -> Report:
     on_stage("explanations and pictures")
     notation = notation_of(solution)
-    values = values_of(solution.problem)
+    problem, values = solution.problem, values_of(solution.problem)
 
     def finished(steps: Iterable[Step]) -> tuple[Step, ...]:
         if values is not None or any(v.in_numbers is not None for v in solution.views):
@@ -376,6 +402,9 @@ def _shortcomings(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Ite
     for word, verdict in (("holonomic", c.holonomic), ("scleronomic", c.scleronomic), ("catastatic", c.catastatic)):
         if verdict is None:
             yield Diagnostic("undecided", f"it could not be decided whether the system is {word}")
+    if solution.given_up:
+        help_ = "what was found before is complete; a smaller system, or shorter expressions, may be solved"
+        yield Diagnostic("given-up", f"given up at: {solution.given_up}", help=help_)
     for check in solution.checks:
         if not check.passed:
             where = f" ({check.choice})" if check.choice else ""

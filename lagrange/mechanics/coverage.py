@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
-from lagrange.problem.model import Choice, Find, Friction, Problem
+from lagrange.problem.model import Belt, Choice, Find, Friction, Problem
 
 
 def chosen_coordinates(problem: Problem, name: str | None) -> list[Choice]:
@@ -26,7 +26,10 @@ def refuse_what_is_not_covered(problem: Problem) -> None:
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
-    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction) for f in problem.forces):
+    belts = [f for f in problem.forces if isinstance(f, Belt)]
+    if belts and {Find.MOTION, Find.LINEARIZATION} & {*problem.find}:
+        raise NotCoveredError(f"a belt on a rough drum, `{belts[0].name}`, in motion", belts[0].span)
+    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction | Belt) for f in problem.forces):
         message = "impending motion is asked for, and no friction is given"
         help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
         raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))

@@ -97,6 +97,19 @@ def energy_symbols(solution: Solution) -> EnergySymbols:
     )
 
 
+def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters ξ of all linear equations."""
+    return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
+
+
+def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters for frequencies, exponents and damping ratios."""
+    linear = [v.linearization for v in solution.views if v.linearization is not None]
+    names = {f"{f.omega}{i}" for f in linear for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
+    names |= {f.exponent.name for f in linear} | ({"zeta"} if linear else set())
+    return tuple(sp.Symbol(n, real=True) for n in sorted(names))
+
+
 def states_potential(solution: Solution) -> bool:
     """Whether the derivation has a V of its own, that of statics, in which the weights are not."""
     return solution.own.equilibrium is not None and solution.own.configuration.potential != 0

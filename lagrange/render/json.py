@@ -114,6 +114,8 @@ def as_object(report: Report) -> dict[str, Any]:
     first = next((s for s in spots if s is not None), None)
     if first is not None:
         found["spot"] = _spot(first, write)
+    if solution.given_up:
+        found["given_up"] = solution.given_up
     found["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
     found["steps"] = [
         {
@@ -381,6 +383,8 @@ def _statics(
         "equilibrium_conditions": [_sign_conditions(b, write) for b in equilibrium.branches],
         "equilibrium_exists": equilibrium.exists,
     }
+    if any(equilibrium.pulls):
+        result["spring_forces"] = [{name: write(f) for name, f in pulls.items()} for pulls in equilibrium.pulls]
     if equilibrium.outside:
         outside = [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.outside]
         result["equilibrium_outside_ranges"] = outside

@@ -27,6 +27,7 @@ from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -56,6 +57,10 @@ m cm mm km dm g kg mg t s ms min h N kN mN J kJ W Pa Hz rad deg rev rpm ft in lb
 kgm2 units metres meters seconds kilograms newton newtons
 """
 _UNITS = frozenset(_UNIT_NAMES.split())
+_WORDS = re.compile(r"[^\W\d]+")
+_LONGEST_LAW = 60
+_LONGEST_NAME = 60
+"""Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _APPROXIMATE = re.compile(
@@ -78,18 +83,22 @@ class Working:
 
     judged       the equations that are compared
     approximate  which of them are marked as approximations
-    unreadable   those that could not be read
+    unreadable   those that could not be read, with their readings
+    written      both together, in the order in which they were written
     notes        what is not judged, and why
     unknowns     undeclared names that are eliminated as unknown forces
     defined      the names that the answer defines
+    quoting      whether it quotes the method, d/dt(∂L/∂q') − ∂L/∂q = 0
     """
 
     judged: tuple[Fragment, ...]
     approximate: frozenset[int] = frozenset()
-    unreadable: tuple[Reading, ...] = ()
+    unreadable: tuple[GivenEquation, ...] = ()
+    written: tuple[Fragment, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
     unknowns: tuple[sp.Symbol, ...] = ()
     defined: tuple[str, ...] = ()
+    quoting: bool = False
 
 
 @dataclass
@@ -180,7 +189,7 @@ class _Sorting:
     def __init__(self, reference: Reference, values_are_asides: bool) -> None:
         self.reference = reference
         self.values_are_asides = values_are_asides
-        self.scope = scope_of_answers(reference)
+        self.scope = reference.scope_of_answers
         self.declared = reference.declared
         self.notes: list[Diagnostic] = []
         self.defined: list[str] = []
@@ -194,7 +203,7 @@ class _Sorting:
             before = len(self.defined)
             for line in plain:
                 line.definition = line.definition or self._defines(line)
-            if len(self.defined) == before:
+            if len(self.defined) == before or all(line.definition for line in plain):
                 break
         for line in waiting:
             if line.whole:
@@ -203,25 +212,39 @@ class _Sorting:
                 line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
-        judged = [line for line in waiting if not line.definition and line.reading and not line.reading.error]
-        unread = [line for line in waiting if not line.definition and line.reading and line.reading.error]
-        for line in unread:
+        waiting = [line for line in waiting if line.reading and not line.definition]
+        quotes = [line for line in waiting if _quotes_the_method(line, self.scope)]
+        for line in quotes:
+            self._note(line, f"`{line.text}` quotes the method, and is not judged")
+        laws = [line for line in waiting if self._is_general_law(line)]
+        for line in laws:
+            self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
+        quotes += laws
+        waiting = [line for line in waiting if not any(line is quote for quote in quotes)]
+        for line in waiting:
             self._note_number(line)
-        approximate = frozenset(n for n, line in enumerate(judged) if _is_approximation(line))
-        for line in judged:
-            self._note_number(line)
+        judged = [line for line in waiting if line.reading and not line.reading.error]
+        given = {id(line): _given(line) for line in waiting}
         return Working(
+            tuple(given[id(line)] for line in judged),
+            frozenset(n for n, line in enumerate(judged) if _is_approximation(line)),
             tuple(
-                line.fragment if line.whole else GivenEquation.of_reading_at(line.reading, line.fragment)
-                for line in judged
-                if line.reading
+                f for line in waiting if isinstance(f := given[id(line)], GivenEquation) and f.reading.error is not None
             ),
-            approximate,
-            tuple(line.reading for line in unread if line.reading),
+            tuple(given.values()),
             tuple(self.notes),
             tuple(self.unknowns),
             tuple(self.defined),
+            len(quotes) > 0,
         )
+
+    def _is_general_law(self, line: _Line) -> bool:
+        """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
+        if len(set(_undeclared(line))) < 2 or len(line.text) > _LONGEST_LAW:
+            return False
+        names = {n.strip("_") for n in _WORDS.findall(line.text)}
+        names |= {GREEK[c] for c in line.text if c in GREEK}
+        return names.isdisjoint(self.reference.coordinates)
 
     def _note(self, line: _Line, message: str, help_: str = "") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
@@ -276,6 +299,8 @@ class _Sorting:
 
     def _name_alone(self, side: Fragment) -> tuple[str, str]:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
+        if len(side.text.strip()) > _LONGEST_NAME:
+            return "", ""
         try:
             texts = _tried(side, self.scope, lambda f: token_texts(f, self.scope))
         except ProblemError:
@@ -357,20 +382,6 @@ class _Sorting:
                 line.reading = new
 
 
-def scope_of_answers(reference: Reference) -> Scope:
-    """The names that an answer may use: without letters of the derivation that are declared names but for their case.
-
-    `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
-    """
-    lower = {n.lower() for n in reference.declared}
-    hidden = {n for n in reference.letters if n.lower() in lower and n not in reference.declared}
-    if not hidden:
-        return reference.scope
-    scalars = {n: v for n, v in reference.scope.scalars.items() if n not in hidden}
-    coordinates = tuple(q for q in reference.scope.slots.coordinates if q.name not in hidden)
-    return replace(reference.scope, scalars=scalars, slots=replace(reference.scope.slots, coordinates=coordinates))
-
-
 def _is_name(text: str) -> bool:
     return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
 
@@ -390,6 +401,29 @@ def _sides(fragment: Fragment) -> tuple[Fragment, Fragment] | None:
         draft.keep(first, last)
         made.append(draft.finished(latex=is_latex(fragment)))
     return made[0], made[1]
+
+
+def _given(line: _Line) -> Fragment:
+    return (
+        line.fragment
+        if line.whole or line.reading is None
+        else GivenEquation.of_reading_at(line.reading, line.fragment)
+    )
+
+
+_ENERGY = r"(?:[LTVUEH]|\\?L|ℒ|𝓛|\\(?:mathcal|mathscr|mathfrak|cal)\s*\{?\s*[LTVU]\s*\}?)"
+_QUOTED = re.compile(
+    rf"(?:[d∂]|\\partial|\\mathrm\s*\{{\s*d\s*\}}|\bdiff\(|\bD\[|\bDerivative\(|\\p?dv\s*\{{)"
+    rf"\s*\(?\{{?\s*(?P<name>{_ENERGY})(?:\(t\)|\[t\])?\s*\}}?\)?\s*(?:/|,|\}}\s*\{{|\{{)"
+)
+
+
+def _quotes_the_method(line: _Line, scope: Scope) -> bool:
+    """Whether an unreadable line has derivatives of a Lagrangian, or an energy, that is not given anywhere."""
+    if line.reading is None or line.reading.error is None:
+        return False
+    names = [m["name"][-2:].strip("{} ")[-1:] for m in _QUOTED.finditer(line.text)]
+    return bool(names) and all(scope.scalar("L" if n in "ℒ𝓛" else n) is None for n in names)
 
 
 def _is_approximation(line: _Line) -> bool:

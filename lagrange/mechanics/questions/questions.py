@@ -20,6 +20,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
@@ -33,12 +34,7 @@ from lagrange.mechanics.questions.branches import Beginning, first_branches, out
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, dependent, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import (
-    joined,
-    under_one_root,
-    without_leading_minus,
-    without_roots_in_logarithms,
-)
+from lagrange.mechanics.questions.forms import joined, under_one_root, without_roots_in_logarithms
 from lagrange.mechanics.questions.integrals_of_motion import integrals
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
