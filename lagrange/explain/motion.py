@@ -38,7 +38,7 @@ def explain_principle(motion: DalembertMotion) -> Step:
     body = [
         _multiplied(motion.configuration),
         display(Equation((_principle(motion.configuration), ZERO), label="principle")),
-        *_accelerations(motion),
+        *accelerations_of(motion),
         prose(WRITTEN_OUT),
         display(Equation((motion.principle.statement, ZERO), label="written-out")),
     ]
@@ -89,7 +89,8 @@ def _principle(configuration: Configuration) -> sp.Expr:
     return sp.Add(*terms, *terms_of_bodies(configuration), *terms_of_dampers(configuration), potential)
 
 
-def _accelerations(motion: DalembertMotion) -> list[Block]:
+def accelerations_of(motion: DalembertMotion) -> list[Block]:
+    """The accelerations of the points and the rates of change of the angular momenta, as the principle uses them."""
     accelerations = motion.principle.accelerations
     suffix = suffix_of(motion.configuration.name)
     lines = [
@@ -291,7 +292,7 @@ def explain_motion_in_choice(
     """The principle and the equations in a choice of coordinates."""
     body = [
         *displacements_in_choice(motion.elimination, motion.configuration),
-        *_accelerations(motion),
+        *accelerations_of(motion),
         *of_points(motion.configuration, motion.elimination),
         prose("and d'Alembert's principle ", Ref("principle"), " reads"),
         display(Equation((motion.principle.statement, ZERO), label=f"written-out-{motion.configuration.name}")),

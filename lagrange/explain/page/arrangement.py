@@ -25,6 +25,7 @@ from lagrange.explain.page.motion import (
     principle_shortly,
     with_conditions,
     with_displacements,
+    with_kinematics,
     without_long_sum,
 )
 from lagrange.explain.page.result import explain_result
@@ -140,6 +141,9 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         newton = newton.in_tensions
     about: list[Step] = []
     shown: set[str] = set()
+    known = False
+    written = None if solution.own.dynamics is None else solution.own.dynamics.written
+    own = written if isinstance(written, DalembertMotion) else None
     for step in steps:
         if (geometric or free) and step.rule in _ABOUT_CONSTRAINTS:
             about.append(step)
@@ -153,12 +157,14 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield displacements_shortly(step)
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
-        elif vectors and step.rule is Rule.REACTIONS and newton is not None:
-            yield explain_laws(solution, newton)
+        elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
+            step = explain_laws(solution, newton) if vectors else step
+            known = own is not None
+            yield step if own is None else with_kinematics(step, own)
         elif vectors and step.rule is Rule.WORKLESS and newton is not None:
             yield explain_work(solution, newton)
         elif step.rule is Rule.PRINCIPLE:
-            yield principle_shortly(step, frozenset(solution.problem.slots.accelerations))
+            yield principle_shortly(step, frozenset(solution.problem.slots.accelerations), known=known)
         elif step.rule is Rule.EQUATIONS_OF_MOTION:
             view = next(v for v in solution.views if v.name == step.choice)
             motion = None if view.dynamics is None else view.dynamics.written

@@ -12,7 +12,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Step
 from lagrange.explain.displacements import LONGEST, conditions, solved_displacements
-from lagrange.explain.motion import WRITTEN_OUT
+from lagrange.explain.motion import WRITTEN_OUT, accelerations_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import plural, suffix_of
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
@@ -37,11 +37,24 @@ def _is_plain(equation: Equation) -> bool:
     return named and isinstance(value, Vector) and all(c == 0 or c.is_Function for c in value.components)
 
 
-def principle_shortly(step: Step, coordinates: frozenset[object]) -> Step:
-    """The principle without accelerations that are merely ẍ i + ÿ j."""
+def with_kinematics(step: Step, motion: DalembertMotion) -> Step:
+    """Newton's law after the accelerations that occur in it, unless they are merely ẍ i + ÿ j."""
+    kinematics = accelerations_of(motion)
+    coordinates = frozenset(motion.configuration.slots.accelerations)
+    lines = [e for b in kinematics if isinstance(b, Display) for e in b.equations]
+    if not lines or all(_is_evident(e, coordinates) for e in lines):
+        return step
+    return replace(step, body=(*kinematics, *step.body))
+
+
+def principle_shortly(step: Step, coordinates: frozenset[object], *, known: bool) -> Step:
+    """The principle without accelerations that are merely ẍ i + ÿ j, or `known` from Newton's law."""
     body = list(step.body)
     for n, block in enumerate(body):
-        if n and isinstance(block, Display) and all(_is_evident(e, coordinates) for e in block.equations):
+        if not n or not isinstance(block, Display):
+            continue
+        kinematic = all((e.label or "").startswith(("acceleration", "momentum-rate")) for e in block.equations)
+        if (known and kinematic) or all(_is_evident(e, coordinates) for e in block.equations):
             body[n - 1 : n + 1] = []
             at = body.index(prose(WRITTEN_OUT))
             before, after = body[at - 1], body[at + 1]
