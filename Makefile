@@ -10,7 +10,7 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 p
 # Where it is set, every child process of the tests would compile all modules again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-all lint sweep bench golden picture clean
+.PHONY: demo test test-all lint sweep bench golden picture figures clean
 
 $(VENV)/installed: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -54,6 +54,10 @@ golden: $(VENV)/installed
 # Draws the picture of the README anew: what the program prints today.
 picture: $(VENV)/installed
 	$(BIN)/python -m tests.support.picture
+
+# A sheet of all figures, to be looked through before a release: figures.html, and photographs of it in figures/.
+figures: $(VENV)/installed
+	$(BIN)/python -m tests.support.figure_sheet --out figures.html --png figures
 
 # Seconds that every shipped problem takes, and chains of 2 to 16 links, and how long other things take, and against what;
 # no test depends on it.

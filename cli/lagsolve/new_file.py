@@ -98,6 +98,10 @@ generalized_coordinates:
 #initial: {theta: pi/2, theta': 0}
 #ask: {fall: {quantity: "theta''", when: theta = pi/2}}
 
+# What the figure shows beside what the problem says by itself: the position that
+# is drawn, the ground, strings and pulleys, angles, lengths.
+#figure: {at: {theta: 40 deg}, supports: [O], lengths: {l: [O, P]}}
+
 # The questions are constraints, equilibrium, motion and linearization (that is,
 # small oscillations).
 find: motion

@@ -27,17 +27,27 @@ class StrokeKind(StrEnum):
     """What a line represents."""
 
     ROD = "rod"  # a distance that is kept
+    STRING = "string"
     LINK = "link"  # a distance that the coordinates keep by themselves
     BODY = "body"  # the outline of a rigid body
+    FACE = "face"  # a piece of a surface, without an outline
+    GRID = "grid"  # a line on a surface
     CURVE = "curve"  # a curve on which a particle is kept
     SPRING = "spring"
     DAMPER = "damper"
     GROUND = "ground"  # what does not move
+    HATCH = "hatch"  # the strokes behind it
     GUIDE = "guide"  # a coordinate, dashed
+    REFERENCE = "reference"  # the direction from which an angle is counted, dashed
+    DIMENSION = "dimension"  # a length
     ANGLE = "angle"  # the arc of an angle
     AXIS = "axis"  # a unit vector
     FORCE = "force"  # an applied force or moment
     REACTION = "reaction"  # that of a constraint
+
+
+FAINT = frozenset({StrokeKind.FACE, StrokeKind.GRID})
+"""What a label may be written on."""
 
 
 @record
@@ -101,6 +111,7 @@ class Polyline:
     closed  whether it ends where it begins
     tip     whether it ends in the tip of an arrow
     double  whether that is the double tip of a moment
+    shade   of its inside: 0 not filled, 1 the paper, then darker up to 4
     """
 
     points: tuple[PagePoint, ...]
@@ -108,6 +119,7 @@ class Polyline:
     closed: bool = False
     tip: bool = False
     double: bool = False
+    shade: int = 0
 
     @property
     def pieces(self) -> list[tuple[PagePoint, PagePoint]]:

@@ -115,8 +115,11 @@ def _picture(draw: Callable[[], Scene | None], caption: tuple[Part, ...], alt: s
 def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> Picture:
     def draw() -> Scene | None:
         from lagrange.pictures.configurations import configuration_scene
+        from lagrange.pictures.surfaces import has_generic_surface, surface_scene
         from lagrange.pictures.systems import system_in_file
 
+        if has_generic_surface(solution.own.configuration):
+            return surface_scene(solution, notation)
         system = system_in_file(solution)
         return None if system is None else configuration_scene(system, notation, with_loads)
 
@@ -126,8 +129,11 @@ def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> P
 def _of_free_bodies(solution: Solution, notation: Notation) -> Picture:
     def draw() -> Scene | None:
         from lagrange.pictures.free_bodies import free_body_scene
+        from lagrange.pictures.surfaces import has_generic_surface, surface_free_body
         from lagrange.pictures.systems import system_in_file
 
+        if has_generic_surface(solution.own.configuration):
+            return surface_free_body(solution, notation)
         system = system_in_file(solution)
         return None if system is None else free_body_scene(system, notation)
 

@@ -202,6 +202,15 @@ def solve(
         return _solved(problem, choice, complete, method, on_stage)
 
 
+def kinematics_and_law(problem: Problem) -> Solution:
+    """Kinematics and, if the motion is wanted, Newton's law: all that a figure needs."""
+    solution = _kinematics(problem, None, silent)
+    if Find.MOTION not in problem.find:
+        return solution
+    law = _law(solution)
+    return replace(solution, problem=law.problem, law=law)
+
+
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     refuse_what_is_not_covered(problem)
     needs_motion = {Find.LINEARIZATION, Find.HAMILTONIAN, Find.STEADY} & {*problem.find} or problem.questions

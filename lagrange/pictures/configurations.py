@@ -7,18 +7,23 @@ lines drawn so far, so that coordinates and links do not draw a second line on t
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import sympy as sp
 
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.core.symbols import UnitVector
+from lagrange.core.symbols import UnitVector, t
+from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import Notation
 from lagrange.document.scene import Box, PagePoint, Scene, StrokeKind
+from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.kinematics import MassPoint
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
+from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.pictures.coordinate_drawings import CoordinateDrawings
+from lagrange.pictures.declared import DeclaredParts
 from lagrange.pictures.floats import FloatVector, NoValueError, plus
 from lagrange.pictures.limits import LONGEST_ROD_LABEL
 from lagrange.pictures.loads import Acting, as_words, constraint_curve, given_loads
@@ -38,8 +43,11 @@ from lagrange.pictures.sketch import (
     touches,
     toward,
 )
+from lagrange.pictures.solids import Solids
 from lagrange.pictures.systems import SystemPicture, ends_of, rod_ends
+from lagrange.problem.model import BodyShape, Drawn, Keeper, Outline
 
+_FIXED = tuple(Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3))
 ARROW = 1.15
 """Length of the arrows of unit vectors and loads, in centimetres."""
 
@@ -65,20 +73,36 @@ class _Drawing:
         self.places = {p.name: self.pose.at(p.position) for p in system.configuration.points}
         self.origin = self.page((0.0, 0.0, 0.0))
         self.hinges: list[PagePoint] = []
+        self.mounts: list[PagePoint] = []
         self.busy: list[tuple[PagePoint, PagePoint]] = []
 
     def all(self, with_loads: bool) -> None:
-        self.axes()
+        declared = DeclaredParts(self.system, self.sketch, self.busy)
+        declared.all()
         self.rods()
         self.links()
+        self.supports_of_rods()
         self.bodies()
+        if "constraints" not in self.hidden:
+            self.curves()
+        declared.points()
         self.particles()
-        self.curves()
-        if with_loads:
+        if with_loads and "loads" not in self.hidden:
             self.loads()
-        CoordinateDrawings(self.system, self.sketch, self.busy, self.places).all()
-        self.gravity()
-        self.name_origin()
+        declared.marks()
+        coordinates = CoordinateDrawings(self.system, self.sketch, self.busy, self.places)
+        coordinates.all()
+        if "axes" not in self.hidden:
+            self.axes(coordinates.feet)
+        if "gravity" not in self.hidden:
+            self.gravity()
+        if "origin" not in self.hidden:
+            self.name_origin()
+
+    @property
+    def hidden(self) -> frozenset[str]:
+        """The names of what is not drawn."""
+        return self.system.hidden
 
     def flat(self, place: FloatVector) -> PagePoint:
         return self.page(place)
@@ -90,7 +114,8 @@ class _Drawing:
 
     # The parts of the system
 
-    def axes(self) -> None:
+    def axes(self, feet: Sequence[PagePoint]) -> None:
+        """The unit vectors; an axis goes on, thinly, to the coordinates that begin on it."""
         units = self.system.view.units
         for n in self.system.view.shown:
             way = toward((0.0, 0.0), units[n])
@@ -98,15 +123,25 @@ class _Drawing:
             start = beyond(self.origin, left_of(way), 0.95) if self.in_line else self.origin
             end = beyond(start, way, size)
             self.sketch.arrow(start, end, StrokeKind.AXIS)
-            self.sketch.label(UnitVector("ijk"[n]), end, way)
+            self.sketch.label(UnitVector("ijk"[n]), end, way, optional=True)
+            if not self.in_line:
+                reached = [on for foot in feet if (on := _along_axis(foot, self.origin, way)) is not None]
+                for far in (max(reached, default=0.0), min([0.0, *reached])):
+                    if far > size or far < 0:
+                        begin = end if far > 0 else start
+                        self.sketch.line([begin, beyond(start, way, far)], StrokeKind.REFERENCE)
 
     def rods(self) -> None:
-        for _, rod in self.system.rods:
+        for reaction, rod in self.system.rods:
+            if {"constraints", reaction.name} & self.hidden:
+                continue
             first, second = (self.flat(p) for p in rod_ends(rod, self.system.configuration, self.pose))
             self.sketch.line([second, first], StrokeKind.ROD)
             self.busy.append((second, first))
             if not rod.ends[1]:
                 self.hinge(second)
+                if self.stands(rod):
+                    self.mounts.append(second)
             if sp.count_ops(rod.length) <= LONGEST_ROD_LABEL:
                 self.sketch.label_beside(rod.length, second, first, optional=True)
 
@@ -115,6 +150,35 @@ class _Drawing:
                 start, end = self.flat(self.places[a]), self.flat(self.places[b])
                 self.sketch.line([start, end], StrokeKind.ROD)
                 self.busy.append((start, end))
+
+    def stands(self, rod: Rod) -> bool:
+        """Whether the centre of a rod is fixed."""
+        assert rod.centre is not None
+        moving = {*self.system.configuration.slots.coordinates, *self.system.configuration.slots.prescribed, t}
+        return not any(c.free_symbols & moving for c in rod.centre.fixed().components)
+
+    def supports_of_rods(self) -> None:
+        """What holds the fixed ends: a piece of ground, on the other side than the lines that meet there."""
+        for line in self.system.problem.figure.lines:
+            if line.kind is Drawn.SUPPORTS:
+                at = self.flat(self.system.at(line.places[0]))  # type: ignore[arg-type]
+                self.hinge(at)
+                self.mounts.append(at)
+        field = self.system.problem.gravity
+        down = (0.0, 0.0) if field is None else self.page.way(self.pose.at(field))
+        for at in self.mounts:
+            ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in self.busy if touches(at, a, b)]
+            x, y = sum(w[0] for w in ways), sum(w[1] for w in ways)
+            if math.hypot(*down) > 1e-6:
+                along = toward((0.0, 0.0), down)
+                inward = along if x * along[0] + y * along[1] >= -1e-6 else scaled(along, -1.0)
+            elif math.hypot(x, y) < 1e-6:
+                continue
+            elif abs(x) > abs(y):
+                inward = (math.copysign(1.0, x), 0.0)
+            else:
+                inward = (0.0, math.copysign(1.0, y))
+            self.sketch.wall(beyond(at, inward, -HINGE), inward, 0.36)
 
     def hinge(self, at: PagePoint) -> None:
         if all(apart(at, h) > 1e-3 for h in self.hinges):
@@ -166,16 +230,41 @@ class _Drawing:
             self.sketch.wall(at, toward(at, other))
         else:
             self.hinge(at)
+            self.mounts.append(at)
 
     def bodies(self) -> None:
         for p in self.system.configuration.points:
             rotation = plane_rotation(self.system.configuration, p.name)
-            if rotation is not None and self.system.view.planar:
+            shape = self.system.problem.figure.shapes.get(p.name)
+            if shape is not None:
+                self.declared_body(p, shape)
+            elif p.name in self.hidden:
+                continue
+            elif rotation is not None and self.system.view.planar:
                 self.plane_body(p, rotation)
             else:
                 turning = [r for r in self.system.configuration.rotations if r.name == p.name]
                 for r in turning:
                     self.triad(p, r)
+
+    def declared_body(self, p: MassPoint, shape: BodyShape) -> None:
+        """A body whose shape the file gives."""
+        turning = next((r for r in self.system.configuration.rotations if r.name == p.name), None)
+        axes = _FIXED if turning is None else turning.axes
+        centre = self.places[p.name]
+        Solids(self.system, self.sketch).shape(shape, centre, [self.pose.at(a) for a in axes])
+        if shape.ends:
+            first, second = (self.flat(self.system.at(end)) for end in shape.ends)
+            self.busy.append((first, second))
+        rotation = plane_rotation(self.system.configuration, p.name)
+        round_ = shape.kind in (Outline.DISC, Outline.RING, Outline.SPHERE)
+        if rotation is not None and self.system.view.planar and round_:
+            radius = abs(self.system.number(shape.lengths[0])) * self.page.scale
+            e1 = toward((0, 0), self.page.way(self.pose.at(rotation.axes[0])))
+            self.sketch.line([self.flat(centre), beyond(self.flat(centre), e1, radius)], StrokeKind.REFERENCE)
+        if rotation is not None and self.system.view.planar and "constraints" not in self.hidden:
+            self.supports(p, rotation)
+        self.sketch.dot(self.flat(centre), 0.05)
 
     def plane_body(self, p: MassPoint, rotation: Rotation) -> None:
         centre = self.flat(self.places[p.name])
@@ -225,7 +314,11 @@ class _Drawing:
             way = toward((0, 0), self.page.way(force))
             way = way if rolls else left_of(way)
             half = 1.1 + (known.radius * self.page.scale if rolls else 0.0)
-            self.sketch.line([beyond(at, way, -half), beyond(at, way, half)], StrokeKind.CURVE)
+            ends = [beyond(at, way, -half), beyond(at, way, half)]
+            push = toward(at, self.flat(self.places[p.name]))
+            if left_of(way)[0] * push[0] + left_of(way)[1] * push[1] < 0:
+                ends.reverse()
+            self.sketch.ground(ends)
 
     def stays(self, p: MassPoint, rotation: Rotation, point: tuple[float, float] | None) -> bool:
         """Whether a point of a body is fixed in space."""
@@ -254,7 +347,9 @@ class _Drawing:
                 turn = math.atan2(y - centre[1], x - centre[0])
                 radius = distances[0] * self.page.scale
                 angles = [turn + (k - 16) * 0.06 for k in range(33)]
-                self.sketch.line([beyond(centre, (math.cos(a), math.sin(a)), radius) for a in angles], StrokeKind.CURVE)
+                points = [beyond(centre, (math.cos(a), math.sin(a)), radius) for a in angles]
+                outside = apart(centre, self.flat(self.places[p.name])) > radius
+                self.sketch.ground(points[::-1] if outside else points)
                 return
 
     def triad(self, p: MassPoint, rotation: Rotation) -> None:
@@ -280,19 +375,23 @@ class _Drawing:
         lines = [piece for line in self.sketch.lines for piece in line.pieces]
         for p in self.system.configuration.points:
             at = self.flat(self.places[p.name])
-            if p.name not in turning:
+            if p.name in self.hidden:
+                continue
+            if p.name not in turning and p.name not in self.system.problem.figure.shapes:
                 self.sketch.dot(at)
             # The name goes opposite to the lines that meet at the particle.
             ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in lines if touches(at, a, b)]
             x, y = -sum(w[0] for w in ways), -sum(w[1] for w in ways)
             prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 1e-3 else (0.7, 0.7)
-            self.sketch.label(as_words(p.name), at, prefer, clear=PARTICLE)
+            self.sketch.label(as_words(p.name), at, prefer, clear=PARTICLE, optional=True)
 
     def curves(self) -> None:
         if not self.system.view.planar:
             return
         points = [self.origin, *(self.flat(p) for p in self.places.values())]
         for reaction in self.system.newton.reactions:
+            if reaction.name in self.hidden:
+                continue
             if reaction.rod is not None or reaction.directions is None or len(reaction.directions) != 1:
                 continue
             [name] = reaction.directions
@@ -304,9 +403,38 @@ class _Drawing:
             curve = constraint_curve(self.pose, row, p.position, self.page, frame)
             if curve is not None:
                 points_on_curve, closed = curve
-                self.sketch.line(points_on_curve, StrokeKind.CURVE, closed=closed)
+                side = self.forbidden_side(reaction, row, points_on_curve)
+                if side:
+                    ring = [*points_on_curve, points_on_curve[0]] if closed else points_on_curve
+                    self.sketch.ground(ring if side > 0 else ring[::-1])
+                else:
+                    self.sketch.line(points_on_curve, StrokeKind.CURVE, closed=closed)
                 if in_line(points_on_curve[0], points_on_curve[1:]):
                     self.busy.append((points_on_curve[0], points_on_curve[-1]))
+
+    def forbidden_side(self, reaction: Reaction, row: Row, curve: Sequence[PagePoint]) -> int:
+        """On which side of a curve its particle cannot be: 1 to the right of the way along it, −1 to the left, 0 if
+        it may be on neither, as on a wire.
+        """
+        constraint = next((c for c in self.system.problem.constraints if c.name == row.name), None)
+        if constraint is None or constraint.by in (Keeper.WIRE, Keeper.ROD, Keeper.STRING, Keeper.HINGE):
+            return 0
+        field = self.system.problem.gravity
+        [name] = reaction.directions or ("",)
+        force = reaction.per_unit(name)
+        if force is None:
+            return 0
+        if constraint.side is not None:
+            push = self.page.way(self.pose.at(force))
+            push = push if constraint.side > 0 else scaled(push, -1.0)
+        elif field is not None and constraint.by is Keeper.SURFACE:
+            push = scaled(self.page.way(self.pose.at(field)), -1.0)
+        else:
+            return 0
+        at = self.flat(self.places[name])
+        here = min(range(len(curve) - 1), key=lambda n: apart(curve[n], at))
+        left = left_of(toward(curve[here], curve[here + 1]))
+        return 1 if left[0] * push[0] + left[1] * push[1] > 0 else -1
 
     def loads(self) -> None:
         for name in self.places:
@@ -333,6 +461,7 @@ class _Drawing:
             return
         way = toward((0, 0), way)
         corners = [p for line in self.sketch.lines for p in line.points] + [d.at for d in self.sketch.dots]
+        corners += [p for _, face in self.sketch.filled for p in face.points]
         box = Box.around(corners)
         x = box.right + 0.75
         start = (x, (box.top + box.bottom) / 2 - way[1] * 0.45)
@@ -343,5 +472,11 @@ class _Drawing:
     def name_origin(self) -> None:
         units = [u for n, u in enumerate(self.system.view.units) if n in self.system.view.shown]
         away = (-sum(u[0] for u in units), -sum(u[1] for u in units))
-        if not self.in_line:
+        if not self.in_line and "axes" not in self.hidden:
             self.sketch.label("O", self.origin, toward((0, 0), away), clear=0.05, optional=True)
+
+
+def _along_axis(foot: PagePoint, origin: PagePoint, way: PagePoint) -> float | None:
+    """The distance of a point on an axis from the origin; None if it is not on it."""
+    x, y = foot[0] - origin[0], foot[1] - origin[1]
+    return x * way[0] + y * way[1] if abs(x * way[1] - y * way[0]) < 1e-3 else None

@@ -28,7 +28,9 @@ from lagrange.pictures.poses import (
 from lagrange.pictures.shapes import plane_rotation
 from lagrange.pictures.sketch import Sketch, apart, beyond, left_of, overlapping, same_ends, toward
 from lagrange.pictures.systems import Page, SystemPicture
+from lagrange.problem.model import Drawn
 
+_RODS = (Drawn.RODS, Drawn.STRINGS)
 ARC = 0.62
 """Radius of the arc of an angle, in centimetres."""
 
@@ -40,6 +42,7 @@ class CoordinateDrawings:
     busy            pieces along which a line is drawn already
     places          of the particles and mass centres
     guides          dashed lines of angles
+    feet            ends of distances, which may be on an axis
     turning_points  the coordinate and the point that turns, with the centre of its circle
     """
 
@@ -49,6 +52,7 @@ class CoordinateDrawings:
     places: dict[str, FloatVector]
     guides: list[tuple[PagePoint, PagePoint]] = field(default_factory=list)
     turning_points: list[tuple[tuple[sp.Symbol, MassPoint], FloatVector]] = field(default_factory=list)
+    feet: list[PagePoint] = field(default_factory=list)
 
     @property
     def pose(self) -> Pose:
@@ -66,24 +70,29 @@ class CoordinateDrawings:
 
     def all(self) -> None:
         """Mark the coordinates. Raises NoValueError if one that moves a particle cannot be marked."""
-        rest = [q for q in self.pose.coordinates if not self.is_length(q)]
-        known: list[FloatVector] = [(0.0, 0.0, 0.0), *self.places.values()]
+        figure = self.system.problem.figure
+        rest = [q for q in self.pose.coordinates if not self.is_length(q) and q.name not in self.system.hidden]
+        known: list[FloatVector] = [(0.0, 0.0, 0.0), *self.places.values(), *self.system.figure_places.values()]
         for q in list(rest):
             if self.angle(q):
                 rest.remove(q)
-        for p in self.system.configuration.points:
+        for p in self.system.marked_points:
             marks = distance_marks(self.pose, rest, p.position, known)
             for m in marks:
                 rest.remove(m.coordinate)
             if marks and not self.system.view.planar:
                 marks = self.on_the_floor(marks)
             for m in crosswise(marks):
+                if len(marks) > 1 and math.hypot(*marks[0].start) > 1e-9:
+                    self.sketch.line([self.flat(marks[0].start), self.flat(m.start)], StrokeKind.REFERENCE)
                 self.distance(m.coordinate, m.start, m.end, len(marks) == 1)
         left = [q for q in rest if not self.turn(q)]
         bodies = bool(self.system.configuration.rotations)
-        if self.system.view.planar and not bodies and any(self.moves_something(q) for q in left):
+        declared = figure.lines or figure.points or figure.curves or figure.hidden
+        if self.system.view.planar and not bodies and not declared and any(self.moves_something(q) for q in left):
             raise NoValueError("a coordinate that cannot be marked")
-        self.stiff()
+        if "links" not in self.system.hidden and not any(line.kind in _RODS for line in figure.lines):
+            self.stiff()
 
     def moves_something(self, q: sp.Symbol) -> bool:
         """Whether a coordinate by itself moves a particle, and no constraint keeps it at 0."""
@@ -100,6 +109,7 @@ class CoordinateDrawings:
         if math.hypot(*start) < 1e-9:
             return marks
         self.sketch.line([self.flat(end), self.flat(minus(end, start))], StrokeKind.GUIDE)
+        self.feet.append(self.flat(minus(end, start)))
         return [DistanceMark(m.coordinate, minus(m.start, start), minus(m.end, start)) for m in marks]
 
     def is_length(self, q: sp.Symbol) -> bool:
@@ -108,14 +118,14 @@ class CoordinateDrawings:
 
     def angle(self, q: sp.Symbol) -> bool:
         """Mark a coordinate if it is an angle at a point; return whether it is one."""
-        for p in self.system.configuration.points:
+        for p in self.system.marked_points:
             mark = angle_mark(self.pose, q, p.position)
             if mark is not None:
                 self.angle_at(mark)
                 self.turning_points.append(((q, p), mark.centre))
                 return True
         turning = {r.name for r in self.system.configuration.rotations}
-        points = [p for p in self.system.configuration.points if p.name not in turning]
+        points = [p for p in self.system.marked_points if p.name not in turning]
         for a, b in combinations(points, 2) if self.system.view.planar else ():
             marks = [
                 relative_angle_mark(self.pose, q, *pair)
@@ -153,7 +163,7 @@ class CoordinateDrawings:
     def arc(self, q: sp.Symbol, centre: PagePoint, ways: list[PagePoint], radius: float) -> None:
         """The arc of an angle, its reference line and its label."""
         reference = beyond(centre, ways[0], radius + 0.35)
-        self.sketch.line([centre, reference], StrokeKind.GUIDE)
+        self.sketch.line([centre, reference], StrokeKind.REFERENCE)
         points = [beyond(centre, w, radius) for w in ways]
         self.sketch.arc(points, StrokeKind.ANGLE)
         self.sketch.label(q, points[10], ways[10])
@@ -172,7 +182,7 @@ class CoordinateDrawings:
         radius = math.hypot(*minus(point, centre))
         part = min(0.8, ARC * 1.1 / (radius * self.page.scale))
         arc = [self.flat(plus(centre, a, part)) for a in mark.arc]
-        self.sketch.line([self.flat(centre), self.flat(plus(centre, mark.reference, part * 1.3))], StrokeKind.GUIDE)
+        self.sketch.line([self.flat(centre), self.flat(plus(centre, mark.reference, part * 1.3))], StrokeKind.REFERENCE)
         self.sketch.arc(arc, StrokeKind.ANGLE)
         self.sketch.label(mark.coordinate, arc[10], toward(self.flat(centre), arc[10]))
 
@@ -194,6 +204,7 @@ class CoordinateDrawings:
             self.dimension(q, a, b)
             return
         self.guide(a, b)
+        self.feet += [a, b]
         self.sketch.label_beside(q, a, b)
 
     def dimension(self, q: sp.Symbol, a: PagePoint, b: PagePoint) -> None:
@@ -204,7 +215,7 @@ class CoordinateDrawings:
         off = 0.75 + 0.55 * row  # dimension lines are the arcs of two points: each further one is a row lower
         start, end = beyond(a, side, off), beyond(b, side, off)
         for point, moved in ((a, start), (b, end)):
-            self.sketch.line([beyond(point, side, 0.45), beyond(moved, side, 0.1)], StrokeKind.GUIDE)
+            self.sketch.line([beyond(point, side, 0.45), beyond(moved, side, 0.1)], StrokeKind.REFERENCE)
         self.sketch.arc([start, end], StrokeKind.ANGLE)
         self.sketch.label_beside(q, start, end)
 
@@ -214,15 +225,19 @@ class CoordinateDrawings:
             return False
         for p in self.system.configuration.points:
             rotation = plane_rotation(self.system.configuration, p.name)
-            if rotation is None:
+            if rotation is None or p.name in self.system.hidden:
                 continue
             mark = angle_mark(self.pose, q, rotation.axes[0])
             if mark is not None and math.hypot(*mark.centre) < 1e-9:
                 centre = self.flat(self.places[p.name])
                 known = self.system.shapes[p.name]
+                shape = self.system.problem.figure.shapes.get(p.name)
                 ways = [toward((0, 0), self.page.way(a)) for a in mark.arc]
                 radius = min(ARC, 0.6 * known.radius * self.page.scale) if known.radius else ARC + 0.2
-                self.sketch.line([centre, beyond(centre, ways[-1], radius + 0.3)], StrokeKind.GUIDE)
+                if shape is not None and shape.lengths:
+                    radius = min(ARC, 0.6 * abs(self.system.number(shape.lengths[0])) * self.page.scale)
+                if not any(overlapping((centre, beyond(centre, ways[-1], 0.3)), b) for b in self.busy):
+                    self.sketch.line([centre, beyond(centre, ways[-1], radius + 0.3)], StrokeKind.REFERENCE)
                 self.arc(q, centre, ways, radius)
                 return True
         return False

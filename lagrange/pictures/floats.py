@@ -1,7 +1,7 @@
 """Values of expressions and vectors in ordinary floating point, for drawing only: no verdict depends on them.
 
-A value that is not real or does not exist raises NoValueError; so does an undefined function, and a symbol without a
-value.
+A value that is not real or does not exist raises NoValueError; so does a symbol without a value, and an undefined
+function, unless the values have a symbol of its name.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping, Sequence
 
 import sympy as sp
 
+from lagrange.core.symbols import Unspecified
 from lagrange.core.vectors import Vector
 from lagrange.pictures.limits import LARGEST_VALUE
 
@@ -67,6 +68,8 @@ def _value(e: sp.Basic, values: Values) -> float:
         if isinstance(power, complex):
             raise NoValueError("a root of a negative number")
         return float(power)
+    if isinstance(e, Unspecified) and not any(e.orders) and sp.Symbol(e.name, real=True) in values:
+        return values[sp.Symbol(e.name, real=True)]
     function = _FUNCTIONS.get(type(e))
     if function is None:
         raise NoValueError(type(e).__name__)

@@ -20,7 +20,10 @@ from lagrange.pictures.loads import Acting, acting_on
 from lagrange.pictures.shapes import in_space, plane_rotation
 from lagrange.pictures.sketch import PARTICLE, Sketch, apart, beyond, left_of, toward
 from lagrange.pictures.systems import SystemPicture
+from lagrange.problem.model import Outline
 
+LARGEST_WHEEL = 0.75
+"""Radius of a round body, in centimetres."""
 LENGTH = 1.35
 """Length of an arrow, in centimetres."""
 _NEAR = math.cos(math.radians(14))
@@ -49,8 +52,10 @@ def _panel(system: SystemPicture, body: FreeBody, notation: Notation) -> Scene |
     turning = any(r.name == body.name for r in system.configuration.rotations)
     crowded = _crowded(system, acting)
     radius = PARTICLE
+    wheel = _wheel(system, body)
+    scale = min(system.page.scale, LARGEST_WHEEL / wheel) if wheel else system.page.scale
     if rotation is not None and system.view.planar:
-        _outline(sketch, system, body, rotation)
+        _outline(sketch, system, body, rotation, wheel, scale)
     elif turning:
         sketch.ellipse((0.0, 0.0), (0.5, 0.12), (-0.1, 0.34))
     elif crowded:
@@ -60,7 +65,7 @@ def _panel(system: SystemPicture, body: FreeBody, notation: Notation) -> Scene |
         sketch.dot((0.0, 0.0), PARTICLE)
     used: list[tuple[PagePoint, PagePoint]] = []
     for a in acting:
-        _arrow(sketch, system, a, radius if crowded and not turning else 0.0, used)
+        _arrow(sketch, system, a, radius if crowded and not turning else 0.0, used, scale)
     x, y = -sum(w[0] for _, w in used), -sum(w[1] for _, w in used)
     prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 0.3 else (0.8, 0.5)
     sketch.label(body.name.replace("_", " "), (0.0, 0.0), prefer, clear=radius)
@@ -78,10 +83,14 @@ def _crowded(system: SystemPicture, acting: Sequence[Acting]) -> bool:
 
 
 def _arrow(
-    sketch: Sketch, system: SystemPicture, a: Acting, edge: float, used: list[tuple[PagePoint, PagePoint]]
+    sketch: Sketch,
+    system: SystemPicture,
+    a: Acting,
+    edge: float,
+    used: list[tuple[PagePoint, PagePoint]],
+    scale: float,
 ) -> None:
     x, y = system.page.way(a.offset)
-    scale = system.page.scale
     start = (x * scale, y * scale)
     on_page = system.page.way(a.vector)
     kind = a.kind
@@ -116,8 +125,19 @@ def _out_of_page(system: SystemPicture, a: Acting) -> float:
     return a.vector[third] * sign * orientation
 
 
-def _outline(sketch: Sketch, system: SystemPicture, body: FreeBody, rotation: Rotation) -> None:
-    scale, known = system.page.scale, system.shapes[body.name]
+def _wheel(system: SystemPicture, body: FreeBody) -> float:
+    """The radius of a round body, in the units of the problem; 0 for any other."""
+    shape = system.problem.figure.shapes.get(body.name)
+    if shape is not None and shape.kind in (Outline.DISC, Outline.RING, Outline.SPHERE):
+        return abs(system.number(shape.lengths[0]))
+    known = system.shapes.get(body.name)
+    return known.radius if known else 0.0
+
+
+def _outline(
+    sketch: Sketch, system: SystemPicture, body: FreeBody, rotation: Rotation, wheel: float, scale: float
+) -> None:
+    known = system.shapes[body.name]
 
     def flat(point: tuple[float, float]) -> PagePoint:
         x, y = system.page.way(in_space(system.pose, rotation, point))
@@ -129,9 +149,8 @@ def _outline(sketch: Sketch, system: SystemPicture, body: FreeBody, rotation: Ro
         x, y = system.page.way(minus(joint, centre))
         held.append((x * scale, y * scale))
     e1 = toward((0, 0), system.page.way(system.pose.at(rotation.axes[0])))
-    if known.radius:
-        radius = known.radius * scale
-        sketch.ellipse((0.0, 0.0), (radius, 0.0), (0.0, radius))
+    if wheel:
+        sketch.circle((0.0, 0.0), wheel * scale, 2)
     elif held:
         far = max(held, key=lambda h: math.hypot(*h))
         pairs = [(a, b) for a in (*held, (0.0, 0.0)) for b in (*held, (0.0, 0.0))]

@@ -104,6 +104,8 @@ def general_pose(problem: Problem, configuration: Configuration, centres: Sequen
             score = _score(pose, points)
         except NoValueError:
             continue
+        if problem.figure.at:
+            return pose
         if score is not None and (best is None or score > best[0]):
             best = score, pose
     return best[1] if best else None
@@ -119,6 +121,7 @@ def _guess(
 ) -> dict[sp.Symbol, float]:
     angles = set(_angles([*_expressions(configuration, points)]))
     values: dict[sp.Symbol, float] = {t: 1.0}
+    chosen = {name: float(number) for name, number in problem.figure.at.items()}
     given = {p.symbol: float(p.value) for p in problem.parameters if p.value is not None}
     parameters = {p.symbol for p in problem.parameters}
     coordinates = configuration.slots.coordinates
@@ -134,7 +137,8 @@ def _guess(
         wobble = 1 + random.uniform(-spread, spread)
         if s not in values:
             values[s] = given.get(s) or _in_range(s, 0.55 * wobble if s in angles else _size(s) * wobble)
-    return values
+    undefined = {sp.Symbol(f.name, real=True): chosen[f.name] for f in problem.functions if f.name in chosen}
+    return {s: chosen.get(s.name, v) for s, v in values.items()} | undefined
 
 
 def _in_range(symbol: sp.Symbol, value: float) -> float:

@@ -12,16 +12,19 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import sympy as sp
 
 from lagrange.core.records import record
 from lagrange.document.math_writer import UNICODE, Notation, Writer
-from lagrange.document.scene import Box, Dot, Label, PagePoint, Polyline, Scene, StrokeKind
+from lagrange.document.scene import FAINT, Box, Dot, Label, PagePoint, Polyline, Scene, StrokeKind
 
 PARTICLE = 0.085
 HINGE = 0.06
 """Radii of dots, in centimetres."""
+HATCH = 0.14
+"""Distance between the strokes behind a line that does not move."""
 # Centimetres of type at 11 pt, rather too large: a label must not touch its neighbours in any font.
 HEIGHT = 0.34
 LETTER = 0.2
@@ -29,7 +32,7 @@ SMALL_LETTER = 0.15
 SPACE = 0.1
 CLEAR = 0.03
 """Height of a label, widths of its characters, and the space around it."""
-_REACHES = (0.1, 0.15, 0.22, 0.32, 0.45, 0.6, 0.8, 1.0)
+_REACHES = (0.1, 0.15, 0.22, 0.32, 0.45, 0.6, 0.8, 1.0, 1.3, 1.7)
 # The preferred direction, then alternately to both sides of it in steps of 18°, at last the opposite one.
 _TURNS = tuple(sign * k * math.pi / 10 for k in range(11) for sign in ((1, -1) if 0 < k < 10 else (1,)))
 _INDEX = re.compile(r"_[^\W_]+(?:[._][^\W_]+)*")
@@ -194,6 +197,7 @@ class Sketch:
     lines: list[Polyline] = field(default_factory=list)
     dots: list[Dot] = field(default_factory=list)
     wanted: list[Wanted] = field(default_factory=list)
+    filled: list[tuple[float, Polyline]] = field(default_factory=list)
 
     def line(self, points: Sequence[PagePoint], kind: StrokeKind, closed: bool = False) -> None:
         """A chain of straight pieces."""
@@ -229,8 +233,10 @@ class Sketch:
 
     def scene(self, notation: Notation) -> Scene | None:
         """The picture; None if there is no place for a required label."""
-        labels = placed(self.wanted, self.lines, self.dots, notation)
-        return None if labels is None else Scene(tuple(self.lines), tuple(self.dots), labels)
+        faces = [face for _, face in sorted(self.filled, key=lambda f: f[0])]
+        lines = (*faces, *self.lines)
+        labels = placed(self.wanted, [line for line in lines if line.kind not in FAINT], self.dots, notation)
+        return None if labels is None else Scene(lines, tuple(self.dots), labels)
 
     # Shapes made of lines
 
@@ -260,14 +266,43 @@ class Sketch:
         self.line([beyond(piston, side, 0.09), beyond(piston, side, -0.09)], StrokeKind.DAMPER)
         self.line([piston, b], StrokeKind.DAMPER)
 
+    def face(
+        self, points: Sequence[PagePoint], shade: int, depth: float = 0.0, kind: StrokeKind = StrokeKind.BODY
+    ) -> None:
+        """A closed outline with its inside; of two, the one with less depth is behind the other, and all are behind
+        the lines.
+        """
+        self.filled.append((depth, Polyline(tuple(points), kind, closed=True, shade=shade)))
+
     def wall(self, at: PagePoint, inward: PagePoint, half: float = 0.4) -> None:
         """A short wall through a point, hatched on the side opposite to `inward`."""
         side = left_of(inward)
-        self.line([beyond(at, side, -half), beyond(at, side, half)], StrokeKind.GROUND)
-        count = max(2, round(half / 0.1))
-        for n in range(count):
-            start = beyond(at, side, -half + (n + 1) * 2 * half / count)
-            self.line([start, beyond(beyond(start, inward, -0.13), side, -0.13)], StrokeKind.GROUND)
+        self.ground([beyond(at, side, half), beyond(at, side, -half)])
+
+    def ground(self, points: Sequence[PagePoint]) -> None:
+        """A chain that does not move, hatched to the right of the way through it."""
+        self.line(points, StrokeKind.GROUND)
+        start = HATCH / 2
+        for a, b in pairwise(points):
+            way, length = toward(a, b), apart(a, b)
+            right = -left_of(way)[0], -left_of(way)[1]
+            while start <= length:
+                foot = beyond(a, way, start)
+                self.line([foot, beyond(beyond(foot, right, 0.13), way, -0.11)], StrokeKind.HATCH)
+                start += HATCH
+            start -= length
+
+    def dimension(self, a: PagePoint, b: PagePoint) -> None:
+        """The line of a length, with a stroke across each of its ends."""
+        side = left_of(toward(a, b))
+        self.line([a, b], StrokeKind.DIMENSION)
+        for end in (a, b):
+            self.line([beyond(end, side, 0.09), beyond(end, side, -0.09)], StrokeKind.DIMENSION)
+
+    def circle(self, centre: PagePoint, radius: float, shade: int, kind: StrokeKind = StrokeKind.BODY) -> None:
+        """A circle with its inside."""
+        angles = [2 * math.pi * k / 48 for k in range(48)]
+        self.face([beyond(centre, (math.cos(a), math.sin(a)), radius) for a in angles], shade, kind=kind)
 
     def capsule(self, a: PagePoint, b: PagePoint, half: float) -> None:
         """A bar with round ends from a to b."""

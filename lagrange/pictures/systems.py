@@ -7,10 +7,11 @@ several others. A `Page` maps space to centimetres; its scale is chosen so that 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, product
 
 import sympy as sp
 
@@ -24,12 +25,12 @@ from lagrange.mechanics.constraints.springs_dampers import DamperForce, Stretche
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
 from lagrange.mechanics.solution import Solution
-from lagrange.pictures.floats import FloatVector, NoValueError, minus
+from lagrange.pictures.floats import FloatVector, NoValueError, Values, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable
 from lagrange.pictures.shapes import Shape, own_coordinates, plane_rotation, shape
 from lagrange.pictures.views import View, view
-from lagrange.problem.model import Problem
+from lagrange.problem.model import Drawn, Figure, FigureMark, Outline, Problem
 
 
 @record
@@ -44,6 +45,42 @@ class SystemPicture:
     newton: Newton
     pose: Pose
     view: View
+
+    def at(self, vector: Vector, more: Values | None = None) -> FloatVector:
+        """A vector of the file in the position drawn, whatever its coordinates are. Raises NoValueError."""
+        expressed, values = self.configuration.expressed, {**self.pose.values, **(more or {})}
+        return place(vector.fixed().map(lambda c: c.xreplace(expressed)) if expressed else vector, values)
+
+    def number(self, expression: sp.Expr) -> float:
+        """The value of an expression of the file. Raises NoValueError."""
+        return value(sp.sympify(expression, strict=True).xreplace(dict(self.configuration.expressed)), self.pose.values)
+
+    @cached_property
+    def figure_places(self) -> dict[str, FloatVector]:
+        """The places of the points that the figure adds."""
+        return {name: self.at(v) for name, v in self.problem.figure.points.items()}
+
+    @cached_property
+    def marks(self) -> tuple[FigureMark, ...]:
+        """The marks of the figure, without those of other coordinates than those drawn."""
+        own = {*self.pose.coordinates}
+        every = {q.symbol for q in self.problem.coordinates} | {q for c in self.problem.choices for q in c.coordinates}
+        return tuple(m for m in self.problem.figure.marks if not (m.label.free_symbols & every) - own)
+
+    @property
+    def hidden(self) -> frozenset[str]:
+        """The names of what is not drawn, coordinates with a mark of their own among them."""
+        return self.problem.figure.hidden | {str(m.label) for m in self.marks}
+
+    @cached_property
+    def marked_points(self) -> tuple[MassPoint, ...]:
+        """The particles, the mass centres, and the points of the figure: what coordinates may lead to."""
+        zero, expressed = Vector.zero(), self.configuration.expressed
+        more = (
+            MassPoint(name, sp.S.Zero, v.fixed().map(lambda c: c.xreplace(expressed)), zero, zero, ())
+            for name, v in self.problem.figure.points.items()
+        )
+        return (*self.configuration.points, *more)
 
     @property
     def rods(self) -> tuple[tuple[Reaction, Rod], ...]:
@@ -114,7 +151,7 @@ class SystemPicture:
     def page(self) -> Page:
         """The page, with a scale at which all points and bodies fit."""
         places = [self.pose.at(v) for v in (*notable(self.configuration), *self.rod_ends)]
-        flat = [self.view.flat(p) for p in (*places, (0.0, 0.0, 0.0))]
+        flat = [self.view.flat(p) for p in (*places, *self._figure_corners(), (0.0, 0.0, 0.0))]
         for p in self.configuration.points:
             known = self.shapes.get(p.name)
             if known is None:
@@ -123,12 +160,44 @@ class SystemPicture:
             reach = max([known.radius, *(math.hypot(*held) for held in known.held)])
             reach = reach if known.radius or known.held else 0.0
             flat += [(x - reach, y - reach), (x + reach, y + reach)]
+        for at, radius in self._circles():
+            x, y = self.view.flat(at)
+            flat += [(x - radius, y - radius), (x + radius, y + radius)]
         left, right = min(p[0] for p in flat), max(p[0] for p in flat)
         low, high = min(p[1] for p in flat), max(p[1] for p in flat)
         only = right - left < 1e-9 or high - low < 1e-9
         width = LONGEST_LINE if only else WIDTH
         scale = min(width / max(right - left, 1e-9), HEIGHT / max(high - low, 1e-9), LARGEST_SCALE)
         return Page(self.view, scale)
+
+    def _figure_corners(self) -> Iterator[FloatVector]:
+        """Places of what the figure adds."""
+        figure = self.problem.figure
+        for line in figure.lines:
+            places = line.places[:1] if line.kind in (Drawn.BLADES, Drawn.WHEELS) else line.places
+            yield from (self.at(p) for p in places if not isinstance(p, str))
+        yield from self.figure_places.values()
+        for mark in self.marks:
+            yield from (self.at(v) for v in (mark.vectors[:1] if mark.kind is Drawn.ANGLES else mark.vectors))
+        for curve in figure.curves:
+            ends = [(self.number(a), self.number(b)) for a, b in curve.between]
+            for parts in product((0, 0.25, 0.5, 0.75, 1), repeat=len(ends)):
+                values = {s: a + (b - a) * p for s, (a, b), p in zip(curve.along, ends, parts, strict=True)}
+                yield self.at(curve.point, values)
+        for outline in figure.shapes.values():
+            yield from (self.at(end) for end in outline.ends)
+
+    def _circles(self) -> Iterator[tuple[FloatVector, float]]:
+        """The places and radii of round and square things."""
+        figure = self.problem.figure
+        for circle in (*figure.circles, *figure.pulleys.values()):
+            yield self.at(circle.centre), abs(self.number(circle.radius))
+        for p in self.configuration.points:
+            outline = figure.shapes.get(p.name)
+            if outline is not None and outline.lengths:
+                size = max(abs(self.number(x)) for x in outline.lengths)
+                half = 0.5 if outline.kind is Outline.BOX else 0.75 if outline.kind is Outline.CONE else 1.0
+                yield self.pose.at(p.position), half * size
 
 
 def _circle_centres(pose: Pose, p: MassPoint, rotation: Rotation) -> list[Callable[[Pose], FloatVector | None]]:
@@ -194,21 +263,37 @@ def system_in_choice(solution: Solution, configuration: Configuration) -> System
 def _system(
     solution: Solution, configuration: Configuration, pose: Pose | None, newton: Newton | None
 ) -> SystemPicture | None:
-    if pose is None or newton is None or not configuration.points or len(configuration.points) > MOST_POINTS:
+    figure = solution.problem.figure
+    if pose is None or newton is None or len(configuration.points) > MOST_POINTS:
+        return None
+    if not (configuration.points or figure.points or figure.lines or figure.curves):
         return None
     used = set()
-    for v in notable(solution.own.configuration):
+    for v in (*notable(solution.own.configuration), *_vectors(figure)):
         used |= {n for n, c in enumerate(v.fixed().components) if c != 0}
     for r in solution.own.configuration.rotations:
         for axis in r.axes[:2]:
             used |= {n for n, c in enumerate(axis.fixed().components) if c != 0}
-    return SystemPicture(solution.problem, configuration, newton, pose, view(solution.problem.axes, frozenset(used)))
+    seen = view(solution.problem.axes, frozenset(used))
+    down = figure.down or solution.problem.gravity
+    if down is not None:
+        with suppress(NoValueError):
+            seen = seen.upright(pose.at(down), solution.problem.axes)
+    return SystemPicture(solution.problem, configuration, newton, pose, seen)
 
 
-def is_undefined(configuration: Configuration) -> bool:
-    """Whether an undefined function occurs in a position or constraint, so that nothing can be drawn."""
+def _vectors(figure: Figure) -> Iterator[Vector]:
+    yield from figure.points.values()
+    yield from (p for line in figure.lines for p in line.places if not isinstance(p, str))
+    yield from (curve.point for curve in figure.curves)
+    yield from (circle.centre for circle in (*figure.circles, *figure.pulleys.values()))
+
+
+def is_undefined(configuration: Configuration, figure: Figure) -> bool:
+    """Whether a function without a value occurs in a position or constraint, so that nothing can be drawn."""
     places = (c for v in notable(configuration) for c in v.fixed().components)
-    return any(sp.sympify(e, strict=True).has(Unspecified) for e in (*places, *configuration.finite_constraints))
+    expressions = (sp.sympify(e, strict=True) for e in (*places, *configuration.finite_constraints))
+    return any(f.name not in figure.at for e in expressions for f in e.atoms(Unspecified))
 
 
 def _newton(solution: Solution) -> Newton:
@@ -221,13 +306,18 @@ def _newton(solution: Solution) -> Newton:
 def _pose_in_file(solution: Solution) -> tuple[Pose | None, Newton | None]:
     """A good position, from one of the choices of coordinates or else from those of the file; Newton's equations."""
     original = solution.own.configuration
-    if is_undefined(original):
+    if is_undefined(original, solution.problem.figure):
         return None, None
     newton = _newton(solution)
     centres = [r.rod.centre for r in newton.reactions if r.rod is not None and r.rod.centre is not None]
-    for choice in solution.choices:
+    figure = solution.problem.figure
+    named = {q.name for q in original.slots.coordinates} & {*figure.at}
+    by_name = sorted(
+        solution.choices, key=lambda c: not {q.name for q in c.configuration.slots.coordinates} & {*figure.at}
+    )
+    for choice in () if named else by_name:
         chosen = choice.coordinates.configuration
-        if chosen.expressed and not chosen.finite_constraints and not is_undefined(chosen):
+        if chosen.expressed and not chosen.finite_constraints and not is_undefined(chosen, figure):
             pose = general_pose(solution.problem, chosen, centres if not _moving(centres, original) else ())
             found = None if pose is None else _in_file(pose, original)
             if found is not None:

@@ -1,23 +1,30 @@
 """The projection from space to the page: the images of i, j and k.
 
 A plane problem is seen perpendicular to its plane, and its axes point as the file says ("right", "down", "east");
-without such words, the first points to the right and the second up. Space is drawn in an oblique projection, i towards
-the reader, j to the right, k up, or turned so that the words of the file hold:
+without such words, the first points to the right and the second up. Space is seen from a little to the right and
+above, in parallel rays, so that a sphere is a circle and a disc an ellipse: i towards the reader, j to the right, k up,
+or turned so that the words of the file hold. With the azimuth a = 25° and the elevation e = 20°
 
-    i  (−0.45, −0.36) ,     j  (1, 0) ,     k  (0, 1) .
+    i  (−sin a, −cos a sin e) ,     j  (cos a, −sin a sin e) ,     k  (0, cos e) .
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 from lagrange.core.records import record
 from lagrange.document.scene import PagePoint
-from lagrange.pictures.floats import FloatVector
+from lagrange.pictures.floats import FloatVector, outer, unit
 
+_A, _E = math.radians(25), math.radians(20)
 _RIGHT, _UP = (1.0, 0.0), (0.0, 1.0)
 _LEFT, _DOWN = (-1.0, 0.0), (0.0, -1.0)
-_NEAR, _FAR = (-0.45, -0.36), (0.45, 0.36)
+_NEAR = -math.sin(_A), -math.cos(_A) * math.sin(_E)
+_FAR = -_NEAR[0], -_NEAR[1]
+_RIGHTWARD, _UPWARD = (math.cos(_A), -math.sin(_A) * math.sin(_E)), (0.0, math.cos(_E))
+_DOWNWARD = (0.0, -math.cos(_E))
 _WORDS = {
     "right": _RIGHT,
     "left": _LEFT,
@@ -36,7 +43,10 @@ _WORDS = {
     "south": _DOWN,
     "away from the wall": _RIGHT,
 }
-_COMPASS = ({"i": "east", "j": "north"}, (_RIGHT, _FAR, _UP)), ({"i": "north", "j": "east"}, (_FAR, _RIGHT, _DOWN))
+_COMPASS = (
+    ({"i": "east", "j": "north"}, (_RIGHTWARD, _FAR, _UPWARD)),
+    ({"i": "north", "j": "east"}, (_FAR, _RIGHTWARD, _DOWNWARD)),
+)
 
 
 @record
@@ -52,6 +62,23 @@ class View:
         x = sum(c * u[0] for c, u in zip(v, self.units, strict=True))
         y = sum(c * u[1] for c, u in zip(v, self.units, strict=True))
         return x, y
+
+    @property
+    def toward_reader(self) -> FloatVector:
+        """The unit vector that points at the reader."""
+        across, upward = ((u[0] for u in self.units), (u[1] for u in self.units))
+        return unit(outer(tuple(across), tuple(upward)))  # type: ignore[arg-type]
+
+    def upright(self, gravity: FloatVector, axes: Mapping[str, str]) -> View:
+        """A plane turned so that gravity points down, if no word says where its axes point: "down the incline"."""
+        x, y = self.flat(gravity)
+        named = any(_word(axes, n) in _WORDS for n in self.shown)
+        if not self.planar or len(self.shown) != 2 or named or math.hypot(x, y) < 1e-9:
+            return self
+        turn = -math.pi / 2 - math.atan2(y, x)
+        c, s = math.cos(turn), math.sin(turn)
+        turned = [(c * a - s * b, s * a + c * b) for a, b in self.units]
+        return replace(self, units=(turned[0], turned[1], turned[2]))
 
 
 def view(axes: Mapping[str, str], used: frozenset[int]) -> View:
@@ -85,8 +112,10 @@ def _in_space(axes: Mapping[str, str]) -> tuple[PagePoint, PagePoint, PagePoint]
     for compass, units in _COMPASS:
         if compass.items() <= words.items():
             return units
+    if words.get("i") == "right" and words.get("j") != "up":
+        return _RIGHTWARD, _FAR, _UPWARD
     if words.get("k") == "down":
-        return _RIGHT, _NEAR, _DOWN
+        return _RIGHTWARD, _NEAR, _DOWNWARD
     if words.get("j") == "up":
-        return _RIGHT, _UP, _NEAR
-    return _NEAR, _RIGHT, _UP
+        return _RIGHTWARD, _UPWARD, _NEAR
+    return _NEAR, _RIGHTWARD, _UPWARD

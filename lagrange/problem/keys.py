@@ -150,6 +150,43 @@ class Keeper(StrEnum):
     GEAR = "gear"
 
 
+class Outline(StrEnum):
+    """What a body looks like."""
+
+    DISC = "disc"
+    RING = "ring"
+    ROD = "rod"
+    BOX = "box"
+    SPHERE = "sphere"
+    CONE = "cone"
+
+
+class Drawn(StrEnum):
+    """What a line, circle, curve or mark of a figure is; the first ones are keys of `figure`."""
+
+    GROUND = "ground"
+    RODS = "rods"
+    STRINGS = "strings"
+    LINES = "lines"
+    OUTLINES = "outlines"
+    SPRINGS = "springs"
+    DAMPERS = "dampers"
+    SUPPORTS = "supports"
+    BLADES = "blades"
+    WHEELS = "wheels"
+    ANGLES = "angles"
+    LENGTHS = "lengths"
+    ARROWS = "arrows"
+    CURVE = "curve"
+    DISC = "disc"
+    RING = "ring"
+    SPHERE = "sphere"
+    PULLEY = "pulley"
+
+
+HIDEABLE = ("axes", "gravity", "loads", "constraints", "origin", "links")
+"""What a figure can leave out, beside coordinates, particles and bodies."""
+
 FRAME_COORDINATES = {
     FrameType.CARTESIAN: ("x", "y", "z"),
     FrameType.POLAR: ("r", "phi"),
@@ -208,11 +245,28 @@ FRAME = Form(
     ),
 )
 
+SHAPE = Form(
+    "a shape",
+    (
+        Key("disc", "expression", "A disc of this radius, across the third axis of the body.", example="R"),
+        Key("ring", "expression", "A ring of this radius, likewise."),
+        Key("rod", ListOf("vector", 2, 2), "A rod between two places."),
+        Key("box", ListOf("expression", 2, 2), "A box with these sides, along the first and second axis of the body."),
+        Key("sphere", "expression", "A sphere of this radius."),
+        Key("cone", ListOf("expression", 2, 2), "A cone with this radius and height, tip down along the third axis."),
+        Key(
+            "axis", "vector", "The axis of a disc, ring or cone in space, or the direction of the first side of a box."
+        ),
+    ),
+)
+_SHAPE = Key("shape", "shape", "What it looks like in the figure: {disc: R}, {rod: [A, B]}, {box: [a, b]}.")
+
 PARTICLE = Form(
     "a particle",
     (
         Key("mass", "expression", "Its mass; without one it is a massless point."),
         Key("position", "vector", "Where it is.", required=True, example="x*i + y*j"),
+        _SHAPE,
     ),
 )
 
@@ -251,6 +305,7 @@ BODY = Form(
         ),
         Key("axes", _three("vector"), "In space: the triad that the inertia refers to.", example="[e1, e2, e3]"),
         Key("angular_velocity", "vector", "With `axes`: the angular velocity, a vector.", example="theta'*k"),
+        _SHAPE,
     ),
 )
 
@@ -392,6 +447,59 @@ ANSWERS = Form(
     ),
 )
 
+_CHAINS = ListOf("path")
+
+CIRCLE = Form(
+    "a circle of a figure",
+    (
+        Key("centre", "vector", "Its centre.", required=True, example="r_P"),
+        Key("radius", "expression", "Its radius.", required=True, example="R"),
+        Key("axis", "vector", "In space: the direction across it."),
+        Key("as", Words(("disc", "ring", "sphere", "curve")), "What it is; a disc by default."),
+    ),
+)
+
+CURVE = Form(
+    "a curve or surface of a figure",
+    (
+        Key("point", "vector", "A place that depends on one parameter, or on two.", required=True, example="x*i"),
+        Key("along", _one_or_list("name"), "That parameter, a coordinate or a new name; two of them for a surface.",
+            required=True, example="x"),
+        Key("from", _one_or_list("expression"), "Where it begins.", required=True, example="0"),
+        Key("to", _one_or_list("expression"), "Where it ends.", required=True, example="2*pi"),
+        Key("as", Words(("ground", "curve", "rods", "strings", "lines", "outlines")),
+            "What it is: ground is hatched on the right-hand side; a curve by default."),
+    ),
+)  # fmt: skip
+
+FIGURE = Form(
+    "a figure",
+    (
+        Key("at", Named("expression", new=False), "The position drawn, in numbers: {theta: 30 deg, l: 2}."),
+        Key("down", "vector", "What points down on the page, if that is not gravity and not said by `axes`."),
+        Key("points", Named("vector"), "Further points, with their letters: {A: l*i}. The others may use them."),
+        Key("ground", _CHAINS, "What does not move, hatched to the right of the way through these places."),
+        Key("rods", _CHAINS, "Rods and bars, from place to place: a particle, a body, a point, O or a vector."),
+        Key("strings", _CHAINS, "Strings; a pulley among the places is gone around."),
+        Key("lines", _CHAINS, "Thin dashed lines."),
+        Key("outlines", _CHAINS, "Closed outlines of bodies."),
+        Key("springs", _CHAINS, "Springs that are not among the forces."),
+        Key("dampers", _CHAINS, "Dampers that are not among the forces."),
+        Key("supports", ListOf("vector"), "Hinges that are fixed to the ground."),
+        Key("blades", _CHAINS, "Blades seen from above: place and direction."),
+        Key("wheels", _CHAINS, "Wheels seen from above: place and direction."),
+        Key("pulleys", Named("circle"), "Pulleys: {upper: {centre: h*j, radius: R}}."),
+        Key("circles", ListOf("circle"), "Discs, rings, spheres and circles."),
+        Key("curves", ListOf("curve"), "Curves and surfaces: {point: x*i + x^2*j, along: x, from: -1, to: 1}."),
+        Key("angles", Named("mark", new=False), "Angles with their labels: {alpha: [at, from, to]}, `from` and "
+            "`to` being directions."),
+        Key("lengths", Named("mark", new=False), "Lengths with their labels: {R: [from, to]}."),
+        Key("arrows", Named("mark", new=False), "Arrows with their labels: {v: [from, to]}."),
+        Key("hide", ListOf("name"), "What is not drawn: coordinates, particles, bodies, `axes`, `gravity`, `loads`, "
+            "`constraints`, `origin`, `links`."),
+    ),
+)  # fmt: skip
+
 PROBLEM = Form(
     "a problem for lagsolve",
     (
@@ -448,11 +556,17 @@ PROBLEM = Form(
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
         Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
+        Key("figure", _or_nothing(FIGURE), "What the figure shows beside what the problem says by itself."),
     ),
 )
 
 PARTS: dict[str, Kind] = {
     "vector": AnyOf(("expression", ListOf("expression", 2, 3))),
+    "path": ListOf("vector", 2),
+    "mark": ListOf("vector", 2, 3),
+    "shape": SHAPE,
+    "circle": CIRCLE,
+    "curve": CURVE,
     "equations": _or_nothing(_one_or_list("equation")),
     "alternatives": AnyOf((_one_or_list("expression"), ListOf(ListOf("expression")))),
     "sense": Words(tuple(SENSES)),
@@ -471,7 +585,7 @@ PARTS: dict[str, Kind] = {
 """Kinds with a name of their own."""
 
 FORMS = (
-    *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, CONSTRAINT),
-    *(*FORCES.values(), CHOICE, QUESTION, ANSWERS),
+    *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
+    *(*FORCES.values(), CHOICE, QUESTION, ANSWERS, FIGURE, CIRCLE, CURVE),
 )
 """All forms, in the order in which the documentation has them."""

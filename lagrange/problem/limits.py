@@ -70,3 +70,6 @@ Factoring one of 149 parts, a product of four forms written out, takes 1 s. The 
 """
 # Questions of a file: each is solved for, which may take seconds.
 MOST_QUESTIONS = 20
+
+# Parts of `figure`: each is drawn, a surface with some hundred pieces.
+MOST_DRAWN = 60

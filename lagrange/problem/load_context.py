@@ -48,6 +48,7 @@ class LoadContext:
 
     things    the names of particles and bodies; `bodies` are those of bodies only
     points    their positions, by name; None where one could not be read
+    shapes    their shapes, still to be read
     values    the numbers that the file gives to parameters
     """
 
@@ -63,6 +64,7 @@ class LoadContext:
         self.unknowns: tuple[sp.Symbol, ...] = ()
         self.values: dict[sp.Symbol, sp.Expr] = {}
         self.points: dict[str, Vector | None] = {}
+        self.shapes: dict[str, Node] = {}
         self.bodies: list[str] = []
         self._tested = 0
         self._reduced = 0

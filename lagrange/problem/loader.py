@@ -30,6 +30,7 @@ from lagrange.problem.declarations import (
     with_standard_arguments,
 )
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
+from lagrange.problem.figures import read_figure
 from lagrange.problem.forces import read_forces, read_gravity
 from lagrange.problem.frames import read_frame
 from lagrange.problem.keys import AXES, PROBLEM, Find
@@ -126,6 +127,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         questions=questions,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
+        figure=read_figure(root, context, choices),
     )
     _check_whole(problem, root, diagnostics)
     return replace(problem, find=_find(root.get("find"), problem, diagnostics))

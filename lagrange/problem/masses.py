@@ -73,6 +73,7 @@ class _BodyBeingRead:
     def turning(self) -> Mapping[str, Vector]:
         """Reads everything but the position. Returns the vectors that this adds to the language."""
         section, context = self._section, self.context
+        keep_shape(section, self.name, context)
         mass, inertia = context.diagnostics.all_of(
             lambda: mass_of(section.get("mass"), self.name, context),
             lambda: _inertia(section.required("inertia", self.key.span), context),
@@ -89,6 +90,13 @@ class _BodyBeingRead:
     def at(self, position: Vector) -> Body | None:
         """The body; None where the rest of it could not be read."""
         return None if self._body is None else replace(self._body, position=position)
+
+
+def keep_shape(section: Section, name: str, context: LoadContext) -> None:
+    """Keeps the shape of a particle or body, which may be given in vectors that are not read yet."""
+    node = section.get("shape")
+    if node is not None:
+        context.shapes[name] = node
 
 
 def constant(node: Node, what: str, context: LoadContext) -> sp.Expr:
@@ -270,13 +278,17 @@ def _particles(root: Section, context: LoadContext, particles: dict[str, Particl
             continue
         context.points[name] = None
         context.names.add(f"r_{name}", f"the position of `{name}`", key.span)
-        yield _Entry(key, (f"r_{name}",), _uses(node), partial(_read_particle, name, key, node, context, particles))
+        of_position, of_mass = _names_used(node)
+        yield _Entry(
+            key, (f"r_{name}",), of_position | of_mass, partial(_read_particle, name, key, node, context, particles)
+        )
 
 
 def _read_particle(name: str, key: Scalar, node: Node, context: LoadContext, particles: dict[str, Particle]) -> None:
     mapping = mapping_of(node, f"the particle `{name}`", f"{name}: {{mass: m, position: x*i + y*j}}")
     section = Section(mapping, f"the particle `{name}`", PARTICLE, context.diagnostics)
     mass = context.diagnostics.attempt(lambda: mass_of(section.get("mass"), name, context))
+    keep_shape(section, name, context)
     position = context.vector(section.required("position", key.span), f"the position of `{name}`")
     context.points[name] = position
     context.add_vectors({f"r_{name}": position})
@@ -324,7 +336,7 @@ def _names_used(node: Node) -> tuple[frozenset[str], frozenset[str]]:
     """The names that the position of a body uses, and those that the rest of it uses."""
     if not isinstance(node, MappingNode):
         return frozenset(), _uses(node)
-    uses = [(key.text == "position", _uses(value)) for key, value in node.entries]
+    uses = [(key.text == "position", _uses(value)) for key, value in node.entries if key.text != "shape"]
     place, rest = ([names for is_place, names in uses if is_place == wanted] for wanted in (True, False))
     return frozenset().union(*place), frozenset().union(*rest)
 

@@ -22,8 +22,10 @@ from lagrange.core.triads import Orientation, turned_by_angle, turned_by_rotatio
 from lagrange.core.vectors import Triad, Vector
 from lagrange.expressions.reader import FunctionDeclaration, Scope
 from lagrange.problem.keys import Assumption as Assumption
+from lagrange.problem.keys import Drawn as Drawn
 from lagrange.problem.keys import Find as Find
 from lagrange.problem.keys import Keeper as Keeper
+from lagrange.problem.keys import Outline as Outline
 
 
 @record
@@ -266,6 +268,77 @@ class Choice:
     span: Span | None = None
 
 
+@record
+class BodyShape:
+    """What a particle or body looks like: `kind` is a word of `Outline`, with its lengths; a rod has its two ends.
+
+    axis  the axis of symmetry in space, the third axis of the body where it is None
+    """
+
+    kind: Outline
+    lengths: tuple[sp.Expr, ...] = ()
+    ends: tuple[Vector, ...] = ()
+    axis: Vector | None = None
+
+
+@record
+class FigureLine:
+    """A chain of straight pieces in a figure; a text is the name of a pulley around which it goes."""
+
+    kind: Drawn
+    places: tuple[Vector | str, ...]
+
+
+@record
+class FigureCircle:
+    """A circle, disc or sphere in a figure; `axis` is None where it lies in the plane of the page."""
+
+    kind: Drawn
+    centre: Vector
+    radius: sp.Expr
+    axis: Vector | None = None
+
+
+@record
+class FigureCurve:
+    """The places of a point while one symbol runs between its two ends; a surface where there are two of them."""
+
+    kind: Drawn
+    point: Vector
+    along: tuple[sp.Symbol, ...]
+    between: tuple[tuple[sp.Expr, sp.Expr], ...]
+
+
+@record
+class FigureMark:
+    """What is written into a figure: an angle [at, from, to], or a length or an arrow [from, to], with its label."""
+
+    kind: Drawn
+    label: sp.Expr
+    vectors: tuple[Vector, ...]
+
+
+@record
+class Figure:
+    """What a file adds to its figure.
+
+    at      numbers for coordinates, parameters and functions, by name: the position that is drawn
+    down    what points down on the page, if that is not gravity
+    hidden  names of coordinates and particles, and `axes`, `gravity`, `loads`, `constraints`, that are not drawn
+    """
+
+    at: Mapping[str, sp.Expr] = field(default_factory=dict)
+    down: Vector | None = None
+    points: Mapping[str, Vector] = field(default_factory=dict)
+    lines: tuple[FigureLine, ...] = ()
+    pulleys: Mapping[str, FigureCircle] = field(default_factory=dict)
+    circles: tuple[FigureCircle, ...] = ()
+    curves: tuple[FigureCurve, ...] = ()
+    marks: tuple[FigureMark, ...] = ()
+    hidden: frozenset[str] = frozenset()
+    shapes: Mapping[str, BodyShape] = field(default_factory=dict)
+
+
 KINETIC_ENERGY = sp.Symbol("T_kinetic", real=True)
 """The kinetic energy, in questions."""
 ENERGY = sp.Symbol("energy", real=True)
@@ -365,6 +438,7 @@ class Problem:
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None
     notes: tuple[Diagnostic, ...] = ()
+    figure: Figure = Figure()
 
     def __repr__(self) -> str:
         """Title and names; all fields would fill pages with places in the file."""

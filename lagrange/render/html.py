@@ -95,7 +95,15 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
 .picture .rod { stroke-width: 2.2; }
 .picture .guide { stroke: var(--quiet); stroke-width: .9; stroke-dasharray: 4 4; }
 .picture .axis, .picture .curve { stroke: var(--quiet); }
-.picture .ground, .picture .angle { stroke-width: 1; }
+.picture .reference { stroke: var(--quiet); stroke-width: .9; stroke-dasharray: 4 4; }
+.picture .ground { stroke-width: 1.6; }
+.picture .hatch, .picture .grid { stroke: var(--quiet); stroke-width: .7; }
+.picture .angle, .picture .dimension { stroke-width: 1; }
+.picture .face { stroke: none; }
+.picture .s1 { fill: var(--paper); }
+.picture .s2 { fill: color-mix(in srgb, var(--ink) 6%, var(--paper)); }
+.picture .s3 { fill: color-mix(in srgb, var(--ink) 13%, var(--paper)); }
+.picture .s4 { fill: color-mix(in srgb, var(--ink) 22%, var(--paper)); }
 .picture .force { stroke-width: 2; }
 .picture .reaction { stroke: var(--accent); stroke-width: 2; }
 .picture path.tip { fill: currentColor; stroke: none; }

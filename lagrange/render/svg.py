@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from html import escape
+from itertools import groupby
 
 import sympy as sp
 
 from lagrange.core.printable import printable
 from lagrange.core.symbols import UnitVector
 from lagrange.document.names import SMALL
-from lagrange.document.scene import Dot, PagePoint, Polyline, Scene
+from lagrange.document.scene import Dot, PagePoint, Polyline, Scene, StrokeKind
 
 CENTIMETRE = 42.0
 TIP = 0.2
@@ -41,8 +42,12 @@ def figure(scene: Scene, alt: str, write: Callable[[sp.Expr], str]) -> Iterator[
         f'<svg class="picture" role="img" viewBox="0 0 {width:.1f} {height:.1f}" '
         f'width="{width:.0f}" height="{height:.0f}"><title>{escape(printable(alt))}</title>'
     )
-    for line in scene.lines:
-        yield from _line(line, place)
+    for hatched, group in groupby(scene.lines, lambda line: line.kind is StrokeKind.HATCH):
+        if hatched:
+            yield f'<path class="hatch" d="{" ".join(_path(line.points, place) for line in group)}"/>'
+        else:
+            for line in group:
+                yield from _line(line, place)
     for dot in scene.dots:
         yield _dot(dot, place)
     for label in scene.labels:
@@ -94,10 +99,14 @@ def _line(line: Polyline, place: Callable[[PagePoint], tuple[float, float]]) -> 
         while len(points) > 2 and math.dist(points[-2], end) < TIP * 0.7:
             points.pop(-2)
         points[-1] = back
-    path = " ".join(f"{'L' if n else 'M'}{x:.1f} {y:.1f}" for n, (x, y) in enumerate(map(place, points)))
-    yield f'<path class="{line.kind.value}" d="{path}{" Z" if line.closed else ""}"/>'
+    shade = f" s{line.shade}" if line.shade else ""
+    yield f'<path class="{line.kind.value}{shade}" d="{_path(points, place)}{" Z" if line.closed else ""}"/>'
     for tip in tips:
         yield f'<path class="{line.kind.value} tip" d="{tip}"/>'
+
+
+def _path(points: Iterable[PagePoint], place: Callable[[PagePoint], tuple[float, float]]) -> str:
+    return " ".join(f"{'L' if n else 'M'}{x:.1f} {y:.1f}" for n, (x, y) in enumerate(map(place, points)))
 
 
 def _tip(before: PagePoint, end: PagePoint, place: Callable[[PagePoint], tuple[float, float]]) -> str:

@@ -7,6 +7,7 @@ that a picture can be changed by hand.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import groupby
 
 import sympy as sp
 
@@ -15,18 +16,25 @@ from lagrange.render.escape import escape
 
 STYLES = {
     StrokeKind.ROD: "line width=1.1pt",
+    StrokeKind.STRING: "line width=0.8pt",
     StrokeKind.LINK: "line width=0.6pt",
     StrokeKind.BODY: "line width=0.8pt",
+    StrokeKind.FACE: "draw=none",
+    StrokeKind.GRID: "line width=0.3pt, black!45",
     StrokeKind.CURVE: "line width=0.8pt, black!60",
     StrokeKind.SPRING: "line width=0.6pt",
     StrokeKind.DAMPER: "line width=0.6pt",
-    StrokeKind.GROUND: "line width=0.5pt",
+    StrokeKind.GROUND: "line width=0.9pt",
+    StrokeKind.HATCH: "line width=0.35pt, black!60",
     StrokeKind.GUIDE: "line width=0.4pt, dashed, black!60",
+    StrokeKind.REFERENCE: "line width=0.4pt, dashed, black!60",
+    StrokeKind.DIMENSION: "line width=0.4pt",
     StrokeKind.ANGLE: "line width=0.5pt",
     StrokeKind.AXIS: "line width=0.5pt, black!60",
     StrokeKind.FORCE: "line width=1.1pt",
     StrokeKind.REACTION: "line width=1.1pt, blue!60!black",
 }
+SHADES = ("", "white", "black!6", "black!13", "black!22")
 
 
 def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
@@ -34,8 +42,11 @@ def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
     styles = [f"{k.value}/.style={{{STYLES[k]}}}" for k in StrokeKind if any(line.kind is k for line in scene.lines)]
     yield r"\begin{tikzpicture}[line join=round, line cap=round, >={Stealth[length=5pt]},"
     yield "  " + ", ".join(styles) + "]"
-    for line in scene.lines:
-        yield "  " + _draw(line)
+    for hatched, group in groupby(scene.lines, lambda line: line.kind is StrokeKind.HATCH):
+        if hatched:
+            yield "  " + _strokes([*group])
+        else:
+            yield from ("  " + _draw(line) for line in group)
     for dot in scene.dots:
         yield "  " + _dot(dot)
     for label in scene.labels:
@@ -47,7 +58,13 @@ def picture(scene: Scene, write: Callable[[sp.Expr], str]) -> Iterator[str]:
 def _draw(line: Polyline) -> str:
     tip = ", ->>" if line.double else ", ->" if line.tip else ""
     path = " -- ".join(map(_point, line.points)) + (" -- cycle" if line.closed else "")
-    return rf"\draw[{line.kind.value}{tip}] {path};"
+    shade = f", fill={SHADES[line.shade]}" if line.shade else ""
+    return rf"\draw[{line.kind.value}{tip}{shade}] {path};"
+
+
+def _strokes(lines: list[Polyline]) -> str:
+    paths = " ".join(" -- ".join(map(_point, line.points)) for line in lines)
+    return rf"\draw[{lines[0].kind.value}] {paths};"
 
 
 def _dot(dot: Dot) -> str:

@@ -1,26 +1,78 @@
-"""Labels are on nothing."""
+"""What holds for every figure: labels are on nothing, everything is in its box, and no line ends in mid-air."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterator
 from itertools import combinations
 
 import pytest
 
-from lagrange.document.scene import Box
-from tests.support.drawings import scenes
-from tests.support.paths import PROBLEMS
+from lagrange.document.scene import FAINT, Box, PagePoint, Polyline, Scene, StrokeKind
+from lagrange.pictures.sketch import Sketch
+from tests.support.drawings import figures
+from tests.support.shared import SHIPPED
 
-SHIPPED = sorted(p.relative_to(PROBLEMS).with_suffix("").as_posix() for p in PROBLEMS.glob("*/*.yaml"))
+WITHOUT = {"contact-form", "contact-form-with-fixed-slope", "form-in-two-variables", "form-in-three-variables"}
+"""Forms in variables that are no places of anything."""
+FREE = {StrokeKind.AXIS, StrokeKind.FORCE, StrokeKind.REACTION, StrokeKind.REFERENCE, StrokeKind.HATCH}
+FREE |= {
+    StrokeKind.DAMPER,
+    StrokeKind.GROUND,
+    StrokeKind.CURVE,
+    StrokeKind.ANGLE,
+    StrokeKind.DIMENSION,
+    StrokeKind.BODY,
+    StrokeKind.ROD,
+    *FAINT,
+}
+"""What may end anywhere: arrows, thin lines along a direction, bars, the cylinder of a damper, and what goes on outside."""
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_a_figure_is_drawn_and_everything_is_in_its_box(name: str) -> None:
+    scenes = figures(name)
+    assert bool(scenes) == (name not in WITHOUT)
+    for scene in scenes:
+        (left, bottom), (right, top) = scene.box.corners
+        for x, y in (p for line in scene.lines for p in line.points):
+            assert left <= x <= right
+            assert bottom <= y <= top
+        assert scene.box.width < 16
+        assert scene.box.height < 18
 
 
 @pytest.mark.parametrize("name", SHIPPED)
 def test_labels_are_on_nothing(name: str) -> None:
-    for scene in scenes(name):
+    for scene in figures(name):
         for a, b in combinations(scene.labels, 2):
             assert not a.box.overlaps(b.box), (a, b)
         for label in scene.labels:
-            assert not any(label.box.is_crossed(*piece) for line in scene.lines for piece in line.pieces), label
+            lines = [line for line in scene.lines if line.kind not in FAINT]
+            assert not any(label.box.is_crossed(*piece) for line in lines for piece in line.pieces), label
             assert not any(label.box.overlaps(Box(*d.at, *d.at).grown(d.radius * 0.99)) for d in scene.dots), label
+
+
+@pytest.mark.parametrize("name", SHIPPED)
+def test_no_line_ends_in_mid_air(name: str) -> None:
+    for scene in figures(name)[:1]:
+        assert [end for end in _ends(scene) if not _is_held(end, scene)] == []
+
+
+def _ends(scene: Scene) -> Iterator[tuple[Polyline, PagePoint]]:
+    for line in scene.lines:
+        if line.kind not in FREE and not line.closed:
+            yield line, line.points[0]
+            yield line, line.points[-1]
+
+
+def _is_held(end: tuple[Polyline, PagePoint], scene: Scene) -> bool:
+    """Whether the end of a line is on a dot, or on another line or face."""
+    own, (x, y) = end
+    near = Box(x, y, x, y).grown(0.12)
+    if any(math.dist(d.at, (x, y)) < d.radius + 0.1 for d in scene.dots):
+        return True
+    return any(near.is_crossed(*piece) for line in scene.lines if line is not own for piece in line.pieces)
 
 
 def test_a_box_is_crossed() -> None:
@@ -29,3 +81,11 @@ def test_a_box_is_crossed() -> None:
     assert box.is_crossed((0.5, 0.5), (0.6, 0.6))
     assert not box.is_crossed((-1, 0.5), (-0.5, 0.5))
     assert not box.is_crossed((-1, 1), (1, 2.5))
+
+
+def test_ground_is_hatched_to_the_right_of_the_way() -> None:
+    sketch = Sketch()
+    sketch.ground([(0.0, 0.0), (2.0, 0.0), (2.0, 2.0)])
+    strokes = [line for line in sketch.lines if line.kind is StrokeKind.HATCH]
+    assert len(strokes) > 20
+    assert all(s.points[1][1] < 0 or s.points[1][0] > 2 for s in strokes)

@@ -21,11 +21,21 @@ def test_axes_point_as_the_words_say() -> None:
     "axes", [{}, {"k": "up"}, {"k": "down"}, {"i": "north", "j": "east", "k": "down"}, {"j": "up"}]
 )
 def test_space_is_right_handed(axes: dict[str, str]) -> None:
-    """The third axis points at the reader where the other two turn counterclockwise."""
+    """Three perpendicular unit vectors, of which two are seen and the third is the way to the reader: an orthographic
+    projection, in which a sphere is a circle.
+    """
     found = view(axes, frozenset({0, 1, 2}))
-    i, j, k = found.units
-    depth = [
-        next((sign for slant, sign in (((-0.45, -0.36), 1), ((0.45, 0.36), -1)) if u == slant), 0) for u in (i, j, k)
-    ]
-    rows = [[*u, d] if d == 0 else [0, 0, d] for u, d in zip(found.units, depth, strict=True)]
-    assert float(sp.Matrix(rows).det()) == 1
+    rotation = sp.Matrix([[*u, d] for u, d in zip(found.units, found.toward_reader, strict=True)])
+    assert max(abs(e) for e in rotation * rotation.T - sp.eye(3)) < 1e-12
+    assert abs(float(rotation.det()) - 1) < 1e-12
+
+
+def test_an_incline_slopes_where_no_word_says_otherwise() -> None:
+    gravity = (0.6, -0.8, 0.0)
+    sloping = {"i": "down the incline", "j": "away from it"}
+    turned = view(sloping, frozenset({0, 1})).upright(gravity, sloping)
+    x, y = turned.flat(gravity)
+    assert abs(x) < 1e-12
+    assert abs(y + 1) < 1e-12
+    named = {"i": "right", "j": "up"}
+    assert view(named, frozenset({0, 1})).upright(gravity, named) == view(named, frozenset({0, 1}))

@@ -240,6 +240,12 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "problem: a mass is in kg, a force in N.",
         problem("", parameters="{l: {value: 30 cm, unit: kg}}")),
     "bad-range": ("A range has a least and a greatest value.", problem("", parameters="{l: {range: [2 m, 1 m]}}")),
+    "shape": ("A shape is one of the known ones.", problem(
+        "particles: {P: {mass: m, position: x*i, shape: {disc: l, box: [l, l]}}}")),
+    "figure-word": ("What a circle or curve of a figure is, is one of a few words.", problem(
+        PARTICLE + "figure: {circles: [{centre: P, radius: l, as: disk}]}")),
+    "figure-too-large": ("Nobody can tell so many parts of a figure apart.", problem(
+        PARTICLE + "figure: {lines: [" + ", ".join(["[P, O]"] * 61) + "]}")),
     "bad-setting": ("`--set` gives a parameter its value.", Command(("ex11", "--set", "l"))),
     "unknown-parameter": ("`--set` names something that is no parameter of the problem.", Command(
         ("ex11", "--set", "L=30 cm"))),

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import sympy as sp
 
 from lagrange.document.derivation import Picture
 from lagrange.document.scene import Polyline, Scene, StrokeKind
 from lagrange.pictures.systems import SystemPicture, system_in_file
+from tests.support.figure_sheet import figures_of, solution_for_figures
 from tests.support.shared import reported
 
 DRAWN = (
@@ -38,6 +40,12 @@ def system_of(name: str) -> SystemPicture:
 def scenes(name: str) -> list[Scene]:
     pictures = (b for s in reported(name).derivation.steps for b in s.body if isinstance(b, Picture))
     return [scene for p in pictures if (scene := p.draw()) is not None]
+
+
+@cache
+def figures(name: str) -> list[Scene]:
+    """The figure of a shipped problem and its free bodies, drawn from kinematics and Newton's law alone."""
+    return figures_of(solution_for_figures(name))
 
 
 def evaluated(expression: sp.Expr, system: SystemPicture) -> float:

@@ -1,0 +1,53 @@
+"""Surfaces that are not specified: a generic one, with its normal and displacements."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+import sympy as sp
+
+from lagrange.core.symbols import UnitVector
+from lagrange.document.scene import Scene, StrokeKind
+from tests.support.drawings import figures, lines_of
+
+FIXED = ("ex02-fixed-surface", "ex08-displacements-on-a-surface", "ex12-smooth-surface", "ex15-rough-surface")
+MOVING = ("ex09-moving-surface", "ex13-moving-surface")
+
+
+def written(scene: Scene) -> set[sp.Expr | str]:
+    return {label.content for label in scene.labels}
+
+
+@pytest.mark.parametrize("name", FIXED)
+def test_a_fixed_surface_has_its_normal_and_a_virtual_displacement(name: str) -> None:
+    [scene, *_] = figures(name)
+    assert {UnitVector("n"), "δr"} <= written(scene)
+    assert "dr" not in written(scene)
+    assert len(lines_of(scene, StrokeKind.FACE)) > 100
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_on_a_moving_surface_a_possible_displacement_has_another_part(name: str) -> None:
+    [scene, *_] = figures(name)
+    assert {UnitVector("n"), "δr", "dr", "u dt"} <= written(scene)
+    virtual, possible = (line.points for line in lines_of(scene, StrokeKind.FORCE))
+    [carried] = [line.points for line in lines_of(scene, StrokeKind.AXIS) if line.points[0] == virtual[0]]
+    total = [virtual[1][n] + carried[1][n] - virtual[0][n] for n in (0, 1)]
+    assert math.dist(total, possible[1]) < 1e-9
+
+
+def test_friction_is_against_the_velocity() -> None:
+    [_, body] = figures("ex15-rough-surface")
+    assert {"friction", "velocity"} <= written(body)
+    [velocity] = [line.points for line in lines_of(body, StrokeKind.REFERENCE)]
+    way = [velocity[1][n] - velocity[0][n] for n in (0, 1)]
+    pulls = [[b[n] - a[n] for n in (0, 1)] for a, b in (line.points for line in lines_of(body, StrokeKind.FORCE))]
+    cosines = [(p[0] * way[0] + p[1] * way[1]) / math.hypot(*p) / math.hypot(*way) for p in pulls]
+    assert min(cosines) == pytest.approx(-1, abs=0.02)
+
+
+def test_a_wire_of_any_form_has_its_normal_too() -> None:
+    [scene, body] = figures("bead-on-any-wire")
+    assert {UnitVector("n"), "δr"} <= written(scene)
+    assert "weight" in written(body)
