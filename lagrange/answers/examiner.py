@@ -13,6 +13,7 @@ from functools import cached_property, partial
 import sympy as sp
 
 from lagrange.answers.equations import check_equations
+from lagrange.answers.models.letters import explained_degrees_of_freedom
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -59,7 +60,8 @@ def _before_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVe
     classification = solution.classification
     if answers.degrees_of_freedom is not None:
         agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
-        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom")
+        why = "" if agrees else explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
+        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
     if answers.classification:
         yield _together("classification", {word: _class(solution, word) for word in answers.classification})
     if answers.integrable:
@@ -275,6 +277,8 @@ class Examiner:
         verdict = verdict_on(working, self._statics_reference, check, moving=False)
         if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
             verdict = self._as_alternatives(working, solution, verdict)
+        if verdict.verdict is Verdict.WRONG and kinds == (True, False):
+            verdict = self._with_explanation(working, solution, verdict)
         return self._judgement(verdict, statics=kinds[0], reactions=kinds[1])
 
     def _as_alternatives(self, working: Working, solution: Solution, verdict: AnswerVerdict) -> AnswerVerdict:
@@ -291,6 +295,27 @@ class Examiner:
         help_ = "write `or` between alternatives"
         note = Diagnostic("read-as", message, working.judged[0].whole, help=help_).as_note()
         return replace(each, notes=(*each.notes, *working.notes, note))
+
+    def _with_explanation(self, working: Working, solution: Solution, verdict: AnswerVerdict) -> AnswerVerdict:
+        """The verdict on wrong equilibria, with the changed problem of which they are the equilibria."""
+        from lagrange.answers.equilibria import alternatives_of, explained_equilibria
+
+        equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
+        why = explained_equilibria(alternatives_of(working.judged), equilibria, self._statics_reference)
+        if not why:
+            return verdict
+        equations = tuple(
+            replace(
+                e,
+                hints=(e.diagnosis, e.diagnosis, f"{e.diagnosis}; {why}"),
+                diagnosis=f"{e.diagnosis}; {why}",
+                cause=why,
+            )
+            if e.verdict is Verdict.WRONG
+            else e
+            for e in verdict.equations
+        )
+        return replace(verdict, equations=equations)
 
     @cached_property
     def _statics_reference(self) -> Reference:

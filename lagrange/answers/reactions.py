@@ -9,12 +9,14 @@ right if it holds at every equilibrium, exactly.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.force_names import meanings, other_readings
+from lagrange.answers.models.letters import explained_reaction
 from lagrange.answers.readings import Reading
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
@@ -37,7 +39,16 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
     If it is right with another meaning of the reaction than in the derivation, a remark names that meaning. Raises
     ProblemError if it cannot be read.
     """
-    return _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
+    found = _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
+    if found is None or found.verdict is not Verdict.WRONG:
+        return found
+    for zero, _ in _claims(fragment, reaction, reference):
+        for candidate in reference.candidates:
+            if {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:
+                why = explained_reaction(candidate.read(zero), candidate.models)
+                if why:
+                    return replace(found, diagnosis=why, cause=why)
+    return found
 
 
 def _stated(

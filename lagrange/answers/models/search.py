@@ -231,6 +231,8 @@ class _Search:
             work -= self._cost
             if work < 0:
                 return None
+            if not combined and variation.is_reduced:
+                continue
             if self._fits(number, variation, which) and self._holds(variation, which, combined):
                 return name, variation
         return None
