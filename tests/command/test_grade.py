@@ -94,7 +94,8 @@ def test_every_verdict_is_a_complete_batch(answers: Path) -> None:
         (answers / name).write_text(text)
     result = run("grade", PENDULUM, "answers", "--jobs", "1", env={"COLUMNS": "120"})
     assert (result.exit_code, messages(result.stderr.encode())) == (0, "")
-    assert [line.split()[:2] for line in result.stdout.splitlines()[2:7]] == [
+    rows = [line for line in result.stdout.splitlines()[2:] if line[:2] in ("a ", "b ", "c ", "d ", "e ")]
+    assert [line.split()[:2] for line in rows] == [
         ["a", "equivalent"],
         ["b", "wrong"],
         ["c", "trivial"],

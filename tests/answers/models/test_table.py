@@ -14,7 +14,7 @@ for wrong in wrong_answers():
 
 UNEXPLAINED = {
     "sleigh: knife-edge put into T",
-    "rocking-half-cylinder: rolling of the centre left out",
+    "cylinder-in-cylinder: R for R - r",
     "swinging-yo-yo: offset r left out",
 }
 """Where another cause, or none, is named."""
