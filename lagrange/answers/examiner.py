@@ -302,7 +302,8 @@ class Examiner:
 
         equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
         why = explained_equilibria(alternatives_of(working.judged), equilibria, self._statics_reference)
-        if not why:
+        others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
+        if not why or others:
             return verdict
         equations = tuple(
             replace(
@@ -311,7 +312,7 @@ class Examiner:
                 diagnosis=f"{e.diagnosis}; {why}",
                 cause=why,
             )
-            if e.verdict is Verdict.WRONG
+            if e.verdict is Verdict.WRONG and e.diagnosis in _UNEXPLAINED
             else e
             for e in verdict.equations
         )
@@ -367,6 +368,10 @@ class Examiner:
         """The verdict on the whole."""
         derived = self._derived(equations) if equations.equations else ()
         return Judgement(equations, others, statics, reactions, problem=self.problem, derived=derived)
+
+
+_UNEXPLAINED = ("it holds in no position of equilibrium",)
+"""Diagnoses of equilibria that say no more than that they are wrong."""
 
 
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> Judgement:
