@@ -16,9 +16,10 @@ from itertools import product
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS
+from lagrange.answers.models.letters import letter_variations
 from lagrange.answers.readings import (
     GivenEquation,
     Reading,
@@ -101,6 +102,28 @@ def check_equilibria(
         equations = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, MIXED_CHOICES) for a in readings for r in a)
         return AnswerVerdict(Verdict.UNREADABLE, equations, notes=notes)
     return replace(max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict)), notes=notes)
+
+
+def explained_equilibria(
+    alternatives: Sequence[Sequence[Fragment]], equilibria: Sequence[Equilibrium], reference: Reference
+) -> str:
+    """Of which changed problem a wrong answer gives the equilibria, in a sentence; empty if that is not found."""
+    readings = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
+    stated = [e for a in readings for r in a for e in r.components]
+    for e in [e for e in equilibria if e.branches]:
+        slots = e.configuration.slots
+        for variation in letter_variations(stated, e.expressions, slots, (*e.forces, *e.multipliers)):
+            rule, values = dict(variation.rule), {**reference.values, **variation.values}
+            changed = [
+                tuple(replace(r, components=tuple(c.xreplace(rule) for c in r.components)) for r in a) for a in readings
+            ]
+            try:
+                verdict = _judged(changed, e, reference, values)
+            except (DivisionByZeroError, NoPointError, UnsupportedError):
+                continue
+            if verdict is not None and verdict.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE):
+                return f"these are the equilibria {variation.clause}"
+    return ""
 
 
 def _unreadable(

@@ -14,6 +14,7 @@ import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.limits import UNITS_OF_CHECKING
+from lagrange.answers.models.letters import explained_degrees_of_freedom
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -61,7 +62,8 @@ def _before_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVe
     classification = solution.classification
     if answers.degrees_of_freedom is not None:
         agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
-        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom")
+        why = "" if agrees else explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
+        yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
     if answers.classification:
         yield _together("classification", {word: _class(solution, word) for word in answers.classification})
     if answers.integrable:
@@ -336,6 +338,8 @@ class Examiner:
         verdict = verdict_on(working, self._statics_reference, check, moving=False)
         if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
             verdict = self._as_alternatives(working, solution, verdict)
+        if verdict.verdict is Verdict.WRONG and kinds == (True, False):
+            verdict = self._with_explanation(working, solution, verdict)
         return self._judgement(verdict, statics=kinds[0], reactions=kinds[1])
 
     def _as_alternatives(self, working: Working, solution: Solution, verdict: AnswerVerdict) -> AnswerVerdict:
@@ -352,6 +356,28 @@ class Examiner:
         help_ = "write `or` between alternatives"
         note = Diagnostic("read-as", message, working.judged[0].whole, help=help_).as_note()
         return replace(each, notes=(*each.notes, *working.notes, note))
+
+    def _with_explanation(self, working: Working, solution: Solution, verdict: AnswerVerdict) -> AnswerVerdict:
+        """The verdict on wrong equilibria, with the changed problem of which they are the equilibria."""
+        from lagrange.answers.equilibria import alternatives_of, explained_equilibria
+
+        equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
+        why = explained_equilibria(alternatives_of(working.judged), equilibria, self._statics_reference)
+        others = [e for e in verdict.equations if e.verdict is Verdict.WRONG and e.diagnosis not in _UNEXPLAINED]
+        if not why or others:
+            return verdict
+        equations = tuple(
+            replace(
+                e,
+                hints=(e.diagnosis, e.diagnosis, f"{e.diagnosis}; {why}"),
+                diagnosis=f"{e.diagnosis}; {why}",
+                cause=why,
+            )
+            if e.verdict is Verdict.WRONG and e.diagnosis in _UNEXPLAINED
+            else e
+            for e in verdict.equations
+        )
+        return replace(verdict, equations=equations)
 
     @cached_property
     def _statics_reference(self) -> Reference:
@@ -403,6 +429,10 @@ class Examiner:
         """The verdict on the whole."""
         derived = self._derived(equations) if equations.equations else ()
         return Judgement(equations, others, statics, reactions, problem=self.problem, derived=derived)
+
+
+_UNEXPLAINED = ("it holds in no position of equilibrium",)
+"""Diagnoses of equilibria that say no more than that they are wrong."""
 
 
 def check_answer(problem: Problem, answer: tuple[Fragment, ...]) -> Judgement:

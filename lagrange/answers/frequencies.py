@@ -20,6 +20,7 @@ from lagrange.algebra.closed_forms.single_equation import Values
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.models.letters import explained_frequencies
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
@@ -105,7 +106,16 @@ def check_frequencies(
     values = dict(reference.values)
     texts = [[f.text.strip() for f in fragments] for fragments in stated]
     verdicts = [_of_list(c, t, places, values, complete=complete) for c, t in zip(lists, texts, strict=True)]
-    return max(verdicts, key=lambda v: _BEST.index(v.verdict))
+    best = max(verdicts, key=lambda v: _BEST.index(v.verdict))
+    if best.verdict is not Verdict.WRONG and best.diagnosis != _NOT_ALL_KNOWN:
+        return best
+    for sentence, meant in (pair for claims in lists for pair in explained_frequencies(claims)):
+        if _of_list(meant, [""] * len(meant), places, values, complete=complete).verdict in (
+            Verdict.EQUIVALENT,
+            Verdict.INCOMPLETE,
+        ):
+            return replace(best, diagnosis="; ".join(filter(None, [best.diagnosis, sentence])))
+    return best
 
 
 _NAME = "frequencies"

@@ -132,3 +132,6 @@ MAX_BESIDE = 150
 """Terms times squared parameters of an equation in which one change is sought although a model explains it: a
 pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes
 the longest."""
+
+MAX_LETTER_VARIATIONS = 24
+"""Other meanings of letters that are tried for a wrong equilibrium, reaction or frequency: each is compared in full."""

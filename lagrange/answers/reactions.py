@@ -17,6 +17,7 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.force_names import meanings, other_readings
+from lagrange.answers.models.letters import explained_reaction
 from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
@@ -40,7 +41,16 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
     If it is right with another meaning of the reaction than in the derivation, a remark names that meaning. Raises
     ProblemError if it cannot be read.
     """
-    return _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
+    found = _stated(fragment, reaction, reference, lambda text, claim: _judged(text, claim, reference))
+    if found is None or found.verdict is not Verdict.WRONG:
+        return found
+    for zero, _ in _claims(fragment, reaction, reference):
+        for candidate in reference.candidates:
+            if {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:
+                why = explained_reaction(candidate.read(zero), candidate.models)
+                if why:
+                    return replace(found, diagnosis=why, cause=why)
+    return found
 
 
 def _stated(

@@ -294,7 +294,7 @@ class Grader:
         return Graded(
             judgement.verdict,
             judgement.headline,
-            tuple(EquationVerdict(e.text, e.verdict, e.diagnosis, e.remarks) for e in judgement.each),
+            tuple(replace(e, sides=(), hints=()) for e in judgement.each),
             (*(str(d) for d in judgement.messages), *submission.notes),
             self._right(judgement),
             None if judgement.statics else self.required,

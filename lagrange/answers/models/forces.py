@@ -38,7 +38,7 @@ def gravity_reversed(m: Mechanics) -> Iterator[Variation]:
     if weights:
         reversed_ = m.scaled(weights, sp.S.NegativeOne)
         yield Variation(
-            "for gravity that acts the other way: the sign of the weight's potential",
+            "for gravity that acts the other way",
             "the sign of the weight",
             reversed_,
         )

@@ -30,7 +30,9 @@ def frame_at_rest(m: Mechanics) -> Iterator[Variation]:
     place = "the velocities: something moves as it is prescribed"
     if moved:
         still = m.inertia(lambda i: replace(i.without(time), explicit=sp.S.Zero))
-        yield Variation("for a frame or support that does not move: its velocity is missing from T", place, still)
+        yield Variation(
+            "for a frame, support or length that does not change: its velocity is missing from T", place, still
+        )
         clause = "without the velocity of the frame or support in T"
         yield Variation(clause, place, m.inertia(lambda i: i.without(time)))
     if moved:

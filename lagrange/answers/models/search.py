@@ -231,6 +231,8 @@ class _Search:
             work -= self._cost
             if work < 0:
                 return None
+            if not combined and variation.is_reduced:
+                continue
             if self._fits(number, variation, which) and self._holds(variation, which, combined):
                 return name, variation
         return None
@@ -253,8 +255,9 @@ class _Search:
 
     def _is_special(self, variation: Variation) -> bool:
         """Whether the answer lacks the symbols to which values are given, and the constraints lack them as well."""
-        rows = self.models.system.configuration.rows
-        bound = {s for r in rows for e in (*r.coefficients, r.drift, r.finite or sp.S.Zero) for s in e.free_symbols}
+        configuration = self.models.system.configuration
+        tied = [e for r in configuration.rows for e in (*r.coefficients, r.drift, r.finite or sp.S.Zero)]
+        bound = set().union(*(e.free_symbols for e in (*tied, *configuration.expressed.values())))
         own = {s for e in self.equations for s in e.free_symbols}
         return not any(s in own or s in bound for s in variation.values) and all(
             e.free_symbols <= own for e in variation.values.values()

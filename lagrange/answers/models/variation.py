@@ -31,6 +31,12 @@ class Variation:
     rule: Mapping[sp.Basic, sp.Basic] = field(default_factory=dict)
     values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
+    @property
+    def is_reduced(self) -> bool:
+        """Whether it has fewer equations than coordinates: then one of them alone tells little."""
+        m = self.mechanics
+        return m is not None and len(m.kept) < len(m.slots.coordinates)
+
 
 def called(name: str) -> str:
     """The name of a particle, body or force in a sentence."""

@@ -68,9 +68,9 @@ def test_plain_cells_stay_as_they_are() -> None:
 def test_the_csv_file() -> None:
     text = csv_text([row("ä,1", 'a "b"'), row("b", right=None, required=None, missing=None)])
     assert text.split("\r\n") == [
-        "submission,verdict,right,required,missing,remark,seconds,feedback",
-        '"ä,1",wrong,1,2,1,"a ""b""",0.5,a.md',
-        "b,wrong,,,,,0.5,a.md",
+        "submission,verdict,right,required,missing,remark,seconds,feedback,mistakes",
+        '"ä,1",wrong,1,2,1,"a ""b""",0.5,a.md,',
+        "b,wrong,,,,,0.5,a.md,",
         "",
     ]
 

@@ -1,0 +1,146 @@
+"""Wrong answers to other questions than that for the equations of motion: equilibria, reactions, frequencies, numbers.
+
+Forces enter these answers through their strengths: the weight W, the stiffness c, the free length l. So a changed
+problem is the same problem with another meaning of a letter: an answer is right for a force twice as large if it is
+right with c/2 for c, and right without a free length that it does not contain if it is right where l = 0. Both are
+decided by the test that decides on the answer itself. A reaction may also be that of the system at rest, and a number
+of degrees of freedom that before some of the constraints are subtracted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import combinations, permutations
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import (
+    DivisionByZeroError,
+    InadmissibleError,
+    NoPointError,
+    UnsupportedError,
+)
+from lagrange.answers.limits import MAX_LETTER_VARIATIONS
+from lagrange.answers.models.search import Models
+from lagrange.answers.models.states import ModelState
+from lagrange.answers.models.variation import Variation
+from lagrange.core.symbols import Slots, base, t
+from lagrange.mechanics.constraints.classification import Classification
+
+
+def letter_variations(
+    answer: Sequence[sp.Expr], right: Iterable[sp.Expr], slots: Slots, known: Iterable[sp.Symbol] = ()
+) -> list[Variation]:
+    """Other meanings of the letters of an answer, and special cases of letters that only the right conditions have.
+
+    known  letters that are no parameters: unknown forces, multipliers
+    """
+    return list(_letters(answer, right, slots, {*known}))[:MAX_LETTER_VARIATIONS]
+
+
+def _letters(
+    answer: Sequence[sp.Expr], right: Iterable[sp.Expr], slots: Slots, known: set[sp.Symbol]
+) -> Iterator[Variation]:
+    fixed = {*slots.coordinates, *slots.prescribed, t}
+    used, needed = (
+        sorted({s for e in es for s in e.free_symbols if base(s) not in fixed and s not in known}, key=str)
+        for es in (answer, right)
+    )
+    missing = [p for p in needed if p not in used]
+    for p in missing:
+        yield Variation(f"without {p}: right where {p} = 0", f"{p}", values={p: sp.S.Zero})
+    for p in used:
+        yield Variation(f"for {p} with the opposite sign", f"the sign of {p}", rule={p: -p})
+    for p in used:
+        for factor, word in ((sp.Rational(1, 2), "twice as large"), (sp.Integer(2), "half as large")):
+            yield Variation(f"for {p} {word}", f"the factor of {p}", rule={p: factor * p})
+    waves = {s for e in answer for w in e.atoms(sp.sin, sp.cos, sp.tan) for s in w.free_symbols}
+    for q in sorted(waves, key=str):
+        rule = {q: sp.pi / 2 - q}
+        yield Variation(f"for {q} measured from the perpendicular direction (sine and cosine)", f"{q}", rule=rule)
+    for q in slots.coordinates:
+        yield Variation(f"for {q} measured the other way", f"the sense of {q}", rule={q: -q})
+    for a, b in combinations(used, 2):
+        yield Variation(f"with {a} and {b} exchanged", f"where {a} and {b} belong", rule={a: b, b: a})
+    for a, b in permutations(needed, 2):
+        if a in missing and b in used:
+            yield Variation(f"with {b} in place of {a}", f"where {a} and {b} belong", values={a: b})
+
+
+def explained_reaction(claim: sp.Expr, models: Models) -> str:
+    """What a wrong reaction is, in a sentence; empty if that is not found."""
+    try:
+        states = models.states([claim])
+        slots = models.system.configuration.slots
+        if any(row.drift != 0 for row in models.system.configuration.rows):
+            resting = None
+        else:
+            resting = dict.fromkeys(slots.velocities, sp.S.Zero)
+        if resting and all(_holds(claim, Variation("", "", values=resting), at) for at in states):
+            return "it is the reaction at rest: what the velocities contribute is missing"
+        unknown = models.system.multipliers
+        bound = _of_geometry(models)
+        for variation in letter_variations([claim], models.system.equations, slots, unknown):
+            if bound.isdisjoint(variation.values) and all(_holds(claim, variation, at) for at in states):
+                return f"this is the reaction {variation.clause}"
+    except (NoPointError, UnsupportedError, DivisionByZeroError, InadmissibleError):
+        pass
+    return ""
+
+
+def _of_geometry(models: Models) -> set[sp.Basic]:
+    """The letters of constraints and positions: a rod of no length is no special case of a rod."""
+    configuration = models.system.configuration
+    places = [c for p in configuration.points for c in p.position.fixed().components]
+    tied = [e for row in configuration.rows for e in (*row.coefficients, row.drift, row.finite or sp.S.Zero)]
+    return set().union(*(e.free_symbols for e in (*places, *tied, *configuration.expressed.values())))
+
+
+def _holds(claim: sp.Expr, variation: Variation, at: ModelState) -> bool:
+    """Whether a claim follows from the system with another meaning of a letter, or in a special case, at a state."""
+    if variation.values:
+        try:
+            changes = {s: at.point.value(e) for s, e in variation.values.items()}
+            at = ModelState(at.point.with_values(changes), at.system)
+        except (DivisionByZeroError, InadmissibleError, AssertionError):
+            return False
+    row = at.row(claim.xreplace(dict(variation.rule)))
+    impossible = [at.point.number(0)] * len(at.unknowns) + [at.point.number(1)]
+    return row is not None and impossible not in at.right and row in at.right
+
+
+def explained_degrees_of_freedom(stated: int, classification: Classification) -> str:
+    """How a wrong number of degrees of freedom may have been counted; empty if that is not found."""
+    coordinates = len(classification.constrained.slots.coordinates)
+    constraints = [c.row for c in classification.constraints]
+    geometric = sum(row.finite is not None for row in constraints)
+    if stated == coordinates and constraints:
+        return f"there are {coordinates} coordinates; the constraints between them are not subtracted"
+    if stated == coordinates - geometric and geometric < len(constraints):
+        return "the constraints on velocities are not subtracted: they restrict the displacements too"
+    if stated == coordinates - len(constraints):
+        return "a constraint is counted that follows from the others"
+    return ""
+
+
+def explained_frequencies(claims: Sequence[sp.Expr]) -> Iterator[tuple[str, list[sp.Expr]]]:
+    """What wrong frequencies may be, each with the frequencies that were meant then."""
+    nonzero = any(c != 0 for c in claims)
+    for sentence, change in _MEANT if nonzero else ():
+        yield sentence, [c if c == 0 else change(c) for c in claims]
+    for variation in letter_variations(claims, (), Slots(())):
+        if variation.rule:
+            changed = [c.xreplace(dict(variation.rule)) for c in claims]
+            yield f"these are the frequencies {variation.clause}", changed
+
+
+_MEANT: tuple[tuple[str, Callable[[sp.Expr], sp.Expr]], ...] = (
+    ("these are the squares of the frequencies", sp.sqrt),
+    ("these are the frequencies over 2*pi, and the angular frequencies are asked for", lambda c: 2 * sp.pi * c),
+    ("these are the periods and not the frequencies", lambda c: 2 * sp.pi / c),
+    ("these are the inverses of the frequencies", lambda c: 1 / c),
+    ("these are twice the frequencies", lambda c: c / 2),
+    ("these are half of the frequencies", lambda c: 2 * c),
+    ("a factor sqrt(2) is missing", lambda c: sp.sqrt(2) * c),
+    ("there is a factor sqrt(2) too many", lambda c: c / sp.sqrt(2)),
+)

@@ -1,0 +1,70 @@
+"""Wrong equilibria, reactions, frequencies and numbers: what is said of them, and that it is of something wrong."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.verdicts import Judgement, Verdict
+from lagrange.core.diagnostics import Fragment
+from lagrange.problem.model import Answers
+from tests.support.shared import loaded, solved
+
+EQUILIBRIA = [
+    ("ladder", "P = W*tan(phi)", "W twice as large"),
+    ("ladder", "P = -W/2*tan(phi)", "W with the opposite sign"),
+    ("rod-over-peg", "b*sin(theta)^3 = c", "sine and cosine"),
+    ("ladder", "P = W/2*tan(phi)^3", ""),
+]
+REACTIONS = [
+    ("ex11-ideal-pendulum", "rod", "m*g*cos(theta)", "at rest"),
+    ("slide-off-a-dome", "dome", "N = m*g*cos(theta)", "at rest"),
+    ("ex11-ideal-pendulum", "rod", "m*g*sin(theta)^3", ""),
+]
+
+
+def judged(name: str, answers: Answers) -> Judgement:
+    return Examiner(loaded(name), solved(name)).check_answers(answers)
+
+
+@pytest.mark.parametrize(("name", "answer", "said"), EQUILIBRIA)
+def test_equilibria_of_a_changed_problem(name: str, answer: str, said: str) -> None:
+    [verdict] = Examiner(loaded(name), solved(name)).check((Fragment.of(answer),)).each
+    assert verdict.verdict is Verdict.WRONG
+    assert said in verdict.diagnosis
+    assert ("these are the equilibria" in verdict.diagnosis) is bool(said)
+    assert said not in verdict.at_hint_level(2).diagnosis or not said
+
+
+@pytest.mark.parametrize(("name", "constraint", "answer", "said"), REACTIONS)
+def test_reactions_of_a_changed_problem(name: str, constraint: str, answer: str, said: str) -> None:
+    [other] = judged(name, Answers(reactions={constraint: Fragment.of(answer)})).others
+    [verdict] = other.equations
+    assert verdict.verdict is Verdict.WRONG
+    assert said in verdict.diagnosis
+    assert bool(verdict.diagnosis) is bool(said)
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "said"),
+    [
+        ("ex18-double-pendulum", 4, "not subtracted"),
+        ("rolling-disc", 5, "not subtracted"),
+        ("ex18-double-pendulum", 7, ""),
+        ("ex18-double-pendulum", 2, ""),
+    ],
+)
+def test_degrees_of_freedom(name: str, number: int, said: str) -> None:
+    [other] = judged(name, Answers(degrees_of_freedom=number)).others
+    assert said in other.diagnosis
+    assert bool(other.diagnosis) is bool(said)
+
+
+@pytest.mark.parametrize(
+    ("stated", "said"),
+    [("sqrt(g/a)", "twice the frequencies"), ("g/(4*a)", "squares"), ("sqrt(g/a)/2", ""), ("sqrt(g/a)*7/5", "")],
+)
+def test_frequencies(stated: str, said: str) -> None:
+    [other] = judged("cycloidal-pendulum", Answers(frequencies=((Fragment.of(stated),),))).others
+    assert said in other.diagnosis
+    assert ("these are" in other.diagnosis) is bool(said)

@@ -1,0 +1,38 @@
+"""Nothing is said that was not tested, and nothing of right equations."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.answers.models.search import changed_rows, explained
+from lagrange.answers.readings import read_answer
+from lagrange.core.diagnostics import Fragment
+from tests.support.shared import reference_of
+
+ANSWERS = [
+    # no mistake of the table makes these
+    ("ex11-ideal-pendulum", ["theta'' + 7*g/l*sin(3*theta)"], False),
+    ("spring-pendulum", ["r'' + r^3", "phi'' + r"], False),
+    ("ex11-ideal-pendulum", ["l*theta'' - g*sin(theta)"], True),
+]
+
+
+@pytest.mark.parametrize(("name", "equations", "found"), ANSWERS)
+def test_a_model_is_named_only_where_it_reproduces_the_answer(name: str, equations: list[str], found: bool) -> None:
+    reference = reference_of(name)
+    [*_, candidate] = (c for c in reference.candidates if c.mechanics is not None and c.choice != "depth")
+    answers = [read_answer(Fragment.of(f"{e} = 0"), reference.scope) for e in equations]
+    read = [candidate.read(a.components[0]) for a in answers]
+    assert any(explained(read, [0], candidate.models)) is found
+
+
+def test_variations_are_made_once_and_all_have_rows() -> None:
+    models = reference_of("pole-on-cart").candidates[0].models
+    at = models.states(())[0]
+    first, again = [*models.variations], [*models.variations]
+    assert [a is b for a, b in zip(first, again, strict=True)] == [True] * len(first)
+    assert all(v.mechanics is None or changed_rows(v, at) is not None for _, v in first)
+
+
+def test_a_missing_mechanics_is_no_error() -> None:
+    assert explained([], [], reference_of("pole-on-cart").candidates[0].models) == ()
