@@ -302,7 +302,7 @@ class _Sorting:
         if len(side.text.strip()) > _LONGEST_NAME:
             return "", ""
         try:
-            texts = _tried(side, self.scope, lambda f: token_texts(f, self.scope))
+            texts = tried(side, self.scope, lambda f: token_texts(f, self.scope))
         except ProblemError:
             return "", ""
         texts = [w for w in texts if w not in ("|",)]
@@ -331,7 +331,7 @@ class _Sorting:
             if applied not in ("", "^2") and self.scope.scalar(name) is not None:
                 continue
             try:
-                value = _tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
+                value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
             except ProblemError:
                 continue
             if isinstance(value, Vector):
@@ -342,7 +342,7 @@ class _Sorting:
                     continue
                 undone = _UNDOING[applied]
                 rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
-                with_decimals = _tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
+                with_decimals = tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
                 if decimals_in([with_decimals]):
                     self.rounded[name] = undone(with_decimals)
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: undone(value)})
@@ -480,7 +480,7 @@ def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
     return [*([fragment] if in_language is not fragment else []), in_language, *braces]
 
 
-def _tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
+def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
     """What can be read of one side in the first notation in which it can be. Raises the first ProblemError."""
     first: ProblemError | None = None
     for candidate in _notations(side, scope):
