@@ -28,7 +28,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severi
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
-from lagrange.expressions.edits import Draft, cuts
+from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
@@ -147,6 +147,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         draft.keep(item.end(), len(draft.text))
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
+    _without_braces(draft)
     end, number = number_at_the_end(draft.text)
     about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
     latex = is_latex(fragment)
@@ -162,6 +163,14 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         made = _finished(piece, fragment, latex)
         lines.append(_Line(made, made.text.strip(" &$\n")))
     return lines
+
+
+def _without_braces(draft: Draft) -> None:
+    """The equation without the braces of TeX around the whole of it, `{x = 1}`."""
+    start = len(draft.text) - len(draft.text.lstrip(" $"))
+    end = len(draft.text.rstrip(" $"))
+    if draft.text[start : start + 1] == "{" and closings(draft.text).get(start) == end - 1:
+        draft.keep(start + 1, end - 1)
 
 
 def _too_long(fragment: Fragment) -> ProblemError:
