@@ -17,8 +17,10 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.conventions import Convention, other_convention
 from lagrange.answers.diagnosis import diagnosed, in_symbols
-from lagrange.answers.hints import Advisor
+from lagrange.answers.hints import Advisor, cause_of
 from lagrange.answers.limits import MAX_EQUATIONS
+from lagrange.answers.models.search import Explanation, explained
+from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
 from lagrange.answers.readings import (
     NOT_FOR_ALL,
     Reading,
@@ -43,6 +45,7 @@ from lagrange.answers.written.decimals import Values, remark_on, rounded_in_moti
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Decimal, Slots, base
+from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import separated
 from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing, System, compare, compare_really
 
@@ -73,6 +76,11 @@ def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnos
     return replace(verdict, equations=equations, unreadable=errors, notes=notes)
 
 
+def sides_of(answer: Sequence[Fragment], reference: Reference) -> list[tuple[sp.Expr | Vector, ...]]:
+    """The sides of each equation as they are written; none of one that cannot be read."""
+    return [read_answer(f, reference.scope).sides for f in separated(answer)]
+
+
 @record
 class _Attempt:
     """An answer compared with one system.
@@ -87,14 +95,16 @@ class _Attempt:
     standings: tuple[tuple[Standing, ...], ...] = ()
 
     @property
-    def quality(self) -> tuple[int, int, int, bool]:
+    def quality(self) -> tuple[int, int, int, int, bool]:
         """The rank of the verdict; then the number of right equations, then that of linear ones.
 
-        Last, radii taken as positive are preferred: a mistake that remains there is not the sign of a radius.
+        Then fewer coordinates are preferred, in which a mistake is easier to name. Last, radii taken as positive are
+        preferred: a mistake that remains there is not the sign of a radius.
         """
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
         nonlinear = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
-        return WORST_TO_BEST.index(self.verdict.verdict), right, -nonlinear, bool(self.candidate.positive)
+        size = len(self.candidate.configuration.slots.coordinates) if self.verdict.verdict is Verdict.WRONG else 0
+        return WORST_TO_BEST.index(self.verdict.verdict), right, -nonlinear, -size, bool(self.candidate.positive)
 
 
 def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_Attempt]:
@@ -326,6 +336,7 @@ def _with_reasons(
     following = []
     advisor = Advisor(system.configuration.slots)
     convention = _convention(attempt, system) if diagnosing else None
+    explanations = _explanations(attempt) if diagnosing else {}
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
@@ -337,13 +348,18 @@ def _with_reasons(
             kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
             wanted = diagnosing and kind in _TO_BE_DIAGNOSED
-            change = diagnosed(equation, system) if wanted else None
+            model = explanations.get(n) if wanted else None
+            change = diagnosed(equation, system, beside=model is not None) if wanted else None
             if change is not None and attempt.candidate.values:
                 written = readings[n].components[es.index(equation)]
                 change = in_symbols(change, attempt.candidate.in_symbols(written), attempt.candidate.values)
             units = reference.mismatch(readings[n]) if wanted else None
-            hints = advisor.hints(why, change, units, convention, readings[n].sides)
-            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)
+            name = model.name if model is not None else ""
+            cause = model.cause if model is not None else cause_of(change)
+            if convention is not None and name == MEASURED_FROM_ELSEWHERE:
+                model = None  # the convention says the same
+            hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
+            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=cause, model=name)
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced and not decimals_in(es):
             following.append((n, es[0]))
     # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
@@ -354,6 +370,24 @@ def _with_reasons(
     for (n, _), own in zip(following, nonzero, strict=True):
         equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, own)))
     return replace(verdict, equations=tuple(equations))
+
+
+def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
+    """The models that explain wrong equations, by their numbers."""
+    standings = attempt.standings
+    if any(Standing.NOT_LINEAR in several for several in standings):
+        return {}
+    wrong = [n for n, several in enumerate(standings) if Standing.CONTRADICTS in several]
+    components = [(n, e) for n, es in enumerate(attempt.components) for e in es]
+    bad = [m for m, (n, _) in enumerate(components) if n in wrong and _flat(standings)[m] is Standing.CONTRADICTS]
+    if not bad:
+        return {}
+    found = explained([e for _, e in components], bad, attempt.candidate.models)
+    return {components[m][0]: e for m, e in reversed(list(zip(bad, found, strict=True))) if e is not None}
+
+
+def _flat(standings: Sequence[Sequence[Standing]]) -> list[Standing]:
+    return [s for several in standings for s in several]
 
 
 _TO_BE_DIAGNOSED = (Recognised.OTHER, Recognised.NO_ACCELERATION)

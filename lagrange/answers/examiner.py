@@ -12,7 +12,8 @@ from functools import cached_property, partial
 
 import sympy as sp
 
-from lagrange.answers.equations import check_equations
+from lagrange.answers.equations import check_equations, sides_of
+from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -29,7 +30,8 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.judging import verdict_on
 from lagrange.answers.written.lines import separated
 from lagrange.answers.written.working import Working, understood
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
+from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 from lagrange.mechanics.solution import OnStage, Solution, silent, solve
@@ -98,7 +100,7 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
 
 
 def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
-    """The verdicts on energies, generalized forces, first integrals and virtual displacements."""
+    """The verdicts on energies, generalized forces, first integrals, virtual displacements, Hamilton's function."""
     from lagrange.answers.questions import stated_quantities as quantities
 
     if answers.kinetic_energy is not None:
@@ -109,6 +111,10 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         yield quantities.check_conserved(answers.conserved, solution)
     if answers.virtual_displacements:
         yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
+    if answers.hamiltonian is not None:
+        from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
+
+        yield check_hamiltonian_answer(answers.hamiltonian, solution)
 
 
 def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
@@ -156,6 +162,23 @@ def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     if verdict.unreadable:
         raise ProblemError(verdict.unreadable)
     return None if verdict.verdict is Verdict.UNREADABLE and _some_left_out(solution) else verdict.verdict
+
+
+def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
+    """The file's equations of motion as they are written there, each with its sides.
+
+    None if one is no pair of sides, or contains a reaction: then they are no equations of motion alone.
+    """
+    answers = solution.problem.answers
+    if answers is None or not answers.equations:
+        return ()
+    sides = sides_of(answers.equations, reference_of_solution(solution))
+    scalars = tuple(tuple(s for s in both if isinstance(s, sp.Expr)) for both in sides)
+    if solution.law is not None:
+        unknown = {s for r in solution.law.newton.reactions for s in (r.multiplier, r.force, r.symbol)}
+        if any(e.free_symbols & unknown for pair in scalars for e in pair):
+            return ()
+    return scalars if all(len(s) == len(both) > 1 for s, both in zip(scalars, sides, strict=True)) else ()
 
 
 def _some_left_out(solution: Solution) -> bool:
@@ -240,7 +263,10 @@ class Examiner:
     @classmethod
     def of(cls, problem: Problem, on_stage: OnStage = silent) -> Examiner:
         """Solves the problem, so that answers can be checked. Raises ProblemError if it cannot be solved."""
-        return cls(problem, None if problem.equations else solve(problem, on_stage=on_stage))
+        solution = None if problem.equations else solve(problem, on_stage=on_stage)
+        if solution is not None and solution.given_up:
+            raise GaveUpError(*solution.given_up.split(", ", 1))
+        return cls(problem, solution)
 
     @cached_property
     def reference(self) -> Reference:
@@ -249,6 +275,10 @@ class Examiner:
 
     def check(self, answer: tuple[Fragment, ...]) -> Judgement:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
+        with allowed_for("comparing answers", UNITS_OF_CHECKING):
+            return self._checked(answer)
+
+    def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         answer = separated(answer)
         solution = self.solution
         moving = solution is None or solution.own.motion is not None

@@ -92,6 +92,9 @@ MAX_KEPT_FACTORS = 500
 MAX_CONDITIONS = 8
 """Factors of one equation that are tested for real zeros: each may take a run of Newton's iteration."""
 
+UNITS_OF_CHECKING = 200_000
+"""Of work (`core.effort`) for one answer, with its diagnosis."""
+
 MOST_MEANINGS = 100
 """Readings of the names of reactions in one answer: three names of four meanings each have 63 besides the usual one."""
 
@@ -118,3 +121,14 @@ gain less where two frequencies are close at a random state (up to 20 steps in 2
 
 MAX_PROJECTIONS = 60
 """Projections in turn on the intervals and on the solutions, where the decimals are not determined."""
+
+# Models of a wrong answer
+
+MAX_MODEL_WORK = 20_000
+"""Numbers in the rows of changed equations that are compared with one answer. Two equations of two coordinates have 6,
+so that all variations of most problems fit; a rigid body with rolling constraints has 40, and 500 are tried."""
+
+MAX_BESIDE = 150
+"""Terms times squared parameters of an equation in which one change is sought although a model explains it: a
+pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes
+the longest."""

@@ -16,6 +16,8 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.answers.force_names import other_readings
+from lagrange.answers.models.mechanics import Mechanics, mechanics_of
+from lagrange.answers.models.search import Models
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.slips import terms_of
 from lagrange.answers.validity import Factorizations
@@ -29,8 +31,8 @@ from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
-from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.solution import Solution, letters_of_oscillations, small_displacements
+from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
+from lagrange.mechanics.solution import InCoordinates, Solution
 from lagrange.problem.model import Problem
 from lagrange.values.dimensions import Mismatch, mismatch
 
@@ -48,6 +50,7 @@ class ReferenceCandidate:
     certain      magnitudes and signs that the file settles: |N| is N
     positive     radii that are taken as positive
     remarks      the meanings of names of forces that differ from those in the derivation, in words
+    mechanics    the parts of the system, in which a model may change it; None if they are not known
     """
 
     choice: str
@@ -61,6 +64,18 @@ class ReferenceCandidate:
     certain: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict)
     positive: tuple[sp.Symbol, ...] = ()
     remarks: Mapping[str, str] = field(default_factory=dict)
+    mechanics: Callable[[], Mechanics] | None = None
+
+    @cached_property
+    def models(self) -> Models:
+        """The changed problems that a wrong answer is compared with."""
+        return Models(self.system, dict(self.values), self._mechanics)
+
+    def _mechanics(self) -> Mechanics | None:
+        found = self.mechanics() if self.mechanics is not None else None
+        if found is None or not self.positive:
+            return found
+        return found.force(lambda f: replace(f, shares=tuple(with_positive_radii(e, self.positive) for e in f.shares)))
 
     @cached_property
     def system(self) -> System:
@@ -418,13 +433,13 @@ def _candidates(solution: Solution) -> Iterator[ReferenceCandidate]:
     if solution.own.motion is None:
         return
     unknowns = solution.problem.unknowns
-    yield _candidate("", solution.own.motion, solution)
+    yield _candidate(solution.own, solution.own.motion, solution)
     reactions = tuple(c.reaction for c in solution.problem.constraints)
     tensions = solution.law.newton.single_forces if solution.law else {}
     for c in solution.choices:
         if c.motion is None:
             continue
-        reduced = _candidate(c.name, c.motion, solution)
+        reduced = _candidate(c, c.motion, solution)
         yield reduced
         lost = {r for r in reactions if r not in reduced.multipliers}
         configuration = c.motion.configuration
@@ -443,13 +458,20 @@ def _candidates(solution: Solution) -> Iterator[ReferenceCandidate]:
             )
 
 
-def _candidate(choice: str, motion: EquationsOfMotion, solution: Solution) -> ReferenceCandidate:
+def _candidate(view: InCoordinates, motion: EquationsOfMotion, solution: Solution) -> ReferenceCandidate:
     """The equations of one configuration, with the multipliers of the constraints that remain in it."""
     configuration = motion.configuration
     reactions = {c.name: c.reaction for c in solution.problem.constraints}
     multipliers = tuple(reactions[r.name] for r in configuration.rows)
     known = (*multipliers, *solution.problem.unknowns)
-    return ReferenceCandidate(choice, configuration, known, lambda: _with_multipliers(motion, solution))
+    frictions = view.dynamics.friction_forces if view.dynamics is not None else ()
+    return ReferenceCandidate(
+        view.name,
+        configuration,
+        known,
+        lambda: _with_multipliers(motion, solution),
+        mechanics=lambda: mechanics_of(configuration, solution.problem, frictions),
+    )
 
 
 def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:

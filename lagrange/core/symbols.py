@@ -13,7 +13,7 @@ the language of problem files (`theta''`, `d(x)`, `delta(x)`, `lambda_rod`), so 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -214,6 +214,14 @@ def variation(symbol: sp.Symbol) -> sp.Symbol:
 def multiplier(constraint: str) -> sp.Symbol:
     """The multiplier of a constraint, λ_rod."""
     return sp.Symbol(f"lambda_{constraint}", real=True)
+
+
+def free_letter(*candidates: str, taken: Collection[str], of: Sequence[str] = ()) -> str:
+    """The first letter that no name uses, with each of the subscripts `of` if there are any."""
+    for letter in candidates:
+        if not any(name in taken for name in ([f"{letter}_{s}" for s in of] or [letter])):
+            return letter
+    return candidates[-1] + "_"
 
 
 def counting(name: str) -> str:

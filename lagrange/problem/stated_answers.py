@@ -87,6 +87,7 @@ class AnswerReader:
             frequencies=self._frequencies(section.get("frequencies")),
             ask=self._asked(section.get("ask")),
             rest=self._rest(section.get("rest")),
+            hamiltonian=self._one(section.get("hamiltonian"), "`hamiltonian`"),
             kinetic_energy=self._one(section.get("kinetic_energy"), "a kinetic energy"),
             generalized_forces=self._by_coordinates(section.get("generalized_forces")),
             conserved=self._texts(section.get("conserved"), "`conserved`", '["m*r^2*phi\' = const"]'),

@@ -77,7 +77,7 @@ class _Claim:
         self.solution = solution
         self.values = dict(reference.values)
         self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
-        self.expression, self.equation = _read(fragment, self.scope, asked.question.name)
+        self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
 
     def verdict(self) -> tuple[Verdict, str]:
@@ -240,8 +240,11 @@ def _moves(e: sp.Expr) -> bool:
     return bool(e.free_symbols) and not all(s.is_positive for s in e.free_symbols)
 
 
-def _read(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:
-    """An expression, or an equation as an expression that is zero; the name of the question may be its left side."""
+def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:
+    """An expression, or an equation as an expression that is zero; the name of what is stated may be its left side.
+
+    Raises ProblemError.
+    """
     text = fragment.text
     if "=" in text:
         left, _, _ = text.partition("=")
