@@ -55,6 +55,9 @@ TRIES = 2
 STARTS = 3
 """Of a process that is lost before it is ready, after which the batch gives up."""
 
+MOST_KEPT_OUTCOMES = 5_000
+"""Outcomes that are kept for equal submissions, some 2 kB each: a course has fewer different ones."""
+
 POLL_SECONDS = 0.5
 """Between two looks at the clock while no submission is ready, for the line of progress and for Ctrl-C."""
 

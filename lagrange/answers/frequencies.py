@@ -24,6 +24,7 @@ from lagrange.answers.models.letters import explained_frequencies
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -137,7 +138,8 @@ def _is_complete(f: Linearization) -> bool:
 
 
 def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
-    value = read_value(fragment, replace(reference.scope, decimals=""), [], latex=True)
+    scope = replace(reference.scope, decimals="")
+    value = tried(fragment, scope, lambda f: read_value(f, scope, [], latex=True))
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a frequency is a number, not a vector", fragment.whole))
     return value

@@ -22,6 +22,7 @@ from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, remark_on, rounded, rounded_in_motion
+from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
@@ -107,10 +108,10 @@ def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> lis
     """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
     scope = replace(reference.scope, decimals="")
     if "=" in fragment.text:
-        equation = read_equation(fragment, scope, [], MAX_ANSWER_CHARACTERS, latex=True)
+        equation = tried(fragment, scope, lambda f: read_equation(f, scope, [], MAX_ANSWER_CHARACTERS, latex=True))
         lhs, rhs = equation.lhs, equation.rhs
         return [] if isinstance(lhs, Vector) or isinstance(rhs, Vector) else [(lhs - rhs, ())]
-    value = read_value(fragment, scope, [], latex=True)
+    value = tried(fragment, scope, lambda f: read_value(f, scope, [], latex=True))
     if isinstance(value, Vector):
         return []
     return [(force - value, (remark,) if remark else ()) for force, remark in _meanings(reaction)]

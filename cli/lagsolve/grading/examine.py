@@ -8,20 +8,25 @@ killed during it (which is tried once more, because it may not be its fault).
 
 from __future__ import annotations
 
+import hashlib
+import re
 import threading
 from collections.abc import Callable, Generator, Iterator
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, CancelledError, Executor, Future, wait
+from dataclasses import replace
 from functools import lru_cache, partial
+from pathlib import PurePath
 from typing import Any
 
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.submissions import Graded, Grader, Submission
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Source
+from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagrange.problem.loader import read_problem
 from lagsolve.grading.worker import CallFailedError, Limits, LostError, SetupError, StoppedError, Worker
-from lagsolve.limits import IDLE_SECONDS, POLL_SECONDS, TRIES
+from lagsolve.limits import IDLE_SECONDS, MOST_KEPT_OUTCOMES, POLL_SECONDS, TRIES
 
 
 @lru_cache(maxsize=1)
@@ -77,21 +82,26 @@ def outcomes(
 
     ahead  how many are handed to the executor before the first is ready; so many are held in memory
 
+    Of submissions with the same files only the first is graded.
+
     Yields None from time to time while nothing is ready. Raises SetupError where no submission can be graded,
     BrokenExecutor or CancelledError where the executor gives up.
     """
     running: dict[Future[Graded], _Trial] = {}
+    equal = _EqualSubmissions()
 
     def start(trial: _Trial) -> None:
         running[executor.submit(examine, trial.submission, *common)] = trial
 
     exhausted = False
     while running or not exhausted:
-        while not exhausted and len(running) < ahead:
+        while not exhausted and len(running) + equal.number_waiting < ahead:
             submission = next(submissions, None)
             if submission is None:
                 exhausted = True
-            else:
+            elif (graded := equal.outcome(submission)) is not None:
+                yield submission, graded
+            elif not equal.waits(submission):
                 start(_Trial(submission))
         done = wait(running, timeout=POLL_SECONDS, return_when=FIRST_COMPLETED).done
         if not done:
@@ -103,6 +113,68 @@ def outcomes(
                 start(_Trial(trial.submission, trial.number + 1))
             else:
                 yield trial.submission, graded
+                for waiting in equal.settled(trial.submission, graded):
+                    outcome = equal.outcome(waiting)
+                    if outcome is None:
+                        start(_Trial(waiting))
+                    else:
+                        yield waiting, outcome
+
+
+class _EqualSubmissions:
+    """Submissions with the same files, whose outcomes differ only in the names of the files."""
+
+    def __init__(self) -> None:
+        self._first: dict[bytes, Submission] = {}
+        self._waiting: dict[bytes, list[Submission]] = {}
+        self._known: dict[bytes, tuple[Submission, Graded]] = {}
+
+    @property
+    def number_waiting(self) -> int:
+        """How many wait, and are held in memory."""
+        return sum(map(len, self._waiting.values()))
+
+    def waits(self, submission: Submission) -> bool:
+        """Whether it waits for an equal one that is being graded; otherwise it is the first."""
+        key = _key(submission)
+        if key in self._first:
+            self._waiting.setdefault(key, []).append(submission)
+            return True
+        self._first[key] = submission
+        return False
+
+    def settled(self, submission: Submission, graded: Graded) -> list[Submission]:
+        """Keeps the outcome of the first; those that waited for it."""
+        key = _key(submission)
+        if self._first.pop(key, None) is not None and len(self._known) < MOST_KEPT_OUTCOMES:
+            self._known[key] = submission, graded
+        return self._waiting.pop(key, [])
+
+    def outcome(self, submission: Submission) -> Graded | None:
+        """The outcome of an equal submission, with this one's names; None if there is none or a message needs them."""
+        first, graded = self._known.get(_key(submission), (None, None))
+        if first is None or graded is None:
+            return None
+        messages = graded.messages
+        for (old, _), (new, _) in zip(first.files, submission.files, strict=True):
+            if old != new:
+                if visible(old) != old or visible(new) != new:
+                    return None
+                place = re.compile(rf"^(\s*--> ){re.escape(old)}:", re.MULTILINE)
+                if any(old in place.sub("", text) for text in (*messages, graded.headline)):
+                    return None
+                messages = tuple(place.sub(lambda m, n=new: f"{m[1]}{n}:", m) for m in messages)  # type: ignore[misc]
+        return replace(graded, messages=messages, seconds=0.0)
+
+
+def _key(submission: Submission) -> bytes:
+    """What submissions have in common whose outcomes are equal: contents and extensions of files, and notes."""
+    digest = hashlib.sha256()
+    for name, content in submission.files:
+        digest.update(f"{PurePath(name).suffix.lower()} {len(content)} ".encode(errors="surrogatepass"))
+        digest.update(content)
+    digest.update("\0".join(submission.notes).encode(errors="surrogatepass"))
+    return digest.digest()
 
 
 def _graded(future: Future[Graded], last: bool) -> Graded | None:

@@ -21,6 +21,7 @@ from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
@@ -251,12 +252,12 @@ def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | 
             start = text.index("=") + 1
             fragment = Fragment(text[start:], fragment.span(start, len(text)), (fragment.start or 0) + start)
         else:
-            equation = read_equation(fragment, scope, [], MAX_ANSWER_CHARACTERS, latex=True)
+            equation = tried(fragment, scope, lambda f: read_equation(f, scope, [], MAX_ANSWER_CHARACTERS, latex=True))
             lhs, rhs = equation.lhs, equation.rhs
             if isinstance(lhs, Vector) or isinstance(rhs, Vector):
                 raise ProblemError(Diagnostic("vector-for-scalar", "an equation between vectors", fragment.whole))
             return None, lhs - rhs
-    value = read_value(fragment, scope, [], latex=True)
+    value = tried(fragment, scope, lambda f: read_value(f, scope, [], latex=True))
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a quantity is a number, not a vector", fragment.whole))
     return value, None

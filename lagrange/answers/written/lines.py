@@ -21,7 +21,7 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
-_SEPARATOR = re.compile(rf";|{_ARROW}|\band\b(?=[^=]*=)|\\n")
+_SEPARATOR = re.compile(rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|\\n")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")

@@ -61,7 +61,8 @@ _CALLED = re.compile(
 )
 _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
-_RUN = re.compile(r"(?<![A-Za-z0-9_.])[A-Za-z][A-Za-z0-9_]*")
+_RUN = re.compile(r"(?<![A-Za-z_.])(?<![A-Za-z_][0-9])(?<![A-Za-z_][0-9][0-9])[A-Za-z][A-Za-z0-9_]*")
+_DEGREES = re.compile(r"(?<=[0-9])\s*°")
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
 _PRODUCT = re.compile(r"[A-Za-z]+")
 
@@ -70,6 +71,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     """A plain text with other notations written in that of the language; the text itself where there are none."""
     draft = Draft(fragment)
     _characters(draft)
+    draft.replace(_DEGREES, "*pi/180")
     draft.replace(_MAPLE, lambda m: m[2] + "'" * int(m[1] or 1))
     draft.replace(_DERIVED, lambda m: m[2] + "'" * int(m[1]))
     draft.replace(_OF_TIME, "")
@@ -270,6 +272,9 @@ _L_DROPPED = re.compile(
     r"|underline|overline|uwave|smash|therefore|because|implies|Rightarrow|Longrightarrow|rightarrow|to|leadsto|iff"
     r"|Leftrightarrow|vdots|lvert_|Bigg?r?\.|unicode\{[0-9x]+\})(?![A-Za-z])"
 )
+_L_DEGREES = re.compile(
+    r"(?<=[0-9])\s*(?:\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\})|\\(?:degree|textdegree)(?![A-Za-z])|°)"
+)
 _L_FRAC = re.compile(r"\\(?:nicefrac|sfrac|flatfrac|xfrac)(?![A-Za-z])")
 _L_OVERSET = re.compile(
     r"\\(?:overset|stackrel)\s*\{\s*(\.{1,3}|(?:\\cdot\s*){1,3}|(?:\\bullet\s*){1,3})\s*\}\s*(?=[{\\A-Za-z])"
@@ -298,6 +303,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft = Draft(fragment)
     _characters(draft)
     draft.replace(_L_COLOUR, "")
+    draft.replace(_L_DEGREES, r"\\frac{\\pi}{180}")
     draft.replace(_L_SIGNS, "=")
     draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")
     draft.replace(_L_DROPPED, lambda m: None if m[0].startswith("\\overline") else " ")

@@ -28,7 +28,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severi
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
-from lagrange.expressions.edits import Draft, cuts
+from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
@@ -147,6 +147,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         draft.keep(item.end(), len(draft.text))
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
+    _without_braces(draft)
     end, number = number_at_the_end(draft.text)
     about = next((m.start() for m in _ABOUT.finditer(draft.text) if "=" in draft.text[: m.start()]), end)
     latex = is_latex(fragment)
@@ -162,6 +163,14 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         made = _finished(piece, fragment, latex)
         lines.append(_Line(made, made.text.strip(" &$\n")))
     return lines
+
+
+def _without_braces(draft: Draft) -> None:
+    """The equation without the braces of TeX around the whole of it, `{x = 1}`."""
+    start = len(draft.text) - len(draft.text.lstrip(" $"))
+    end = len(draft.text.rstrip(" $"))
+    if draft.text[start : start + 1] == "{" and closings(draft.text).get(start) == end - 1:
+        draft.keep(start + 1, end - 1)
 
 
 def _too_long(fragment: Fragment) -> ProblemError:
@@ -302,7 +311,7 @@ class _Sorting:
         if len(side.text.strip()) > _LONGEST_NAME:
             return "", ""
         try:
-            texts = _tried(side, self.scope, lambda f: token_texts(f, self.scope))
+            texts = tried(side, self.scope, lambda f: token_texts(f, self.scope))
         except ProblemError:
             return "", ""
         texts = [w for w in texts if w not in ("|",)]
@@ -331,7 +340,7 @@ class _Sorting:
             if applied not in ("", "^2") and self.scope.scalar(name) is not None:
                 continue
             try:
-                value = _tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
+                value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
             except ProblemError:
                 continue
             if isinstance(value, Vector):
@@ -342,7 +351,7 @@ class _Sorting:
                     continue
                 undone = _UNDOING[applied]
                 rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
-                with_decimals = _tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
+                with_decimals = tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
                 if decimals_in([with_decimals]):
                     self.rounded[name] = undone(with_decimals)
                 self.scope = replace(self.scope, scalars={**self.scope.scalars, name: undone(value)})
@@ -480,7 +489,7 @@ def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
     return [*([fragment] if in_language is not fragment else []), in_language, *braces]
 
 
-def _tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
+def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
     """What can be read of one side in the first notation in which it can be. Raises the first ProblemError."""
     first: ProblemError | None = None
     for candidate in _notations(side, scope):
