@@ -77,3 +77,6 @@ CLUSTER_SECONDS = 20
 
 IDLE_SECONDS = 60.0
 """After which a process without work ends on a cluster, where nothing tells it that the batch is over."""
+
+MOST_CLUSTERS = 8
+"""Mistakes of several submissions that are listed below the table of a batch, the most frequent ones."""

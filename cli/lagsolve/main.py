@@ -28,8 +28,11 @@ from lagsolve.limits import CHECK_MEGABYTES, CHECK_SECONDS
 from lagsolve.problem_commands import COMMANDS
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from lagrange.answers.examiner import Examiner
     from lagrange.answers.verdicts import Judgement
+    from lagrange.problem.model import Problem
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
@@ -77,7 +80,9 @@ def main() -> None:
 @click.option("--fragment", is_flag=True, help="LaTeX without a preamble, to \\input in your own notes.")
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
-@click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
+@click.option(
+    "--choice", metavar="NAME", help="Only this choice of generalized coordinates; `all` shows every choice in full."
+)
 @click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
 @click.option("--digits", type=DIGITS, default=4, show_default=True, metavar="N", help="Of results in numbers.")
@@ -172,9 +177,10 @@ def check(
         look_for_garbage_seldom()
         on_stage("reading the problem")
         asked = read_problem(problem_source(problem), settings_read(settings))
+        checked = _checking(asked, answer_file, equations)
         examiner = Examiner.of(asked, on_stage)
         on_stage("comparing answers")
-        result = _checked(examiner, answer_file, equations)
+        result = checked(examiner)
     if hint is not None:
         result = result.at_hint_level(hint)
     for message in (*asked.notes, *result.messages):
@@ -183,17 +189,21 @@ def check(
     sys.exit(status_of_verdict(result.verdict))
 
 
-def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, ...]) -> Judgement:
-    """The verdict on the equations, on a file with all answers, or, if neither is given, on the problem file's own."""
+def _checking(problem: Problem, answer_file: str | None, equations: tuple[str, ...]) -> Callable[[Examiner], Judgement]:
+    """What checks the equations, a file with all answers, or, if neither is given, the problem file's own.
+
+    The answers are read before the problem is solved.
+    """
     from lagrange.problem.library import EXTENSIONS
     from lagsolve.inputs import answer_fragments, stated_answers
 
     if answer_file is not None and answer_file.lower().endswith(EXTENSIONS):
-        answers = stated_answers(answer_file, examiner.problem)
-        return examiner.check_answers(answers, answer_fragments(None, equations))
+        answers, more = stated_answers(answer_file, problem), answer_fragments(None, equations)
+        return lambda examiner: examiner.check_answers(answers, more)
     if answer_file is None and not equations:
-        return examiner.check_own()
-    return examiner.check(answer_fragments(answer_file, equations))
+        return lambda examiner: examiner.check_own()
+    fragments = answer_fragments(answer_file, equations)
+    return lambda examiner: examiner.check(fragments)
 
 
 @main.command(short_help="Grade a folder of submissions to one PROBLEM.")

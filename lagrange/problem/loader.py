@@ -90,7 +90,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     things = read_things(root, context)
     constraints = read_constraints(root.section("constraints"), context)
     gravity = read_gravity(root.get("gravity"), context)
-    forces = read_forces(root.section("forces"), context)
+    forces = read_forces(root.section("forces"), context, constraints)
     speeds = read_speeds(root.section("speeds"), context)
     choices = read_choices(root.section("generalized_coordinates"), context)
     asking = scope_of_questions(context.scope, constraints, choices)
