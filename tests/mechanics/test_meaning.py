@@ -99,3 +99,8 @@ def test_several_degrees_of_freedom_get_no_small_motion() -> None:
     found = meaning(solve(read_problem(Source("spring", SPRING))))
     assert found is not None
     assert found.small is None
+
+
+def test_without_a_degree_of_freedom_there_is_nothing_to_say() -> None:
+    text = "title: t\nparameters: [m]\ncoordinates: [x]\nparticles: {P: {mass: m, position: x*i}}\nconstraints: {c: x = 1}\n"
+    assert meaning(solve(read_problem(Source("t", text)))) is None

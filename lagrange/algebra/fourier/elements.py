@@ -20,7 +20,7 @@ from math import gcd, lcm
 
 import sympy as sp
 
-from lagrange.algebra.fourier.limits import TERMS_PER_UNIT
+from lagrange.algebra.fourier.limits import PRODUCTS_PER_UNIT, TERMS_PER_UNIT
 from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, pack, unpack
 from lagrange.core.effort import spend
 from lagrange.core.records import record
@@ -105,6 +105,7 @@ class Element:
             return other._times_monomial(self)
         if other.is_monomial:
             return self._times_monomial(other)
+        spend(len(self) * len(other) / PRODUCTS_PER_UNIT)
         return self.basis.element(_product(self.terms, other.terms), 2 * self.denominator * other.denominator)
 
     __rmul__ = __mul__
@@ -357,6 +358,7 @@ class Basis:
         summands = [e for e in elements if e.terms]
         if len(summands) < 2:
             return summands[0] if summands else self.zero
+        spend(sum(map(len, summands)) / PRODUCTS_PER_UNIT)
         denominator = lcm(*(e.denominator for e in summands))
         terms: Terms = dict(summands[0].scaled_terms(denominator))
         for summand in summands[1:]:

@@ -1,0 +1,191 @@
+"""Broken inputs, one for each seed, and what becomes of them.
+
+Each function takes a seed and says what became of its input: "refused", "given up", "solved", a verdict. Any exception
+but the project's own leaves it, and is a fault.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+import tempfile
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from unittest.mock import patch
+
+from lagrange.answers.examiner import Examiner
+from lagrange.answers.verdicts import Verdict
+from lagrange.core.diagnostics import Fragment, GaveUpError, ProblemError, Source
+from lagrange.explain.report import report
+from lagrange.problem.loader import load, read_problem
+from lagsolve.grading.journal import Journal
+from lagsolve.grading.table import TableRow
+from tests.support.paths import PROBLEMS
+
+TOKEN = re.compile(r"\s+|\w+|.", re.DOTALL)
+STRANGE = [
+    "",
+    "0",
+    "1/0",
+    "10^9",
+    "sqrt(-1)",
+    "\u202e",
+    "\x1b[2J",
+    "²",
+    "'",
+    '"',
+    "{",
+    "]",
+    ":",
+    "\t",
+    "-",
+    "&a",
+    "*a",
+    "!!x",
+]
+FUNCTIONS = ["sin", "cos", "tan", "atan", "sqrt", "exp", "log", "abs", "norm", "f"]
+
+
+def _mutated(text: str, rng: random.Random) -> str:
+    """A text with one to three tokens or lines exchanged, doubled, lost, wrapped or replaced."""
+    for _ in range(rng.randint(1, 3)):
+        tokens = TOKEN.findall(text)
+        places = [n for n, token in enumerate(tokens) if token.strip()]
+        if not places:
+            return text
+        n, m = rng.choice(places), rng.choice(places)
+        match rng.randrange(7):
+            case 0:
+                tokens[n] = tokens[m]
+            case 1:
+                tokens[n], tokens[m] = tokens[m], tokens[n]
+            case 2:
+                tokens[n] = ""
+            case 3:
+                tokens[n] = rng.choice(STRANGE)
+            case 4:
+                tokens[n] = f"{rng.choice(FUNCTIONS)}({tokens[n]})"
+            case 5:
+                tokens[n] *= rng.choice([2, 3, 40])
+            case _:
+                lines = text.splitlines(keepends=True)
+                line = rng.randrange(len(lines))
+                tokens = [*lines[:line], *rng.choice([[], [lines[line]] * 2, [rng.choice(lines)]]), *lines[line + 1 :]]
+        text = "".join(tokens)
+    return text
+
+
+def _expression(rng: random.Random, depth: int, atoms: list[str]) -> str:
+    if depth == 0 or rng.random() < 0.25:
+        return rng.choice(atoms)
+    a, b = (_expression(rng, depth - 1, atoms) for _ in range(2))
+    return rng.choice([f"{a} + {b}", f"{a} - {b}", f"({a})*({b})", f"({a})/({b})", f"({a})^{rng.choice([2, 3, '(1/2)', -1])}",
+                       f"{rng.choice(FUNCTIONS[:8])}({a})"])  # fmt: skip
+
+
+def _by_grammar(rng: random.Random) -> str:
+    """A file of the right form in which any expression may stand anywhere."""
+    atoms = ["x", "y", "x", "y", "a", "2", "t"]
+    depth = rng.randint(1, 3)
+    constraints = [f"{_expression(rng, depth, [*atoms, *(['diff(x, t)'] if rng.random() < 0.2 else [])])} = "
+                   f"{_expression(rng, depth - 1, atoms)}" for _ in range(rng.randint(0, 2))]  # fmt: skip
+    lines = ["title: t", "parameters: [m, g, a]", "coordinates: [x, y]"]
+    lines.append(f"particles: {{P: {{mass: m, position: '({_expression(rng, depth - 1, atoms[:5])})*i + y*j'}}}}")
+    lines += ["gravity: -g*j"] if rng.random() < 0.7 else []
+    lines += ["constraints:", *(f"  c{n}: '{c}'" for n, c in enumerate(constraints))] if constraints else []
+    if rng.random() < 0.5:
+        lines.append(f"forces: {{V: {{potential: '{_expression(rng, depth, atoms[:6])}'}}}}")
+    lines.append(f"find: [{rng.choice(['motion', 'equilibrium', 'linearization'])}]")
+    return "\n".join(lines) + "\n"
+
+
+def _refused(error: ProblemError) -> str:
+    if not (error.diagnostics and str(error)):
+        raise ValueError("an error without a message")
+    return "refused"
+
+
+UNITS = 30_000
+"""Of work for a problem: a second or two. The heaviest shipped problems take more, so that they are given up as well."""
+
+
+@patch("lagrange.mechanics.solution.UNITS_OF_SOLVING", UNITS)
+def _of_problem(text: str) -> str:
+    try:
+        solved = report(read_problem(Source("fuzz.yaml", text)), complete=False)
+    except GaveUpError:
+        return "given up"
+    except ProblemError as error:
+        return _refused(error)
+    return "given up" if solved.solution.given_up else "solved" if solved.holds else "solved in part"
+
+
+def mutated_problem(seed: int) -> str:
+    """A shipped problem file with a few tokens changed."""
+    rng = random.Random(seed)
+    path = rng.choice(sorted(PROBLEMS.glob("*/*.yaml")))
+    return _of_problem(_mutated(path.read_text(encoding="utf-8"), rng))
+
+
+def problem_by_grammar(seed: int) -> str:
+    """A small problem of random expressions."""
+    return _of_problem(_by_grammar(random.Random(seed)))
+
+
+@cache
+def _pendulum() -> Examiner:
+    return Examiner.of(load(PROBLEMS / "chapter6/ex11-ideal-pendulum.yaml"))
+
+
+ANSWERS = [
+    "theta'' + g/l*sin(theta) = 0",
+    r"\ddot{\theta} = -\frac{g}{l} \sin\theta",
+    "x*y'' - y*x'' = g*x\nx^2 + y^2 = l^2",
+    "lambda_rod = -m*(g*y + l^2*theta'^2)/(2*l^2)",
+    r"\begin{align} m \ddot{x} &= 2 \lambda x \\ m \ddot{y} &= m g + 2 \lambda y \end{align}",
+]
+
+
+def answer(seed: int) -> str:
+    """An answer to the ideal pendulum with a few tokens changed."""
+    rng = random.Random(seed)
+    lines = _mutated(rng.choice(ANSWERS), rng).splitlines() or [""]
+    try:
+        judged = _pendulum().check(tuple(Fragment.of(line, f"answer {n}") for n, line in enumerate(lines)))
+    except GaveUpError:
+        return "given up"
+    except ProblemError as error:
+        return _refused(error)
+    return str(judged.verdict)
+
+
+ROWS = [TableRow(f"{n}.txt", Verdict.WRONG, 1, 2, 1, "a remark", 0.5, f"{n}.md") for n in range(3)]
+
+
+def journal(seed: int) -> str:
+    """The journal of a batch with a few bytes changed."""
+    rng = random.Random(seed)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "marks.csv.journal")
+        written = Journal(path)
+        for n, row in enumerate(ROWS):
+            written.add(f"k{n}", row)
+        written.close(complete=False)
+        text = _mutated(path.read_text(encoding="utf-8"), rng)
+        damaged = bytearray(text.encode("utf-8", "surrogatepass"))
+        for _ in range(rng.randrange(3)):
+            damaged[rng.randrange(len(damaged))] = rng.randrange(256)
+        path.write_bytes(bytes(damaged))
+        again = Journal(path)
+        found = [again.row(f"k{n}") for n in range(len(ROWS))]
+        again.close(complete=False)
+    return f"{len(ROWS) - found.count(None)} rows read"
+
+
+KINDS: dict[str, Callable[[int], str]] = {
+    "problems": mutated_problem,
+    "grammar": problem_by_grammar,
+    "answers": answer,
+    "journals": journal,
+}

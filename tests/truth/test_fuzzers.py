@@ -1,0 +1,15 @@
+"""A bounded run of the fuzzers; `python -m tests.support.fuzzers` runs any number."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.support.fuzzers.inputs import KINDS
+
+NUMBERS = {"problems": 40, "grammar": 12, "answers": 60, "journals": 60}
+
+
+@pytest.mark.parametrize(("kind", "seed"), [(kind, seed) for kind, number in NUMBERS.items() for seed in range(number)])
+def test_a_broken_input_ends_in_a_result_or_a_message(kind: str, seed: int) -> None:
+    """Any exception but the project's own would leave the call."""
+    assert KINDS[kind](seed)
