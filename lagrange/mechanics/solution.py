@@ -576,8 +576,8 @@ def _refuse_what_is_not_covered(problem: Problem) -> None:
     for force in (f for f in problem.forces if isinstance(f, Friction)):
         if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
             what = (
-                f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit that `static:` "
-                "gives,"
+                f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit that "
+                "`static:` gives,"
             )
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
