@@ -38,6 +38,9 @@ def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], s
     if asked.used:
         yield prose(_terms_of(asked))
         yield display(*(Equation((u.symbol, u.value)) for u in asked.used))
+    if asked.turning is not None:
+        at = math(asked.turning.symbol, asked.turning.value)
+        yield prose("The motion comes to rest at ", at, ", and goes back from there.")
     if asked.senses and asked.route in (Route.INTEGRALS, Route.QUADRATURE, Route.SOLUTION):
         yield _senses(asked)
     if asked.route in (Route.INTEGRALS, Route.QUADRATURE) and asked.integrals:
@@ -102,7 +105,12 @@ def _integrals(asked: Asked, conserved_shown: bool) -> Iterator[Block]:
         several = len(asked.integrals) > 1
         what = ("these integrals have the values" if several else "this integral has the value",)
     had = plural(len(asked.integrals), " that it has at ", " that they have at ")
-    at_start = (had, math(t, sp.S.Zero), ", where ", *_initial(asked), ":") if asked.initial else (":",)
+    at_start: tuple[Part, ...] = (":",)
+    if asked.turning is not None:
+        at_start = (plural(len(asked.integrals), " that it has where the motion turns:",
+                           " that they have where the motion turns:"),)  # fmt: skip
+    elif asked.initial:
+        at_start = (had, math(t, sp.S.Zero), ", where ", *_initial(asked), ":")
     yield prose("Throughout the motion ", *what, *at_start)
     yield display(*(Equation((i.expression, i.value), label=_label(asked, "integral", n))
                     for n, i in enumerate(asked.integrals, start=1)))  # fmt: skip
@@ -141,7 +149,8 @@ def _senses(asked: Asked) -> Block:
     what = "its modulus is it, or its opposite" if not one else ""
     [v, *_] = asked.senses
     same: tuple[Part, ...] = (math(sp.Abs(v), v if asked.senses[v] > 0 else -v),) if one else (what,)
-    return prose("The motion begins with ", *signs, ", and as long as this holds, ", *same, ".")
+    begins = "The motion begins with " if asked.turning is None else "It goes back with "
+    return prose(begins, *signs, ", and as long as this holds, ", *same, ".")
 
 
 def _quadrature(integrand: tuple[sp.Expr, sp.Expr, sp.Expr, sp.Expr]) -> Iterator[Block]:
@@ -251,6 +260,9 @@ def _dropped(b: AnswerBranch, because: Because) -> tuple[Part, ...]:
         case Because.TURNING:
             return ("The solution ", equation, " lies on the other side: the motion begins in the opposite direction, "
                     "and keeps it up to the first turning point.")  # fmt: skip
+        case Because.SENSE:
+            return ("The solution ", equation, " has the other sense of slip, for which the equations of motion do "
+                    "not hold.")  # fmt: skip
         case Because.PAST:
             return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
         case Because.LATER:

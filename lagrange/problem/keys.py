@@ -125,6 +125,7 @@ class Find(StrEnum):
     MOTION = "motion"
     LINEARIZATION = "linearization"
     IMPENDING = "impending"
+    HAMILTONIAN = "hamiltonian"
 
 
 class FrameType(StrEnum):
@@ -379,6 +380,13 @@ ANSWERS = Form(
             "Of small oscillations; lists in a list are those of several equilibria.",
         ),
         Key("ask", Named(AnyOf(("expression", "equation")), new=False), "Of the questions, by their names."),
+        Key(
+            "hamiltonian", AnyOf(("expression", "equation")), "Hamilton's function, in coordinates and momenta p_theta."
+        ),
+        Key("kinetic_energy", "expression", "T, in the coordinates of the file or of a choice."),
+        Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
+        Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
+        Key("virtual_displacements", _one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
     ),
 )
 

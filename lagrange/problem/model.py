@@ -323,6 +323,11 @@ class Answers:
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
+    hamiltonian: Fragment | None = None
+    kinetic_energy: Fragment | None = None
+    generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
+    conserved: tuple[Fragment, ...] = ()
+    virtual_displacements: tuple[Fragment, ...] = ()
 
 
 @record

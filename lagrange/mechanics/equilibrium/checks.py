@@ -16,7 +16,7 @@ name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import assert_never
@@ -151,6 +151,15 @@ def _same_forces(resting: Equilibrium) -> bool | None:
 def _holds_there(resting: Equilibrium, original: Equilibrium) -> bool | None:
     """Whether the forces in the file's coordinates are balanced at every point of a choice."""
     return all_hold(balance_in(original, resting, p) for b in resting.branches if not b.special for p in b.points)
+
+
+def check_impending(equilibria: Sequence[Equilibrium]) -> list[Check]:
+    """The checks of the equilibria with friction at its limit, those of all directions of slip together."""
+    groups: dict[str, list[Check]] = {}
+    for e in equilibria:
+        for check in check_equilibrium(e, e):
+            groups.setdefault(check.name, []).append(check)
+    return [replace(group[0], passed=all_hold(c.passed for c in group)) for group in groups.values()]
 
 
 def check_linearization(linear: Linearization) -> list[Check]:

@@ -53,7 +53,8 @@ def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol
         a = accelerations.get(prime(q, 2))
         if a is None or q not in initial or prime(q) not in initial or a.count_ops() > LONGEST_INTEGRATED:
             return []
-        found = _of_one(q, a, initial[q], initial[prime(q)])
+        others = {s for x in accelerations for s in (base(x), prime(base(x))) if base(s) != q}
+        found = [] if others & a.free_symbols else _of_one(q, a, initial[q], initial[prime(q)])
         if not found:
             return []
         cases.append(found)

@@ -16,29 +16,42 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
-from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
+from lagrange.mechanics.questions.dependent import completed, dependent, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import joined, under_one_root, without_roots_in_logarithms
 from lagrange.mechanics.questions.integrals_of_motion import integrals
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
-from lagrange.mechanics.questions.results import AnswerBranch, Asked, How, Route, Substituted, UsedIntegral
-from lagrange.mechanics.questions.states import Meanings, Place, Values, initial_state, meanings, with_senses
+from lagrange.mechanics.questions.results import AnswerBranch, Asked, Because, How, Route, Substituted, UsedIntegral
+from lagrange.mechanics.questions.states import (
+    Meanings,
+    Place,
+    Senses,
+    Values,
+    fixed_coordinates,
+    initial_state,
+    meanings,
+    meanings_at,
+    with_senses,
+)
 from lagrange.mechanics.questions.times import TimeRoot, in_order, times
-from lagrange.problem.model import Problem, Question
+from lagrange.problem.model import Condition, Problem, Question
 
 
 def answers_to_questions(
@@ -52,19 +65,43 @@ def answers_to_questions(
     Raises ProblemError where the initial state contradicts the constraints, where a condition never holds, and where
     nothing determines the quantity.
     """
-    settings = [_Setting(place, problem, configurations) for place in places]
+    settings = [_Setting(place, problem, initial_state(place, problem, configurations)) for place in places]
     return tuple(_answer(q, settings) for q in problem.questions)
 
 
 class _Setting:
-    """A place with all that questions need of it, found once."""
+    """A place with all that questions need of it, found once.
 
-    def __init__(self, place: Place, problem: Problem, configurations: Sequence[Configuration]) -> None:
+    initial   the state at t = 0, or a later one from which the motion goes on
+    senses    the signs of velocities whose modulus occurs, where they are not those of the initial state
+    turnings  how often the motion has come to rest before that
+    """
+
+    def __init__(self, place: Place, problem: Problem, initial: Values, senses: Senses | None = None) -> None:
+        self.turnings = 0 if senses is None else 1
         self.place = place
         self.problem = problem
-        self.initial: Values = initial_state(place, problem, configurations)
-        self.known: Meanings = with_senses(meanings(place), self.initial)
-        self.integrals, self.missing = integrals(place, self.known, self.initial)
+        self.initial: Values = initial
+        self.known: Meanings = with_senses(meanings(place), initial, senses)
+        self.rule = dependent(place.configuration)
+        self.integrals, self.missing = integrals(place, self.known, initial)
+
+    @cached_property
+    def slips(self) -> list[sp.Expr]:
+        """Velocities that must not be negative: those of slip in a sense that the file states, or that was taken."""
+        law = self.place.law
+        forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
+        stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
+        return [*(sense * v for v, sense in self.known.senses.items()), *stated]
+
+    @cached_property
+    def fixed(self) -> Values:
+        """The coordinates that the constraints hold where they are at t = 0, and their velocities."""
+        return fixed_coordinates(self.place, self.initial)
+
+    def turned(self, state: Values, senses: Senses) -> _Setting:
+        """The motion after a state of rest, with these senses."""
+        return _Setting(self.place, self.problem, state, senses)
 
 
 def _answer(question: Question, settings: Sequence[_Setting]) -> Asked:
@@ -107,6 +144,7 @@ class _Search:
         self.place = setting.place
         self.configuration = setting.place.configuration
         self.slots = self.configuration.slots
+        self.known = self._meanings()
         self.quantity = self._applied(question.quantity)
         self.conditions = tuple((self._applied(c.lhs), self._applied(c.rhs)) for c in question.when)
         self.when = [a - b for a, b in self.conditions]
@@ -115,13 +153,24 @@ class _Search:
         of_quantity = sorted(question.quantity.free_symbols & parameters, key=str)
         only_parameters = question.quantity.free_symbols <= parameters
         self.parameter = of_quantity[0] if only_parameters else None
+        self.rule = dependent(self.configuration, _mentioned(question), question.by)
+
+    def _meanings(self) -> Meanings:
+        """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
+        setting, known = self.setting, self.setting.known
+        mentioned = _mentioned(self.question)
+        missing = {a for a in self.slots.accelerations if a not in known.accelerations} & mentioned
+        if not missing and not any(known.unknown(s) for s in mentioned):
+            return known
+        state = setting.initial if self._is_at_start else setting.fixed
+        return meanings_at(self.place, known, state)
 
     def _applied(self, e: sp.Expr) -> sp.Expr:
-        return self.setting.known.applied(self.configuration.rewritten(e))
+        return self.known.applied(self.configuration.rewritten(e))
 
     def _used(self) -> Iterator[Substituted]:
         """The reactions, accelerations and energies that the question mentions."""
-        known = self.setting.known
+        known = self.known
         for s in sorted(_mentioned(self.question), key=str):
             if s in known.reactions or s in known.energies or s.name.endswith("''"):
                 value = self._applied(s)
@@ -131,10 +180,10 @@ class _Search:
     def answer(self) -> Asked:
         """The answer, or what is known of it. Raises ProblemError where there is none."""
         mentioned = (self.question.quantity, *(c.function for c in self.question.when))
-        if any(self.setting.known.unknown(e) for e in mentioned):
+        if any(self.known.unknown(e) for e in mentioned) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
-        if self._is_about_time:
+        if self._is_about_time and not self._is_at_start:
             asked = self._in_time() or self._by_quadrature()
             if asked is not None:
                 return asked
@@ -147,7 +196,7 @@ class _Search:
                 found = self._eliminated(used)
                 if found.never:
                     raise ProblemError(self._never_holds())
-                if found.branches and found.solved and not found.free and self._keeps_sense(found):
+                if found.branches and found.solved and not found.free:
                     return self._chosen(route, found, used)
                 free = found.free
             asked = None if self._is_about_time else self._in_time()
@@ -158,6 +207,9 @@ class _Search:
         if free and self._not_given():
             raise ProblemError(self._not_determined(free))
         return self._in_numbers() or self._asked(Route.INTEGRALS, free=free)
+
+    def _lacks_accelerations(self) -> bool:
+        return any(e.free_symbols & {*self.slots.accelerations} for e in (self.quantity, *self.when))
 
     def _in_numbers(self) -> Asked | None:
         """The answer at the first time at which the condition holds, in numbers; None where values are missing."""
@@ -210,33 +262,82 @@ class _Search:
         """The quantity from the integrals, the constraints and the conditions."""
         configuration = self.configuration
         rates = [r.velocity_form(self.slots) for r in configuration.rows]
-        equations = [*(i.expression - i.value for i in used), *configuration.finite_constraints, *rates, *self.when]
-        unknowns = [s for s in (*self.slots.velocities, *self.slots.coordinates, t) if s != self.question.by]
+        start = [s - v for s, v in self.setting.initial.items()] if self._is_at_start else []
+        equations = [*(i.expression - i.value for i in used), *configuration.finite_constraints, *rates]
+        equations = reduced([*equations, *start, *self.when], self.rule)
+        moving = {*self.slots.velocities, *self.slots.coordinates}
+        unknowns = [s for s in self.place.moving if s != self.question.by and s not in self.rule]
+        unknowns.sort(key=lambda s: s not in self.slots.velocities)
         if self.parameter is not None:
             unknowns.append(self.parameter)
-        return eliminated(equations, self.quantity, unknowns, self.slots.velocities, self.question.quantity)
+        velocities = [v for v in self.slots.velocities if v in unknowns]
+        quantity = self.quantity.xreplace(self.rule)
+        found = eliminated(equations, quantity, unknowns, velocities, self.question.quantity)
+        if not self.rule:
+            return found
+        states = [tuple(completed(s, self.rule, moving) for s in b.states) for b in found.branches]
+        branches = tuple(replace(b, states=s) for b, s in zip(found.branches, states, strict=True))
+        return replace(found, branches=branches)
 
-    def _keeps_sense(self, found: Eliminated) -> bool:
-        """Whether velocities whose modulus was replaced have the sign of the start, or may have it."""
-        return all(
-            any(sign_of_value(sense * s[v]) in (0, 1, None) for s in b.states if v in s) or not b.states
-            for v, sense in self.setting.known.senses.items()
-            for b in found.branches[:1]
-        )
+    @property
+    def _is_at_start(self) -> bool:
+        """Whether the question is about the initial state: `when: t = 0`."""
+        return any(c.function in (t, -t) for c in self.question.when)
 
     def _chosen(self, route: Route, found: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
-        chosen = first_branches(found.branches, self._beginning, reached, self.question.by, quantity)
+        parted = [self._with_stated_slip(b) for b in found.branches]
+        lasting = [b for b in parted if b is not None]
+        against = [b for b, kept in zip(found.branches, parted, strict=True) if kept is None]
+        chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
+        if against and all(self._beginning.is_initial(s) for b in chosen.branches for s in b.states):
+            return self._after_turning(route, used)
         if not chosen.branches:
             raise ProblemError(self._never_holds())
+        dropped = (*((b, Because.SENSE) for b in against), *chosen.dropped)
         return replace(
             self._asked(route, How.EXACT, used),
             branches=tuple(_shown(b) for b in chosen.branches),
-            dropped=tuple((_shown(b), why) for b, why in chosen.dropped),
+            dropped=tuple((_shown(b), why) for b, why in dropped),
             mirrored=chosen.mirrored,
             verified=found.verified,
         )
+
+    def _with_stated_slip(self, b: AnswerBranch) -> AnswerBranch | None:
+        """The part of a branch in which slip has the sense with which the equations of motion were found, if any."""
+        states = tuple(s for s in b.states if not self._slips_backwards(s, b))
+        return b if len(states) == len(b.states) else replace(b, states=states) if states else None
+
+    def _slips_backwards(self, state: Values, b: AnswerBranch) -> bool:
+        speeds = [e.xreplace(dict(state)) for e in self.setting.slips]
+        moving = {*self.place.moving}
+        return any(e.free_symbols.isdisjoint(moving) and sign_of_value(e, b.conditions) == -1 for e in speeds)
+
+    def _after_turning(self, route: Route, used: Sequence[UsedIntegral]) -> Asked:
+        """The answer where the motion comes to rest first and goes back, with friction or drag in the other sense."""
+        unanswered = self._asked(route, None, used)
+        senses = self.setting.known.senses
+        if len(senses) != 1 or self._is_about_time or len(self.setting.slips) != 1 or self.setting.turnings:
+            return unanswered
+        [(v, sense)] = senses.items()
+        rest = Condition(v, sp.S.Zero, self.question.span)
+        turning = replace(self.question, quantity=base(v), when=(rest,), by=None)
+        first = _Search(turning, self.setting).answer()
+        if not first.answered or len(first.branches) != 1 or len(first.branches[0].states) != 1:
+            return unanswered
+        [b] = first.branches
+        state = {s: e for s, e in b.states[0].items() if s in self.setting.initial}
+        after = self.setting.turned({**self.setting.initial, **state}, {v: -sense})
+        starts = after.known.accelerations[prime(v)].xreplace(dict(after.initial))
+        way = sign_of_value(-sense * starts)
+        if way in (0, -1):
+            raise ProblemError(self._never_holds())
+        asked = _Search(self.question, after).answer()
+        back = () if way == 1 else (more_than_zero(-sense * starts),)
+        conditions = (*b.conditions, *back)
+        later = tuple(_shown(replace(x, conditions=(*x.conditions, *conditions))) for x in asked.branches)
+        return replace(asked, branches=later, turning=Substituted(base(v), b.values[0]))
 
     @property
     def _beginning(self) -> Beginning:
@@ -295,9 +396,11 @@ class _Search:
     def _in_time(self) -> Asked | None:
         """The answer from the solution of the equations of motion; None where that is not found."""
         state = {*self.slots.coordinates, *self.slots.velocities}
-        mentioned = {s for e in (self.quantity, *self.when) for s in e.free_symbols & state}
+        rule = self.rule
+        mentioned = {s for e in (self.quantity, *self.when) for s in e.xreplace(rule).free_symbols & state}
         wanted = {base(s) for s in mentioned} | ({self.question.by} - {t, None})
-        motions = closed_motions(self.setting.known.accelerations, self.setting.initial, wanted)
+        accelerations = {a: e.xreplace(rule) for a, e in self.known.accelerations.items()}
+        motions = closed_motions(accelerations, self.setting.initial, wanted)
         branches: list[AnswerBranch] = []
         for m in motions:
             found = self._at_time_of(m)
@@ -317,8 +420,8 @@ class _Search:
     def _at_time_of(self, motion: ClosedMotion) -> list[AnswerBranch] | None:
         """The quantity in one case of the motion, at the first time at which the conditions hold."""
         called = self.question.quantity
-        value = motion.at_time(self.quantity)
-        when = [motion.at_time(e) for e in self.when]
+        value = motion.at_time(self.quantity.xreplace(self.rule))
+        when = [motion.at_time(e.xreplace(self.rule)) for e in self.when]
         if self.question.by not in (t, None):
             when.append(motion.solutions[self.question.by] - self.question.by)
         if self.question.by == t:

@@ -45,6 +45,7 @@ class Because(StrEnum):
     START = "start"  # it does not begin with the initial state
     ARRIVAL = "arrival"  # a coordinate that reaches a value for the first time moves towards it
     TURNING = "turning"  # the motion starts in one direction, and goes on in it up to the first turning point
+    SENSE = "sense"  # slip or a velocity would have the sense for which the equations do not hold
     PAST = "past"  # t would be negative
     LATER = "later"  # it comes later
 
@@ -110,6 +111,7 @@ class Asked:
     missing     initial values that are not given and would be needed
     integrand   q, q' as a function of it, q_0 and q_1, where the time is an integral over q
     open        coordinates and velocities on which the quantity depends, and which nothing determines
+    turning     where the motion has come to rest before, from where it goes back with the other sense of friction
     needs       an extra of the package that is missing for a numerical answer
     verified    whether it satisfies all equations, exactly; None: undecided
     """
@@ -131,6 +133,7 @@ class Asked:
     open: tuple[sp.Symbol, ...] = ()
     initial: tuple[Substituted, ...] = ()
     senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    turning: Substituted | None = None
     needs: str = ""
     verified: bool | None = True
 

@@ -33,6 +33,7 @@ from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, InitialValue, Problem
 
 Values = Mapping[sp.Symbol, sp.Expr]
+Senses = Mapping[sp.Symbol, int]
 
 
 @record
@@ -129,12 +130,65 @@ def _accelerations(place: Place) -> Values:
     return {a: v for a, v in pairs if v is not None and v.count_ops() <= LONGEST_EQUATION}
 
 
-def with_senses(known: Meanings, initial: Values) -> Meanings:
-    """The same for the sense in which the motion starts, where |q'| or the sign of q' occurs: c |q'| q' is c q'^2."""
-    senses: dict[sp.Symbol, int] = {}
+def meanings_at(place: Place, known: Meanings, state: Values) -> Meanings:
+    """The meanings where some coordinates and velocities have given values, for what is too large in general.
+
+    state  with expressions in parameters; what is left out stays
+    """
+    law, configuration = place.law, place.configuration
+    if law.frictions or not state:
+        return known
+    rule = dict(state)
+    slots = law.configuration.slots
+    configured = {s: configuration.rewritten(s).xreplace(rule) for s in (*slots.coordinates, *slots.velocities)}
+    rows = [[e.xreplace(configured).xreplace(rule) for e in row] for row in law.system.rows]
+    right = [e.xreplace(configured).xreplace(rule) for e in law.system.right]
+    try:
+        solved = solved_linear(rows, right, configuration.states)
+    except DivisionByZeroError:
+        return known
+    values = {s: v for s, v in zip(law.system.unknowns, solved or [], strict=False) if v is not None}
+    reactions = dict(known.reactions)
+    for r in law.newton.reactions:
+        value = values.get(r.multiplier)
+        if value is None:
+            continue
+        reactions[r.multiplier] = value
+        if r.single is not None and r.symbol is not None:
+            factor = r.single.factor.xreplace(configured).xreplace(rule)
+            reactions[r.symbol] = reactions[r.force] = textbook_form(factor * value)
+    accelerations = {s: v for s, v in values.items() if s in configuration.slots.accelerations}
+    return replace(known, accelerations={**accelerations, **known.accelerations}, reactions=reactions)
+
+
+def fixed_coordinates(place: Place, initial: Values) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates whose velocity the constraints keep zero, with their initial values, and these velocities."""
+    configuration = place.configuration
+    slots = configuration.slots
+    rows = [list(r.coefficients) for r in configuration.rows if r.nonlinear is None and r.drift == 0]
+    if not rows or len(rows) < len(configuration.rows):
+        return {}
+    fixed: dict[sp.Symbol, sp.Expr] = {}
+    try:
+        before = configuration.states.rank(rows)
+        for n, (q, v) in enumerate(zip(slots.coordinates, slots.velocities, strict=True)):
+            alone = [sp.Integer(k == n) for k in range(len(slots.coordinates))]
+            if q in initial and before is not None and configuration.states.rank([*rows, alone]) == before:
+                fixed |= {q: initial[q], v: sp.S.Zero}
+    except DivisionByZeroError:
+        return {}
+    return fixed
+
+
+def with_senses(known: Meanings, initial: Values, given: Senses | None = None) -> Meanings:
+    """The same for the sense in which the motion starts, where |q'| or the sign of q' occurs: c |q'| q' is c q'^2.
+
+    given  the senses, where they are not those of the initial state
+    """
+    senses: dict[sp.Symbol, int] = dict(given or {})
     for a, value in known.accelerations.items():
         v = sp.Symbol(a.name[:-1], real=True)
-        if v not in initial or not value.has(sp.Abs(v), sp.sign(v)):
+        if v in senses or v not in initial or not value.has(sp.Abs(v), sp.sign(v)):
             continue
         sign = sign_of(initial[v])
         if sign == 0 and not value.has(sp.sign(v)):
@@ -143,7 +197,8 @@ def with_senses(known: Meanings, initial: Values) -> Meanings:
             senses[v] = sign
     rule = {f: e for v, s in senses.items() for f, e in ((sp.Abs(v), s * v), (sp.sign(v), sp.Integer(s)))}
     accelerations = {a: e.xreplace(rule) for a, e in known.accelerations.items()}
-    return replace(known, accelerations=accelerations, senses=senses)
+    reactions = {s: e if e is None else e.xreplace(rule) for s, e in known.reactions.items()}
+    return replace(known, accelerations=accelerations, reactions=reactions, senses=senses)
 
 
 # The initial state
