@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, replace
 from functools import cached_property, partial
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -29,14 +30,19 @@ from lagrange.answers.verdicts import (
     missing_equilibria,
 )
 from lagrange.answers.written.judging import verdict_on
-from lagrange.answers.written.lines import separated
+from lagrange.answers.written.lines import conditions_of, separated
 from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base
+from lagrange.expressions.relations import is_inequality
 from lagrange.mechanics.solution import OnStage, Solution, silent, solve
 from lagrange.problem.model import Answers, Problem
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest as Rest
+    from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
 
 def compared_answers(solution: Solution) -> Iterator[AnswerVerdict]:
@@ -134,11 +140,16 @@ def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
     """The verdict on the conditions of rest with friction."""
     from lagrange.answers.friction.rest_conditions import check_rest
 
-    rests = [r for v in solution.views for r in (v.at_rest, v.rolling) if r is not None]
+    rests = _rests(solution)
     if not rests:
         diagnosis = "the problem does not ask where it can be at rest with friction"
         return AnswerVerdict(Verdict.UNDECIDED, name="rest", diagnosis=diagnosis)
     return check_rest(stated, rests, reference_of_solution(solution))
+
+
+def _rests(solution: Solution) -> list[Rest | Rolling]:
+    """The conditions of rest, and of rolling without slipping, in every set of coordinates."""
+    return [r for v in solution.views for r in (v.at_rest, v.rolling) if r is not None]
 
 
 def _impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
@@ -294,6 +305,8 @@ class Examiner:
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         answer = separated(answer)
         solution = self.solution
+        if solution is not None and _rests(solution) and any(map(is_inequality, answer)):
+            return self._with_conditions([c for f in answer for c in conditions_of(f)], solution)
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference
         working = understood(answer, scope, moving=moving and (solution is None or solution.own.equilibrium is None))
@@ -315,6 +328,15 @@ class Examiner:
             alone = understood(answer, scope, eliminating=False)
             verdict = self._on_motion(alone if alone.judged else Working(answer))
         return self._judgement(verdict)
+
+    def _with_conditions(self, answer: Sequence[Fragment], solution: Solution) -> Judgement:
+        """The verdict on conditions of rest, with that on equations where the problem asks for these too."""
+        equations = tuple(f for f in answer if not is_inequality(f))
+        alone = solution.own.equilibrium is None and not any(v.impending or v.motion for v in solution.views)
+        rest = _rest(solution, answer if alone else [f for f in answer if is_inequality(f)])
+        if alone or not equations:
+            return self._judgement(AnswerVerdict(Verdict.EQUIVALENT), (rest,))
+        return replace(self._checked(equations), others=(rest,))
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
         reference = self.reference.of_answers

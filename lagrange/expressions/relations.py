@@ -8,8 +8,14 @@ from dataclasses import replace
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 
 _SIDES = {">=": 1, "≥": 1, "⩾": 1, "<=": -1, "≤": -1, "⩽": -1}
+_SIDES |= {rf"\{name}": side for side, end in ((1, "ge"), (-1, "le")) for name in (end, f"{end}q", f"{end}qslant")}
 _STRICT = {">": 1, "<": -1}
-_INEQUALITY = re.compile("[<>]=?|[≤≥⩽⩾]")
+_INEQUALITY = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])")
+
+
+def is_inequality(fragment: Fragment) -> bool:
+    """Whether a text has one of the signs of an inequality."""
+    return _INEQUALITY.search(fragment.text) is not None
 
 
 def limit_of(fragment: Fragment, what: str, strict: bool = False) -> tuple[Fragment, int | None]:

@@ -22,7 +22,10 @@ def refuse_what_is_not_covered(problem: Problem) -> None:
     """Raise NotCoveredError or ProblemError if what a problem asks for is not available for such a system."""
     for force in (f for f in problem.forces if isinstance(f, Friction)):
         if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
-            what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
+            what = (
+                f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit that "
+                "`static:` gives,"
+            )
             raise NotCoveredError(what, force.span)
         if Find.LINEARIZATION in problem.find:
             raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
-from math import atan, cos, hypot, isclose, pi, sin, sqrt, tan
+from math import atan, cos, exp, hypot, isclose, pi, sin, sqrt, tan
 
 import pytest
 import sympy as sp
@@ -344,6 +344,16 @@ AT_LIMIT = [
     ("rough-incline", 1, {"W": 100, "alpha": 0.6, "mu_s": 0.3}, {"P": 100 * tan(0.6 + atan(0.3))}),
     # N_A + nu N_B = W, N_B = mu N_A; moments about the foot: W/2 tan θ = N_B + nu N_B tan θ
     ("ladder-on-rough-ground", 0, {"W": 90, "l": 2, "mu": 0.4, "nu": 0.25}, {"theta": atan(0.8 / 0.9)}),
+    (
+        "band-brake",
+        0,
+        {"M": 30, "r": 0.2, "a": 0.05, "l": 0.5, "mu": 0.3, "beta": 4},
+        {"P": 30 / 0.2 * 0.05 / 0.5 / (exp(1.2) - 1)},
+    ),
+    # a moment either way: only with it slips the floor i, the wall −j; N_B = mu N_A, N_A + mu N_B = W
+    ("cylinder-in-a-corner", 0, {"W": 40, "r": 0.3, "mu": 0.5}, {"M": 0.3 * 0.5 * (32 + 16)}),
+    ("square-threaded-screw", 1, {"W": 5000, "r": 0.02, "alpha": 0.1, "mu": 0.15}, {"M": 100 * tan(0.1 + atan(0.15))}),
+    ("square-threaded-screw", 0, {"W": 5000, "r": 0.02, "alpha": 0.1, "mu": 0.15}, {"M": 100 * tan(0.1 - atan(0.15))}),
     # the wedge: N_1 = W, and W tan(α + φ) on its inclined face
     ("wedge-that-lifts", 0, {"W": 70, "alpha": 0.2, "mu": 0.3}, {"P": 70 * (0.3 + tan(0.2 + atan(0.3)))}),
 ]
@@ -367,6 +377,9 @@ def test_friction_at_its_limit(name: str, number: int, values: dict[str, float],
         ("stacked-blocks", {"W_1": 10, "W_2": 30, "F": 3.9, "mu_1": 0.3, "mu_2": 0.1}, False),
         ("ladder-on-rough-ground", {"W": 9, "l": 1, "mu": 0.4, "nu": 0.25, "theta": 0.72}, True),  # tan θ ≤ 8/9
         ("ladder-on-rough-ground", {"W": 9, "l": 1, "mu": 0.4, "nu": 0.25, "theta": 0.73}, False),
+        ("crate-tips-or-slides", {"W": 100, "P": 29, "b": 0.4, "c": 0.7, "h": 1.3, "mu": 0.5}, True),  # tips at 30.8
+        ("crate-tips-or-slides", {"W": 100, "P": 32, "b": 0.4, "c": 0.7, "h": 1.3, "mu": 0.5}, False),
+        ("crate-tips-or-slides", {"W": 100, "P": 29, "b": 0.4, "c": 0.7, "h": 1.3, "mu": 0.28}, False),
     ],
 )
 def test_rest_at_numbers(name: str, values: dict[str, float], rests: bool) -> None:

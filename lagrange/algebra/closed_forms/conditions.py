@@ -127,6 +127,8 @@ def _polynomials(c: SignCondition) -> list[sp.Expr] | None:
     polynomials = []
     for e in cases:
         above, below = sp.fraction(sp.together(e))
+        if not below.is_polynomial(*below.free_symbols):
+            return None  # √(1 + μ²) below
         if below.is_number:
             below_sign = 1
         else:

@@ -16,6 +16,7 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, equations, is_latex
+from lagrange.expressions.relations import is_inequality
 from lagrange.expressions.syntax_tree import FUNCTIONS
 
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
@@ -254,6 +255,13 @@ def _made(fragment: Fragment, start: int, end: int, beside: str) -> Fragment:
 def separated(answer: Iterable[Fragment]) -> tuple[Fragment, ...]:
     """The equations of an answer; one text may have several. A text without any is kept, so that an error names it."""
     return tuple(e for fragment in answer for e in _separated(fragment))
+
+
+def conditions_of(fragment: Fragment) -> list[Fragment]:
+    """The parts of a text between commas, if each of them is an equation or an inequality."""
+    places = [*cuts(fragment.text, re.compile("[,;]"))]
+    parts = [_part(fragment, start, end) for start, end in places]
+    return parts if all("=" in p.text or is_inequality(p) for p in parts) else [fragment]
 
 
 def _separated(fragment: Fragment) -> list[Fragment]:

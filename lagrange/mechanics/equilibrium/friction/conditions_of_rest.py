@@ -75,7 +75,6 @@ def not_negative(slack: sp.Expr, wanted: Wanted, signs: Signs) -> list[RestCondi
     reduced = _without_signed_factors(shortest(slack), signs)
     if reduced is None or signs.of(reduced) in (0, 1):
         return []
-    collected = None
     for group in (wanted.forces, wanted.coefficients, wanted.loads):
         symbols = [c for c in dict.fromkeys(group) if c.is_Symbol and c in reduced.free_symbols]
         solved = _solved_for(symbols[0], reduced, signs) if len(symbols) == 1 else None
@@ -83,8 +82,8 @@ def not_negative(slack: sp.Expr, wanted: Wanted, signs: Signs) -> list[RestCondi
             return [solved]
         if len(symbols) == 1 and group is wanted.forces:
             collected = _collected(symbols[0], _homogeneous(sp.expand(reduced), signs))
-    if collected is not None:
-        return [collected]
+            if collected is not None:
+                return [collected]
     terms = sp.Add.make_args(_homogeneous(sp.expand(reduced), signs))
     minus = [t for t in terms if t.could_extract_minus_sign()]
     left, right = sp.Add(*(-t for t in minus)), sp.Add(*(t for t in terms if t not in minus))

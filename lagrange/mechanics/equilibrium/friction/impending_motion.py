@@ -7,7 +7,8 @@ dependent coordinates. Put into F, they make friction a force that depends on th
 equilibrium of applied forces, found by the principle of virtual work. At an equilibrium all equations of balance hold,
 so that the reactions found there are those of the system.
 
-Where the file gives no direction, both are tried. Several contacts are all taken to slip at once. Belts slip with them:
+Where the file gives no direction, both are tried, in several contacts those that a displacement can have at once: a rod
+that slides out below slides down above. Several contacts are all taken to slip at once. Belts slip with them:
 their tensions satisfy T_1 = T_2 e^(μ β), one more condition on the forces.
 """
 
@@ -15,10 +16,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import product
+from itertools import combinations, product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
@@ -93,13 +95,60 @@ def impending_motions(
     open_ = [c.name for c in contacts if c.name not in given]
     signs = Signs({p.symbol for p in problem.parameters})
     found = []
+    tied = _tied(contacts, statics, configuration)
     for chosen in product((1, -1), repeat=len(open_)):
         senses = given | dict(zip(open_, chosen, strict=True))
         for signed in _signed(contacts):
             motion = _at_limit(problem, newton, statics, configuration, elimination, signed, belts, senses, signs)
-            if motion is not None:
+            if motion is not None and _can_slip(motion, open_, tied, signs):
                 found.append(motion)
     return tuple(found)
+
+
+def _tied(
+    contacts: Sequence[RoughContact], statics: _Statics, configuration: Configuration
+) -> dict[tuple[str, str], sp.Expr]:
+    """Contacts that cannot slip independently: pairs of names, and what has the sign of the ratio of their slips.
+
+    The slips, t_i·δr_i, are linear in the free displacements, and two of them may be proportional.
+    """
+    shape = statics.elimination.shape(len(statics.original.slots.coordinates))
+    columns = range(len(statics.elimination.independent))
+    rates: dict[str, list[sp.Expr]] = {}
+    for c in contacts:
+        rows = [(g, row) for g, row in zip(c.generalized[0], shape, strict=True) if g != 0]
+        rates[c.name] = [shortest(sp.Add(*(g * configuration.rewritten(row[j]) for g, row in rows))) for j in columns]
+    tied: dict[tuple[str, str], sp.Expr] = {}
+    for a, b in combinations(rates, 2):
+        one, other = rates[a], rates[b]
+        minors = (one[j] * other[k] - one[k] * other[j] for j, k in combinations(columns, 2))
+        if all(configuration.surface.is_zero(m) is True for m in minors):
+            products = [x * y for x, y in zip(one, other, strict=True) if x != 0 and y != 0]
+            if products:
+                tied[a, b] = shortest(products[0])
+    return tied
+
+
+def _can_slip(
+    motion: ImpendingMotion, open_: Sequence[str], tied: Mapping[tuple[str, str], sp.Expr], signs: Signs
+) -> bool:
+    """Whether a displacement has the slips; a pair whose directions the file gives is not asked."""
+    for (a, b), ratio in tied.items():
+        wanted = motion.senses[a] * motion.senses[b]
+        if {a, b} & {*open_} and _signs_at(ratio, motion.equilibrium, signs) == {-wanted}:
+            return False
+    return True
+
+
+def _signs_at(e: sp.Expr, resting: Equilibrium, signs: Signs) -> set[int | None]:
+    """The signs of an expression at all equilibria; None where one is not known."""
+    sign = signs.of(e)
+    if sign is not None:
+        return {sign}
+    try:
+        return {signs.of(resting.solution.at(p, e)) for b in resting.branches for p in b.points}
+    except (NotAlgebraicError, DivisionByZeroError):
+        return {None}
 
 
 def _given_senses(
@@ -157,7 +206,7 @@ def _at_limit(
     if solved is None or None in solved:
         span = contacts[0].friction.span if contacts else belts[0].belt.span
         raise NotCoveredError("impending motion whose normal forces are not determined,", span)
-    pressed = {u: shortest(v) for u, v in zip(unknowns, solved, strict=True) if v is not None}
+    pressed = {u: without_leading_minus(shortest(v)) for u, v in zip(unknowns, solved, strict=True) if v is not None}
     loads = []
     for contact, share in shares.values():
         vector = (contact.tangents[0] * shortest(share * pressed[contact.reaction.force])).map(shortest)
@@ -224,12 +273,5 @@ def _sign_there(
     c: RoughContact, pressed: Mapping[sp.Symbol, sp.Expr], resting: Equilibrium, signs: Signs
 ) -> int | None:
     """The sign of N, as `c` takes it, at all equilibria; None if it is not the same, or not known."""
-    force = (c.sign or 1) * pressed[c.reaction.force]
-    sign = signs.of(force)
-    if sign is not None:
-        return sign
-    try:
-        there = {signs.of(resting.solution.at(p, force)) for b in resting.branches for p in b.points}
-    except (NotAlgebraicError, DivisionByZeroError):
-        return None
-    return there.pop() if len(there) == 1 else None
+    found = _signs_at((c.sign or 1) * pressed[c.reaction.force], resting, signs)
+    return found.pop() if len(found) == 1 else None

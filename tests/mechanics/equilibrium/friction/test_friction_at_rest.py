@@ -9,8 +9,8 @@ from math import cos, sin
 
 import pytest
 
-from lagrange.answers.examiner import compared_answers
-from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.answers.examiner import check_answer, compared_answers
+from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.solution import Solution, solve
@@ -273,6 +273,38 @@ def test_without_a_sense_both_are_tried(problem: Read) -> None:
     )
     written = in_json.as_object(report(problem(text)))
     assert written["equilibrium"] == [["tan(alpha) = mu_s", "y = 0"]]
+
+
+def test_slips_that_no_displacement_has(problem: Read) -> None:
+    """A ladder that slides out below slides down above, and never up: x = 2l sin θ, y = 2l cos θ of the ends."""
+    text = LADDER.format(below="", above=ABOVE % "", find="impending")
+    motions = next(v.impending for v in reversed(solved(problem, text).views) if v.impending)
+    [motion] = motions
+    friction = {c.name: (c.tangents[0] * motion.senses[c.name]).fixed().components for c in motion.contacts}
+    assert friction == {"below": (-1, 0, 0), "above": (0, 1, 0)}
+    [relation] = (r for r in motion.equilibrium.branches[0].relations if "theta" in str(r.lhs))
+    values = {"mu_A": 0.4, "mu_B": 0.3}
+    assert float(relation.rhs.subs({s: values[s.name] for s in relation.rhs.free_symbols})) == pytest.approx(0.8 / 0.88)
+    assert str(relation.rhs) == "2*mu_A/(-mu_A*mu_B + 1)"
+
+
+@pytest.mark.parametrize(
+    ("text", "answer", "verdict"),
+    [
+        (ROUGH, ["(1 - mu_A*mu_B)*tan(theta) <= 2*mu_A"], "equivalent"),
+        (ROUGH, ["tan(theta) <= 3*mu_A"], "wrong"),
+        (ROUGH, [r"\tan\theta \le \mu_A (2 + \mu_B \tan\theta)"], "equivalent"),
+        (STACKED, ["F <= mu_1*m*g, F <= mu_2*(m + M)*g"], "equivalent"),
+        (STACKED, ["F <= mu_1*m*g", "F <= mu_2*(m + M)*g"], "equivalent"),
+        (STACKED, ["F <= mu_1*m*g"], "incomplete"),
+        (COLLAR, ["h <= 2*a*mu", "h = 2*a*mu"], "equivalent"),
+        (COLLAR, ["h <= a*mu", "h = 2*a*mu"], "wrong"),
+    ],
+)
+def test_conditions_as_an_answer(problem: Read, text: str, answer: list[str], verdict: str) -> None:
+    """`check -e` reads inequalities, alone and beside the limit."""
+    judged = check_answer(problem(text), tuple(map(Fragment.of, answer)))
+    assert judged.verdict.value == verdict
 
 
 # -- what is refused ---------------------------------------------------------------------------------------------------
