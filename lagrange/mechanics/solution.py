@@ -59,6 +59,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+    from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
 
 
@@ -141,6 +142,7 @@ class Solution:
     law              Newton's law in the file's coordinates, if the motion or the reactions at rest are requested
     works            the work of the reactions
     asked            the answers to the questions of the file
+    from_start       the motion from the initial state, where nothing is asked
     """
 
     problem: Problem
@@ -153,6 +155,7 @@ class Solution:
     works: tuple[WorkOfReaction, ...] = ()
     checks: tuple[Check, ...] = ()
     asked: tuple[Asked, ...] = ()
+    from_start: FromStart | None = None
 
     @property
     def views(self) -> tuple[InCoordinates, ...]:
@@ -209,7 +212,7 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
         solution = _with_equilibrium(solution, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         solution = _with_rest(solution, blank, on_stage)
-    if problem.questions:
+    if problem.questions or (problem.initial and solution.law is not None):
         solution = _with_questions(solution, on_stage)
     return _with_numbers(solution)
 
@@ -478,7 +481,12 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
         if dynamics.reactions is None and law.used:
             dynamics = motion(law, view.coordinates.configuration, view.elimination)
         places.append(Place(dynamics, integrals, law))
-    asked = answers_to_questions(solution.problem, places, [v.configuration for v in solution.views])
+    configurations = [v.configuration for v in solution.views]
+    if not solution.problem.questions:
+        from lagrange.mechanics.questions.from_start import motion_from_start
+
+        return replace(solution, from_start=motion_from_start(solution.problem, places, configurations))
+    asked = answers_to_questions(solution.problem, places, configurations)
     return replace(solution, asked=asked, checks=(*solution.checks, *check_questions(asked, places)))
 
 
