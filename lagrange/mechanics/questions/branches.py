@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 import sympy as sp
 
@@ -25,6 +26,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, s
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Slots, base, prime
+from lagrange.mechanics.questions.limits import MOST_SIGNS
 from lagrange.mechanics.questions.results import AnswerBranch, Because
 
 State = Mapping[sp.Symbol, sp.Expr]
@@ -237,6 +239,11 @@ def _way(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[
 
 def sign_of_value(e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
     """The sign of a value, where conditions hold; of a number by its digits, where it is not zero."""
+    return _sign_where(e, tuple(conditions))
+
+
+@lru_cache(maxsize=MOST_SIGNS)
+def _sign_where(e: sp.Expr, conditions: tuple[SignCondition, ...]) -> int | None:
     if is_zero(e) is True:
         return 0
     sign = _sign(e, conditions)

@@ -32,3 +32,7 @@ MOST_COUPLED = 3
 SMALLEST_DIFFERENCE = 1e-9
 # Operations of a value whose denominator is freed of roots.
 LONGEST_MULTIPLIED_OUT = 60
+# Signs of values that are remembered: the branches of several questions are compared with the same places.
+MOST_SIGNS = 2048
+# Functions of one coordinate whose zeros are remembered.
+MOST_FUNCTIONS = 128

@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import field
 from enum import Enum
+from functools import lru_cache
 
 import sympy as sp
 
@@ -24,7 +25,7 @@ from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, n
 from lagrange.core.records import record
 from lagrange.mechanics.questions.branches import sign_of_value
 from lagrange.mechanics.questions.elimination import eliminated
-from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, SMALLEST_DIFFERENCE
+from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_FUNCTIONS, SMALLEST_DIFFERENCE
 
 
 class Reached(Enum):
@@ -68,7 +69,13 @@ class Path:
     def to(self, end: sp.Expr) -> Reach:
         """Whether the motion gets to q_1; to q_0 itself on its way back."""
         way = self._sign(end - self.start)
-        if (self.direction is None and not self.rest) or way is None or self.square.count_ops() > LONGEST_INTEGRATED:
+        far = self._is_periodic and self.start.is_number and abs(self.start) > 2 * sp.pi
+        if (
+            (self.direction is None and not self.rest)
+            or way is None
+            or far
+            or self.square.count_ops() > LONGEST_INTEGRATED
+        ):
             return Reach(Reached.OPEN)
         conditions = not_negative(factored_quotient(self._at(end)))
         if conditions is None or self._sign(self._at(end)) == -1:
@@ -118,7 +125,9 @@ class Path:
         return Reach(Reached.OPEN if None in signs else Reached.NEVER)
 
     def _passes(self, end: sp.Expr, way: int) -> Reach:
-        """Whether f is positive between q_0 and q_1."""
+        """Whether f is positive between q_0 and q_1; of an angle at most over one turn, which is like all others."""
+        if self._is_periodic and (end - self.start).is_number and abs(end - self.start) > 2 * sp.pi:
+            end = self.start + 2 * sp.pi * way
         below = sp.fraction(sp.together(self.square))[1]
         poles = self._zeros(below) if self.q in below.free_symbols else []
         slope = sp.factor(self.square.diff(self.q))
@@ -178,15 +187,9 @@ class Path:
 
     def _zeros(self, e: sp.Expr) -> list[tuple[sp.Expr, tuple[SignCondition, ...]]] | None:
         """All zeros in closed form, those of a periodic function over some periods; None where they are not found."""
-        if sign_of(e) in (1, -1):
-            return []
-        found = eliminated([e], self.q, [self.q], [], self.q)
-        if found.never:
-            return []
-        if not found.solved or found.free or found.verified is not True:
-            return None
+        found = _zeros_of(e, self.q)
         turns: Sequence[int] = range(-2, 3) if self._is_periodic else range(1)
-        return [(v + 2 * sp.pi * n, b.conditions) for b in found.branches for v in b.values for n in turns]
+        return None if found is None else [(p + 2 * sp.pi * n, c) for p, c in found for n in turns]
 
     def _at(self, place: sp.Expr) -> sp.Expr:
         return self._value(self.square, place)
@@ -205,3 +208,16 @@ class Path:
             return None
         value = sp.N(e.xreplace(dict(self.values)), 20)
         return value if value.is_Float or value.is_Rational else None
+
+
+@lru_cache(maxsize=MOST_FUNCTIONS)
+def _zeros_of(e: sp.Expr, q: sp.Symbol) -> tuple[tuple[sp.Expr, tuple[SignCondition, ...]], ...] | None:
+    """All zeros in closed form, of a periodic function in one period; None where they are not found."""
+    if sign_of(e) in (1, -1):
+        return ()
+    found = eliminated([e], q, [q], [], q)
+    if found.never:
+        return ()
+    if not found.solved or found.free or found.verified is not True:
+        return None
+    return tuple((v, b.conditions) for b in found.branches for v in b.values)
