@@ -43,9 +43,9 @@ lint: $(VENV)/installed
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-# Every shipped problem in every format; LaTeX, Markdown and HTML are tried with pdflatex, pandoc and chromium where these are installed.
+# Of the tests those of every shipped problem in every format; pdflatex, pandoc and chromium are used where they are installed.
 sweep: $(VENV)/installed
-	$(BIN)/python -m tests.support.sweep
+	$(PYTEST) tests/problems/test_every_format.py
 
 # Renews the golden files. Read the difference before you commit it.
 golden: $(VENV)/installed

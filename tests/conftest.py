@@ -27,8 +27,8 @@ from hypothesis import settings
 from lagrange.core.diagnostics import Source
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
-from tests.support.chance import QUICK
-from tests.support.grouping import ByProblem, part_of
+from tests.support.chance import QUICK, try_times
+from tests.support.grouping import ByProblem, longest_first, part_of
 from tests.support.tiers import renew, tier_of
 
 HERE = Path(__file__).parent
@@ -41,6 +41,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(
         "--renew-slow", action="store_true", help="write the list of slow tests anew; for a run of all tests"
     )
+    parser.addoption("--times", metavar="N", type=int, default=1, help="try N times as many random examples")
     parser.addoption(
         "--part",
         metavar="N",
@@ -50,6 +51,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    try_times(config.getoption("--times"))
     gc.set_threshold(
         200_000, 50, 100
     )  # the solved problems stay in memory, and need not be looked through again and again
@@ -105,7 +107,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     part, left_out = config.getoption("--part"), []
     for item in items:
-        name = item.path.relative_to(HERE).as_posix() + item.nodeid[item.nodeid.index("::") :]
+        name = _name(item)
         tier = tier_of(name)
         if tier is not None:
             item.add_marker(tier)
@@ -115,6 +117,12 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         config.hook.pytest_deselected(items=left_out)
         kept = {*items} - {*left_out}
         items[:] = [i for i in items if i in kept]
+    if hasattr(config, "workerinput"):
+        items[:] = [items[n] for n in longest_first([_name(item) for item in items])]
+
+
+def _name(item: pytest.Item) -> str:
+    return item.path.relative_to(HERE).as_posix() + item.nodeid[item.nodeid.index("::") :]
 
 
 @pytest.hookimpl(optionalhook=True)  # there is none with `-p no:xdist`

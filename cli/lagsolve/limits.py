@@ -17,6 +17,14 @@ LONGEST_INTERNAL_ERROR = 300
 WATCH_SECONDS = 0.25
 """Between two looks at the files of --watch: an answer within half a second of a save, for four `stat` a second."""
 
+# -- bounds of a command -----------------------------------------------------------------------------------------------
+
+SHARE_FOR_EXPLAINING = 0.25
+"""Of --timeout, added for explaining and printing what is known when it is over."""
+
+CHECK_SECONDS, CHECK_MEGABYTES = 60.0, 1024
+"""For `check`, as for one submission of `grade`."""
+
 # -- grading: submissions and pages ------------------------------------------------------------------------------------
 
 MOST_FILES = 50
@@ -69,3 +77,6 @@ CLUSTER_SECONDS = 20
 
 IDLE_SECONDS = 60.0
 """After which a process without work ends on a cluster, where nothing tells it that the batch is over."""
+
+MOST_CLUSTERS = 8
+"""Mistakes of several submissions that are listed below the table of a batch, the most frequent ones."""

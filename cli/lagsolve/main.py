@@ -24,11 +24,15 @@ from lagsolve.command_group import (
     status_of_verdict,
     write_stderr,
 )
+from lagsolve.limits import CHECK_MEGABYTES, CHECK_SECONDS
 from lagsolve.problem_commands import COMMANDS
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from lagrange.answers.examiner import Examiner
     from lagrange.answers.verdicts import Judgement
+    from lagrange.problem.model import Problem
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
@@ -76,10 +80,14 @@ def main() -> None:
 @click.option("--fragment", is_flag=True, help="LaTeX without a preamble, to \\input in your own notes.")
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
-@click.option("--choice", metavar="NAME", help="Only this choice of generalized coordinates.")
+@click.option(
+    "--choice", metavar="NAME", help="Only this choice of generalized coordinates; `all` shows every choice in full."
+)
 @click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
 @click.option("--digits", type=DIGITS, default=4, show_default=True, metavar="N", help="Of results in numbers.")
+@click.option("--timeout", type=SECONDS, metavar="SECONDS", help="Work for so long. Default: so many operations.")
+@click.option("--memory", type=MEGABYTES, metavar="MB", help="Give up beyond so much. Default: no limit.")
 @click.option("--watch", is_flag=True, help="Solve again whenever a file is saved, until Ctrl-C.")
 def solve(
     problems: tuple[str, ...],
@@ -92,12 +100,15 @@ def solve(
     vectors: str | None,
     settings: tuple[str, ...],
     digits: int,
+    timeout: float | None,
+    memory: int | None,
     watch: bool,
 ) -> None:
     """Derive and check the equations of each PROBLEM.
 
     With --watch, solve again whenever one of the files is saved. --set 'l=30 cm' gives or replaces the value of a
-    parameter; where all parameters of a result have values, it is printed in numbers too.
+    parameter; where all parameters of a result have values, it is printed in numbers too. Of a problem that is given up
+    what is known is printed; with --timeout it may take as long as you say.
 
     Exit status: 0 done, and every check held; 2 the command line or a file cannot be read, or contradicts itself; 3 not
     completed, undecided, or a check failed; 130 interrupted by Ctrl-C.
@@ -111,7 +122,7 @@ def solve(
         raise click.UsageError("standard input cannot be two problems")
     destination = Destination.of(format_, output, fragment, detail, vectors)
     destination.refuse_overwrite(problems)
-    task = Task(problems, choice, method, destination, settings, digits)
+    task = Task(problems, choice, method, destination, settings, digits, timeout, memory)
     if watch:
         from lagsolve.solve_task import watch_for_ever
 
@@ -129,6 +140,8 @@ def solve(
 )
 @click.option("--reveal", is_flag=True, help="Print the derived equations too.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
+@click.option("--timeout", type=SECONDS, default=CHECK_SECONDS, show_default=True, metavar="SECONDS")
+@click.option("--memory", type=MEGABYTES, default=CHECK_MEGABYTES, show_default=True, metavar="MB")
 def check(
     problem: str,
     answer_file: str | None,
@@ -137,6 +150,8 @@ def check(
     hint: int | None,
     reveal: bool,
     settings: tuple[str, ...],
+    timeout: float,
+    memory: int,
 ) -> None:
     """Compare equations of motion with the derived ones.
 
@@ -148,10 +163,11 @@ def check(
     """
     if problem == answer_file == "-":
         raise click.UsageError("standard input cannot be both PROBLEM and ANSWER_FILE")
+    from lagsolve.bounds import bounded
     from lagsolve.progress_line import stage_shown
 
     gc.disable()
-    with stage_shown() as on_stage:
+    with stage_shown() as on_stage, bounded(timeout, memory):
         from lagrange.answers.examiner import Examiner
         from lagrange.problem.loader import read_problem
         from lagsolve.inputs import problem_source, settings_read
@@ -161,9 +177,10 @@ def check(
         look_for_garbage_seldom()
         on_stage("reading the problem")
         asked = read_problem(problem_source(problem), settings_read(settings))
+        checked = _checking(asked, answer_file, equations)
         examiner = Examiner.of(asked, on_stage)
         on_stage("comparing answers")
-        result = _checked(examiner, answer_file, equations)
+        result = checked(examiner)
     if hint is not None:
         result = result.at_hint_level(hint)
     for message in (*asked.notes, *result.messages):
@@ -172,17 +189,21 @@ def check(
     sys.exit(status_of_verdict(result.verdict))
 
 
-def _checked(examiner: Examiner, answer_file: str | None, equations: tuple[str, ...]) -> Judgement:
-    """The verdict on the equations, on a file with all answers, or, if neither is given, on the problem file's own."""
+def _checking(problem: Problem, answer_file: str | None, equations: tuple[str, ...]) -> Callable[[Examiner], Judgement]:
+    """What checks the equations, a file with all answers, or, if neither is given, the problem file's own.
+
+    The answers are read before the problem is solved.
+    """
     from lagrange.problem.library import EXTENSIONS
     from lagsolve.inputs import answer_fragments, stated_answers
 
     if answer_file is not None and answer_file.lower().endswith(EXTENSIONS):
-        answers = stated_answers(answer_file, examiner.problem)
-        return examiner.check_answers(answers, answer_fragments(None, equations))
+        answers, more = stated_answers(answer_file, problem), answer_fragments(None, equations)
+        return lambda examiner: examiner.check_answers(answers, more)
     if answer_file is None and not equations:
-        return examiner.check_own()
-    return examiner.check(answer_fragments(answer_file, equations))
+        return lambda examiner: examiner.check_own()
+    fragments = answer_fragments(answer_file, equations)
+    return lambda examiner: examiner.check(fragments)
 
 
 @main.command(short_help="Grade a folder of submissions to one PROBLEM.")

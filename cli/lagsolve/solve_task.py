@@ -11,6 +11,7 @@ import os
 import shlex
 import time
 from collections.abc import Callable, Iterator, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -30,6 +31,7 @@ class Task:
 
     settings  texts NAME=VALUE, the values of parameters
     digits    of results in numbers
+    seconds, megabytes  after which a problem is given up; None: never
     """
 
     problems: tuple[str, ...]
@@ -38,6 +40,8 @@ class Task:
     destination: Destination
     settings: tuple[str, ...] = ()
     digits: int = 4
+    seconds: float | None = None
+    megabytes: int | None = None
 
     def run(self) -> int:
         """Solves the problems, writes the reports and returns the exit status. Raises as `Destination.write`."""
@@ -65,16 +69,20 @@ class Task:
     def _report(self, name: str) -> Report:
         gc.disable()
         with stage_shown() as on_stage:
+            from lagrange.core.effort import unlimited
             from lagrange.explain.report import report
             from lagrange.mechanics.dynamics.motion import Method
             from lagrange.problem.loader import read_problem
+            from lagsolve.bounds import bounded
             from lagsolve.inputs import problem_source, settings_read
 
             look_for_garbage_seldom()
             on_stage("reading the problem")
-            problem = read_problem(problem_source(name), settings_read(self.settings))
-            complete, method = self.destination.is_complete, Method(self.method)
-            return report(problem, self.choice, complete=complete, method=method, digits=self.digits, on_stage=on_stage)
+            patient = nullcontext() if self.seconds is None else unlimited()  # so long was allowed
+            with bounded(self.seconds, self.megabytes), patient:
+                problem = read_problem(problem_source(name), settings_read(self.settings))
+                complete, method, digits = self.destination.is_complete, Method(self.method), self.digits
+                return report(problem, self.choice, complete=complete, method=method, digits=digits, on_stage=on_stage)
 
 
 def look_for_garbage_seldom() -> None:

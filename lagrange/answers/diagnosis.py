@@ -40,6 +40,7 @@ from lagrange.algebra.exact.zero_test import (
 )
 from lagrange.answers.limits import (
     BRANCHING_STATES,
+    MAX_BESIDE,
     MAX_NUMERATOR,
     MAX_SCALE_OPERATIONS,
     REAL_STATES,
@@ -168,9 +169,18 @@ class Diagnosis:
     alone: bool = False
 
 
-def diagnosed(equation: sp.Expr, system: System) -> Diagnosis | None:
-    """The diagnosis of an equation, linear in the accelerations, that does not follow; None: not found."""
+def diagnosed(equation: sp.Expr, system: System, *, beside: bool = False) -> Diagnosis | None:
+    """The diagnosis of an equation, linear in the accelerations, that does not follow; None: not found.
+
+    beside  whether a model explains the equation already: then only short searches are made
+    """
     try:
+        if beside:
+            search = _Search(equation, system)
+            if len(search.terms) * len(search.parameters) ** 2 > MAX_BESIDE:
+                return None
+            change = search.change(direct=True)
+            return None if change is None else _with_group(change, sp.S.One, system)
         for form, times in _forms(equation):
             diagnosis = _Search(form, system).change()
             if diagnosis is not None:
@@ -245,8 +255,11 @@ class _Search:
         self.states = sorted(residue_states((equation,), system), key=lambda state: follows(equation, [state]))
         self._scales: dict[sp.Expr, list[tuple[sp.Expr, Any]]] = {}
 
-    def change(self) -> Diagnosis | None:
-        """The likeliest change that makes the equation right; None if none is found."""
+    def change(self, *, direct: bool = False) -> Diagnosis | None:
+        """The likeliest change that makes the equation right; None if none is found.
+
+        direct  whether it has to make the equation a multiple of a derived one, term by term
+        """
         state = self.states[0]
         residues = [state.residue(term) for term in self.terms]
         rows = [r for r in residues if r is not None]
@@ -259,11 +272,11 @@ class _Search:
         others = []
         for candidates in (self._by_number, self._by_another, self._by_missing):
             for _, diagnosis in sorted(candidates(rows, total), key=lambda pair: pair[0]):
-                if self._direct and (diagnosis.term, diagnosis.right) not in self._direct:
+                if (direct or self._direct) and (diagnosis.term, diagnosis.right) not in self._direct:
                     others.append(diagnosis)
                 elif self._holds(diagnosis):
                     return diagnosis
-        return next((diagnosis for diagnosis in others if self._holds(diagnosis)), None)
+        return None if direct else next((diagnosis for diagnosis in others if self._holds(diagnosis)), None)
 
     @cached_property
     def _direct(self) -> set[tuple[sp.Expr | None, sp.Expr | None]]:
@@ -433,12 +446,18 @@ class _Search:
             yield 1.0, number
             return
         arithmetic = state.point.arithmetic
+        odd = _is_decimal(term)
+        # wanted = number · factor for a usual number: so the factor has one of these values.
+        usual = {arithmetic.reduce(wanted * state.point.number(n.q, n.p)): n for n in _USUAL} if not odd else {}
         for n, factor in enumerate(self._simple_factors):
             value = self._values[n]
             if value is None or factor.is_number:
                 continue
-            number = self._as_number(arithmetic.reduce(wanted * value[1]))
-            if number is not None and (number in _USUAL or _is_decimal(term)):
+            if isinstance(state.point, FieldPoint) and not odd:
+                number = usual.get(value)
+            else:
+                number = self._as_number(arithmetic.reduce(wanted * arithmetic.inverse(value)))
+            if number is not None and (odd or number in _USUAL):
                 yield 2.0 + 0.02 * n / len(self._simple_factors) + (0.0 if number == 1 else 1.0), number * factor
 
     def _scales_of(self, wanted: Any, term: sp.Expr, derived: sp.Expr) -> Iterator[tuple[float, sp.Expr]]:
@@ -462,20 +481,15 @@ class _Search:
         )
 
     @cached_property
-    def _simple_factors(self) -> list[sp.Expr]:
-        return factors(self.parameters, self.slots, self.angles)
+    def _simple_factors(self) -> tuple[sp.Expr, ...]:
+        return factors(tuple(self.parameters), self.slots, tuple(self.angles))
 
     @cached_property
-    def _values(self) -> list[tuple[Any, Any] | None]:
-        """Each factor's value at the first state, and its inverse."""
+    def _values(self) -> list[Any | None]:
+        """Each factor's value at the first state; None if it has none, or vanishes."""
         state = self.states[0]
-        arithmetic = state.point.arithmetic
-        values: list[tuple[Any, Any] | None] = []
-        for factor in self._simple_factors:
-            value = state.value(factor)
-            usable = value is not None and not arithmetic.vanishes(value)
-            values.append((value, arithmetic.inverse(value)) if usable else None)
-        return values
+        values = (state.value(factor) for factor in self._simple_factors)
+        return [None if v is None or state.point.arithmetic.vanishes(v) else v for v in values]
 
     def _scales_to(self, derived: sp.Expr) -> list[tuple[sp.Expr, Any]]:
         """The simple ratios of a term of the equation to one of a derived equation, with their values."""

@@ -9,7 +9,7 @@ Wrong equations are then diagnosed, and right ones get the conditions under whic
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -17,9 +17,18 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.conventions import Convention, other_convention
 from lagrange.answers.diagnosis import diagnosed, in_symbols
-from lagrange.answers.hints import Advisor
+from lagrange.answers.hints import Advisor, cause_of
 from lagrange.answers.limits import MAX_EQUATIONS
-from lagrange.answers.readings import NOT_FOR_ALL, Reading, displaced_coordinates, read_answer, without_displacements
+from lagrange.answers.models.search import Explanation, explained
+from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
+from lagrange.answers.readings import (
+    NOT_FOR_ALL,
+    Reading,
+    decimals_in,
+    displaced_coordinates,
+    read_answer,
+    without_displacements,
+)
 from lagrange.answers.recognition import Recognised, recognised
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.validity import NonzeroCondition, conditions
@@ -32,11 +41,13 @@ from lagrange.answers.verdicts import (
     EquationVerdict,
     Verdict,
 )
+from lagrange.answers.written.decimals import Values, remark_on, rounded_in_motion
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import CONSTANT, Slots, base
+from lagrange.core.symbols import CONSTANT, Decimal, Slots, base
+from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import separated
-from lagrange.mechanics.dynamics.comparison import Standing, System, compare
+from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing, System, compare, compare_really
 
 
 def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnosing: bool = True) -> AnswerVerdict:
@@ -65,6 +76,11 @@ def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnos
     return replace(verdict, equations=equations, unreadable=errors, notes=notes)
 
 
+def sides_of(answer: Sequence[Fragment], reference: Reference) -> list[tuple[sp.Expr | Vector, ...]]:
+    """The sides of each equation as they are written; none of one that cannot be read."""
+    return [read_answer(f, reference.scope).sides for f in separated(answer)]
+
+
 @record
 class _Attempt:
     """An answer compared with one system.
@@ -79,14 +95,16 @@ class _Attempt:
     standings: tuple[tuple[Standing, ...], ...] = ()
 
     @property
-    def quality(self) -> tuple[int, int, int, bool]:
+    def quality(self) -> tuple[int, int, int, int, bool]:
         """The rank of the verdict; then the number of right equations, then that of linear ones.
 
-        Last, radii taken as positive are preferred: a mistake that remains there is not the sign of a radius.
+        Then fewer coordinates are preferred, in which a mistake is easier to name. Last, radii taken as positive are
+        preferred: a mistake that remains there is not the sign of a radius.
         """
         right = sum(e.verdict is Verdict.EQUIVALENT for e in self.verdict.equations)
         nonlinear = sum(Standing.NOT_LINEAR in standings for standings in self.standings)
-        return WORST_TO_BEST.index(self.verdict.verdict), right, -nonlinear, bool(self.candidate.positive)
+        size = len(self.candidate.configuration.slots.coordinates) if self.verdict.verdict is Verdict.WRONG else 0
+        return WORST_TO_BEST.index(self.verdict.verdict), right, -nonlinear, -size, bool(self.candidate.positive)
 
 
 def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_Attempt]:
@@ -132,18 +150,8 @@ def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, referen
         return None
     if candidate.only_for and used.isdisjoint(candidate.only_for):
         return None
-    slots = candidate.configuration.slots
     system = candidate.system
-    components = tuple(
-        ()
-        if r.error
-        else tuple(
-            part
-            for e in r.components
-            for part in without_displacements(_without_constant(candidate.read(e), slots), system.configuration)
-        )
-        for r in readings
-    )
+    components = tuple(() if r.error else _compared_parts(r.components, candidate) for r in readings)
     free = [u for u in reference.unknowns if u.name in used and u not in system.multipliers]
     try:
         result = compare([e for es in components for e in es], system, free)
@@ -151,9 +159,22 @@ def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, referen
         return _Attempt(_dividing_by_zero(readings, components, system, candidate.choice), candidate)
     if result is None:
         return _Attempt(_verdict(readings, None, 0, candidate.choice), candidate)
-    in_order = iter(result.standings)
-    standings = tuple(tuple(next(in_order) for _ in es) for es in components)
-    verdict = _verdict(readings, standings, result.missing, candidate.choice)
+    standings = _in_order(result, components)
+    missing = result.missing
+    values = {} if result.agree else _rounded(readings, standings, components, candidate)
+    if values:
+        components, standings, missing = _with_rounded(
+            values, readings, components, standings, candidate, free, missing
+        )
+    verdict = _verdict(readings, standings, missing, candidate.choice)
+    if values:
+        equations = tuple(
+            replace(e, remarks=(*e.remarks, remark))
+            if e.verdict is Verdict.EQUIVALENT and (remark := remark_on(values.get(n, {})))
+            else e
+            for n, e in enumerate(verdict.equations)
+        )
+        verdict = replace(verdict, equations=equations)
     if candidate.named:
         verdict = _without_redundancy(verdict, readings, candidate)
     if candidate.remarks:
@@ -161,6 +182,59 @@ def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, referen
     # Unknown forces that only the answer has are columns that `compare` projects out of all its rows together. Then no
     # row of a single equation is left in which the change of one term could be weighed: nothing is diagnosed.
     return _Attempt(verdict, candidate, () if free else components, standings)
+
+
+def _compared_parts(components: Sequence[sp.Expr], candidate: ReferenceCandidate) -> tuple[sp.Expr, ...]:
+    """The components of an equation as they are compared."""
+    slots = candidate.configuration.slots
+    return tuple(
+        part
+        for e in components
+        for part in without_displacements(_without_constant(candidate.read(e), slots), candidate.system.configuration)
+    )
+
+
+def _in_order(result: EquationComparison, components: Sequence[Sequence[sp.Expr]]) -> tuple[tuple[Standing, ...], ...]:
+    in_order = iter(result.standings)
+    return tuple(tuple(next(in_order) for _ in es) for es in components)
+
+
+def _rounded(
+    readings: Sequence[Reading],
+    standings: Sequence[Sequence[Standing]],
+    components: Sequence[Sequence[sp.Expr]],
+    candidate: ReferenceCandidate,
+) -> dict[int, Values]:
+    """The numbers that the decimals of wrong equations stand for, where these make them right."""
+    found = {}
+    for n, r in enumerate(readings):
+        if components[n] and Standing.CONTRADICTS in standings[n] and r.with_decimals:
+            values = rounded_in_motion(_compared_parts(r.with_decimals, candidate), candidate.system)
+            if values is not None:
+                found[n] = values
+    return found
+
+
+def _with_rounded(
+    values: Mapping[int, Values],
+    readings: Sequence[Reading],
+    components: Sequence[tuple[sp.Expr, ...]],
+    standings: tuple[tuple[Standing, ...], ...],
+    candidate: ReferenceCandidate,
+    free: Sequence[sp.Symbol],
+    missing: int,
+) -> tuple[tuple[tuple[sp.Expr, ...], ...], tuple[tuple[Standing, ...], ...], int]:
+    """The components and their standings with these numbers for decimals, and how many equations are missing."""
+    own = {n: {d: Decimal(d.text, f"{n} {d.name}") for d in of_one} for n, of_one in values.items()}
+    with_decimals = tuple(
+        tuple(e.xreplace(dict(own[n])) for e in _compared_parts(r.with_decimals, candidate)) if n in values else es
+        for n, (r, es) in enumerate(zip(readings, components, strict=True))
+    )
+    numbers = {own[n][d]: v for n, of_one in values.items() for d, v in of_one.items()}
+    result = compare_really([e for es in with_decimals for e in es], candidate.system, free, numbers)
+    if result is None:
+        return tuple(components), standings, missing
+    return with_decimals, _in_order(result, with_decimals), result.missing
 
 
 def _without_redundancy(
@@ -262,6 +336,7 @@ def _with_reasons(
     following = []
     advisor = Advisor(system.configuration.slots)
     convention = _convention(attempt, system) if diagnosing else None
+    explanations = _explanations(attempt) if diagnosing else {}
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
@@ -273,21 +348,46 @@ def _with_reasons(
             kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
             wanted = diagnosing and kind in _TO_BE_DIAGNOSED
-            change = diagnosed(equation, system) if wanted else None
+            model = explanations.get(n) if wanted else None
+            change = diagnosed(equation, system, beside=model is not None) if wanted else None
             if change is not None and attempt.candidate.values:
                 written = readings[n].components[es.index(equation)]
                 change = in_symbols(change, attempt.candidate.in_symbols(written), attempt.candidate.values)
             units = reference.mismatch(readings[n]) if wanted else None
-            hints = advisor.hints(why, change, units, convention, readings[n].sides)
-            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints)
-        elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced:
+            name = model.name if model is not None else ""
+            cause = model.cause if model is not None else cause_of(change)
+            if convention is not None and name == MEASURED_FROM_ELSEWHERE:
+                model = None  # the convention says the same
+            hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
+            equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=cause, model=name)
+        elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced and not decimals_in(es):
             following.append((n, es[0]))
     # Where the determinant of some equations vanishes, a redundant one may still determine the accelerations.
     complete = all(Standing.REDUNDANT not in standings for standings in attempt.standings)
-    nonzero = conditions([e for _, e in following], system, complete=complete)
+    nonzero = (
+        conditions([e for _, e in following], attempt.candidate.factorizations, complete=complete) if following else []
+    )
     for (n, _), own in zip(following, nonzero, strict=True):
         equations[n] = replace(equations[n], remarks=(*equations[n].remarks, *map(_remark, own)))
     return replace(verdict, equations=tuple(equations))
+
+
+def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
+    """The models that explain wrong equations, by their numbers."""
+    standings = attempt.standings
+    if any(Standing.NOT_LINEAR in several for several in standings):
+        return {}
+    wrong = [n for n, several in enumerate(standings) if Standing.CONTRADICTS in several]
+    components = [(n, e) for n, es in enumerate(attempt.components) for e in es]
+    bad = [m for m, (n, _) in enumerate(components) if n in wrong and _flat(standings)[m] is Standing.CONTRADICTS]
+    if not bad:
+        return {}
+    found = explained([e for _, e in components], bad, attempt.candidate.models)
+    return {components[m][0]: e for m, e in reversed(list(zip(bad, found, strict=True))) if e is not None}
+
+
+def _flat(standings: Sequence[Sequence[Standing]]) -> list[Standing]:
+    return [s for several in standings for s in several]
 
 
 _TO_BE_DIAGNOSED = (Recognised.OTHER, Recognised.NO_ACCELERATION)

@@ -15,9 +15,18 @@ from itertools import product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.answers.equilibrium_comparison import EquilibriumComparison
 from lagrange.answers.limits import MAX_ALTERNATIVES, MAX_EQUATIONS
-from lagrange.answers.readings import GivenEquation, Reading, displaced_coordinates, read_answer, without_displacements
+from lagrange.answers.readings import (
+    GivenEquation,
+    Reading,
+    decimals_in,
+    displaced_coordinates,
+    read_answer,
+    without_displacements,
+)
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import (
     MIXED_CHOICES,
@@ -27,7 +36,9 @@ from lagrange.answers.verdicts import (
     EquationVerdict,
     Verdict,
 )
+from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.symbols import Decimal
 from lagrange.expressions.latex_layout import ALTERNATIVE, is_latex, piece
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
@@ -138,7 +149,20 @@ def _judged(
         return [part.xreplace(dict(values)) for part in stated]
 
     systems = [[tuple(part for e in r.components for part in rewritten(e)) for r in a] for a in readings]
-    literal = EquilibriumComparison(equilibrium, values, systems).verdict(readings, systems)
+    comparison = EquilibriumComparison(equilibrium, values, systems)
+    literal = comparison.verdict(readings, systems)
+    if literal.verdict is Verdict.WRONG and any(r.with_decimals for a in readings for r in a):
+        meant, remarks = _with_right_decimals(readings, systems, comparison, rewritten)
+        if meant != systems:
+            literal = EquilibriumComparison(equilibrium, values, meant).verdict(readings, meant)
+            systems = meant
+            literal = replace(
+                literal,
+                equations=tuple(
+                    replace(v, remarks=(*v.remarks, remark)) if remark and v.verdict is Verdict.EQUIVALENT else v
+                    for v, remark in zip(literal.equations, remarks, strict=True)
+                ),
+            )
     wider = [[tuple(_widened(e) for e in es) for es in a] for a in systems]
     if literal.verdict is Verdict.EQUIVALENT or wider == systems:
         return literal
@@ -155,6 +179,69 @@ def _judged(
         )
     )
     return replace(read_wider, equations=equations)
+
+
+def _with_right_decimals(
+    readings: Sequence[Sequence[Reading]],
+    systems: list[list[tuple[sp.Expr, ...]]],
+    comparison: EquilibriumComparison,
+    rewritten: Callable[[sp.Expr], list[sp.Expr]],
+) -> tuple[list[list[tuple[sp.Expr, ...]]], list[str]]:
+    """The equations with the numbers at an equilibrium in place of the decimals that round them, and remarks."""
+    meant: list[list[tuple[sp.Expr, ...]]] = []
+    remarks = []
+    for alternative, equations in zip(readings, systems, strict=True):
+        meant.append([])
+        for r, es in zip(alternative, equations, strict=True):
+            parts = [part for e in r.with_decimals for part in rewritten(e)]
+            values = _right_decimals(parts, comparison) if len(parts) == 1 else {}
+            meant[-1].append(tuple(as_written(e.xreplace(values)) for e in parts) if values else es)
+            remarks.append(remark_on({d: v.evalf(20) for d, v in values.items()}))
+    return meant, remarks
+
+
+def _right_decimals(equations: Sequence[sp.Expr], comparison: EquilibriumComparison) -> dict[Decimal, sp.Expr]:
+    """The value of one decimal of an equation at an equilibrium, exactly, the others rounded; none if none is close."""
+    (e,) = equations
+    decimals = decimals_in([e])
+    found = []
+    for d in decimals:
+        others = {x: x.written for x in decimals if x != d}
+        slope = e.diff(d)
+        if d in slope.free_symbols:
+            continue
+        rest = sp.expand(e.xreplace({d: sp.S.Zero}))
+        for _, point in comparison.points:
+            for value in _at_equilibrium((-rest / slope).xreplace(others), point, comparison, d):
+                number = value.evalf(20)
+                ratios = [abs(e.diff(x) / slope) * x.half_width for x in decimals]
+                leeway = as_written(sp.Add(*ratios).xreplace({d: d.written}))
+                if number.is_real and not leeway.free_symbols and abs(number - d.written) <= leeway:
+                    found.append((abs(number - d.written), d, value))
+    nearest = min(found, key=lambda x: x[0], default=None)
+    return {nearest[1]: nearest[2]} if nearest else {}
+
+
+def _at_equilibrium(
+    e: sp.Expr, point: Mapping[sp.Symbol, sp.Expr], comparison: EquilibriumComparison, near: Decimal
+) -> list[sp.Expr]:
+    """The values without parameters that an expression has at an equilibrium; an angle has many."""
+    angles = sorted(e.free_symbols & (comparison.angles | comparison.mixed), key=str)
+    bare = [u for u in angles if e.diff(u).is_Rational]
+    try:
+        if len(bare) == 1 and len(angles) == 1:
+            (u,), rate = bare, e.diff(bare[0])
+            cosine, sine = (comparison.solution.at(point, f(u)) for f in (sp.cos, sp.sin))
+            if cosine.free_symbols | sine.free_symbols or e.free_symbols != {u}:
+                return []
+            angle = sp.acos(cosine) if sine.evalf(20) >= 0 else -sp.acos(cosine)
+            value = e.xreplace({u: angle})
+            turn = 2 * sp.pi * rate
+            return [value + turn * sp.Integer(round(float((near.written - value.evalf(20)) / turn.evalf(20))))]
+        value = comparison.solution.at(point, e)
+    except (NotAlgebraicError, DivisionByZeroError):
+        return []
+    return [] if value.free_symbols or value.has(sp.zoo, sp.nan, sp.oo) else [value]
 
 
 def _widened(e: sp.Expr) -> sp.Expr:

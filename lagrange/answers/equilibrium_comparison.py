@@ -90,10 +90,10 @@ class EquilibriumComparison:
         # A given position satisfies its constraints, which are then no equations for the forces.
         finite = () if e.given else e.configuration.finite_constraints
         self.rows = tuple(f.xreplace(dict(values)) for f in finite)
-        self.conditions = (*(c.expression.xreplace(dict(values)) for c in e.conditions), *self.rows)
+        self.conditions = (*(c.xreplace(dict(values)) for c in e.required), *self.rows)
         self.unknowns = e.forces if e.given else (*e.configuration.slots.coordinates, *e.forces)
         self.forces = e.forces
-        forces = (*e.work.forces, *(c.expression for c in e.conditions))
+        forces = (*e.work.forces, *e.required)
         bound = tuple(a for row in e.binding for a in row.coefficients)
         turned = [u for u in self.unknowns if _is_in_circular(u, (*forces, *self.rows, *bound))]
         self.angles = frozenset(u for u in turned if not _is_outside_circular(u, forces))
@@ -500,7 +500,7 @@ class EquilibriumComparison:
         try:
             if not self.equilibrium.given:
                 return is_balanced(self.equilibrium, at)
-            verdicts = [self._vanishes(at(c.expression)) for c in self.equilibrium.conditions]
+            verdicts = [self._vanishes(at(c)) for c in self.equilibrium.required]
             return False if False in verdicts else None if None in verdicts else True
         except DivisionByZeroError:
             return False

@@ -7,12 +7,13 @@ any number of answers, as `lagsolve check` and `lagsolve grade` do.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import cached_property, partial
 
 import sympy as sp
 
-from lagrange.answers.equations import check_equations
+from lagrange.answers.equations import check_equations, sides_of
+from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -28,8 +29,9 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.judging import verdict_on
 from lagrange.answers.written.lines import separated
-from lagrange.answers.written.working import Working, scope_of_answers, understood
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.answers.written.working import Working, understood
+from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
+from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 from lagrange.mechanics.solution import OnStage, Solution, silent, solve
@@ -94,6 +96,25 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
         from lagrange.answers.questions.asked_quantities import check_asked
 
         yield check_asked(answers.ask, solution)
+    yield from _quantities(solution, answers)
+
+
+def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
+    """The verdicts on energies, generalized forces, first integrals, virtual displacements, Hamilton's function."""
+    from lagrange.answers.questions import stated_quantities as quantities
+
+    if answers.kinetic_energy is not None:
+        yield quantities.check_kinetic_energy(answers.kinetic_energy, solution)
+    if answers.generalized_forces:
+        yield quantities.check_generalized_forces(answers.generalized_forces, solution)
+    if answers.conserved:
+        yield quantities.check_conserved(answers.conserved, solution)
+    if answers.virtual_displacements:
+        yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
+    if answers.hamiltonian is not None:
+        from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
+
+        yield check_hamiltonian_answer(answers.hamiltonian, solution)
 
 
 def _rest(solution: Solution, stated: Sequence[Fragment]) -> AnswerVerdict:
@@ -141,6 +162,23 @@ def _equations(solution: Solution, answers: Answers) -> Verdict | None:
     if verdict.unreadable:
         raise ProblemError(verdict.unreadable)
     return None if verdict.verdict is Verdict.UNREADABLE and _some_left_out(solution) else verdict.verdict
+
+
+def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
+    """The file's equations of motion as they are written there, each with its sides.
+
+    None if one is no pair of sides, or contains a reaction: then they are no equations of motion alone.
+    """
+    answers = solution.problem.answers
+    if answers is None or not answers.equations:
+        return ()
+    sides = sides_of(answers.equations, reference_of_solution(solution))
+    scalars = tuple(tuple(s for s in both if isinstance(s, sp.Expr)) for both in sides)
+    if solution.law is not None:
+        unknown = {s for r in solution.law.newton.reactions for s in (r.multiplier, r.force, r.symbol)}
+        if any(e.free_symbols & unknown for pair in scalars for e in pair):
+            return ()
+    return scalars if all(len(s) == len(both) > 1 for s, both in zip(scalars, sides, strict=True)) else ()
 
 
 def _some_left_out(solution: Solution) -> bool:
@@ -225,7 +263,10 @@ class Examiner:
     @classmethod
     def of(cls, problem: Problem, on_stage: OnStage = silent) -> Examiner:
         """Solves the problem, so that answers can be checked. Raises ProblemError if it cannot be solved."""
-        return cls(problem, None if problem.equations else solve(problem, on_stage=on_stage))
+        solution = None if problem.equations else solve(problem, on_stage=on_stage)
+        if solution is not None and solution.given_up:
+            raise GaveUpError(*solution.given_up.split(", ", 1))
+        return cls(problem, solution)
 
     @cached_property
     def reference(self) -> Reference:
@@ -234,12 +275,20 @@ class Examiner:
 
     def check(self, answer: tuple[Fragment, ...]) -> Judgement:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
+        with allowed_for("comparing answers", UNITS_OF_CHECKING):
+            return self._checked(answer)
+
+    def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
         answer = separated(answer)
         solution = self.solution
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference
         working = understood(answer, scope, moving=moving and (solution is None or solution.own.equilibrium is None))
         if not working.judged:
+            if working.quoting and not working.unreadable:
+                message = "the method is quoted, and no equation follows that could be checked"
+                help_ = "carry the derivatives out, or write down the Lagrangian: `L = ...`"
+                raise ProblemError(Diagnostic("no-answer", message, answer[0].whole, help=help_))
             working = Working(answer)
         at_rest = solution is not None and (solution.own.motion is None or not _moves(working.judged, solution))
         if solution is not None and at_rest and any(v.impending for v in solution.views):
@@ -255,8 +304,9 @@ class Examiner:
         return self._judgement(verdict)
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
-        unknowns = (*self.reference.unknowns, *working.unknowns)
-        reference = replace(self.reference, scope=scope_of_answers(self.reference), unknowns=unknowns)
+        reference = self.reference.of_answers
+        if working.unknowns:
+            reference = replace(reference, unknowns=(*reference.unknowns, *working.unknowns))
 
         def check(equations: Sequence[Fragment], diagnosing: bool) -> AnswerVerdict:
             return check_equations(equations, reference, diagnosing=diagnosing)
@@ -357,8 +407,8 @@ def check_answers(problem: Problem, answers: Answers, more: tuple[Fragment, ...]
 def _nothing_to_compare(answers: Answers) -> Iterator[AnswerVerdict]:
     """The answers to questions that equations given outright do not settle: undecided."""
     why = "the problem gives its equations and no more: there is nothing to compare this with"
-    for name in ("degrees_of_freedom", "classification", "integrable", "equilibrium", "reactions", "ask"):
-        if getattr(answers, name) not in (None, (), {}):
+    for answer in fields(Answers):
+        if answer.name != "equations" and getattr(answers, name := answer.name) not in (None, (), {}):
             yield AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=why)
 
 

@@ -10,6 +10,7 @@ set of coordinates, and the best verdict counts. It is wrong only if the linear 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import combinations
 
 import sympy as sp
@@ -21,6 +22,7 @@ from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
+from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -70,8 +72,9 @@ class _Place:
     def is_root(self, claim: sp.Expr, values: Values) -> bool | None:
         """Whether a frequency satisfies the characteristic equation; None: undecided."""
         try:
-            residual = self.at(self.characteristic.xreplace({self.oscillations.unknown: claim}))
-            return is_zero(residual.xreplace(values))
+            residual = self.at(self.characteristic.xreplace({self.oscillations.unknown: claim})).xreplace(values)
+            right = is_zero(as_written(residual))
+            return True if right is False and rounded([residual]) is not None else right
         except DivisionByZeroError:
             return False
         except NotAlgebraicError:
@@ -80,7 +83,7 @@ class _Place:
     def differ(self, a: sp.Expr, b: sp.Expr, values: Values) -> bool | None:
         """Whether two frequencies differ in magnitude; None: undecided."""
         try:
-            same = is_zero(self.at(a**2 - b**2).xreplace(values))
+            same = is_zero(self.at(as_written(a**2 - b**2)).xreplace(values))
         except (DivisionByZeroError, NotAlgebraicError):
             return None
         return None if same is None else not same
@@ -124,7 +127,7 @@ def _is_complete(f: Linearization) -> bool:
 
 
 def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
-    value = read_value(fragment, reference.scope, [])
+    value = read_value(fragment, replace(reference.scope, decimals=""), [], latex=True)
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a frequency is a number, not a vector", fragment.whole))
     return value

@@ -15,6 +15,7 @@ import sympy as sp
 
 from lagrange.answers.conventions import Convention
 from lagrange.answers.diagnosis import Diagnosis, Group
+from lagrange.answers.models.search import Explanation
 from lagrange.answers.slips import Slip, terms_of
 from lagrange.core.symbols import Slots
 from lagrange.core.units import written
@@ -34,6 +35,22 @@ _TERMS = {
     Group.FORCE: "terms without velocities and accelerations",
 }
 _DIMENSIONS = "its terms have different dimensions"
+_SLIPS = {
+    Slip.SIGN: "the sign",
+    Slip.FACTOR: "a factor",
+    Slip.INVERTED: "a ratio inverted",
+    Slip.POWER: "a power",
+    Slip.MISSING: "missing",
+    Slip.EXTRA: "one too many",
+    Slip.FUNCTION: "sine and cosine",
+    Slip.SMALL_ANGLE: "a small angle",
+    Slip.EXACT_ANGLE: "a small angle",
+    Slip.ANGLE: "another angle",
+    Slip.COORDINATE: "another coordinate",
+    Slip.PARAMETER: "another parameter",
+    Slip.DOT: "another time derivative",
+    Slip.NUMBER: "a number",
+}
 _WHY = {
     Slip.FUNCTION: "sine and cosine",
     Slip.SMALL_ANGLE: "the angle is not small",
@@ -43,6 +60,14 @@ _WHY = {
     Slip.PARAMETER: "another parameter",
     Slip.DOT: "another time derivative",
 }
+
+
+def cause_of(change: Diagnosis | None) -> str:
+    """The kind of mistake that a change mends, in a few words; empty if it is not known."""
+    if change is None or change.group is None:
+        return ""
+    group = _GROUPS[change.group].removeprefix("a ")
+    return f"{group}: {_SLIPS[change.slip]}" if change.slip is not None else f"something in {_TERMS[change.group]}"
 
 
 class Advisor:
@@ -58,11 +83,16 @@ class Advisor:
         units: Mismatch | None,
         convention: Convention | None,
         sides: Sequence[sp.Expr | Vector],
+        model: Explanation | None = None,
     ) -> tuple[str, ...]:
         """The hint at each level; all begin with `why`."""
-        place = [_DIMENSIONS if units else "", self._place(change)]
+        place = [
+            _DIMENSIONS if units else "",
+            self._place(change) or (f"look at {model.place}" if model is not None else ""),
+        ]
         details = [
             self._units(units) if units else "",
+            model.sentence if model is not None else "",
             self._change(change, sides),
             self._convention(convention) if convention else "",
         ]

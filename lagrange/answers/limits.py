@@ -17,6 +17,9 @@ MAX_MARKS = 50_000
 """Signs of equality, and of brackets, commas and commands, in a file: a record is made of each. A thesis with its
 appendix has as many; a file of 262,000 equations took 46 s and 2.2 GB before it was refused."""
 
+MAX_FILE_LINES = 20_000
+"""Lines of a file, of which the places are kept: 300 pages. A megabyte of empty lines took 3 s and 130 MB."""
+
 MAX_ALTERNATIVES = 32
 """Alternatives in an answer about equilibria: five equations with two solutions each. The shipped maximum is 4."""
 
@@ -83,8 +86,14 @@ MAX_NAMED_SIZE = 60
 MAX_DETERMINANT = 4
 """Rows of a determinant that is expanded symbolically: 4! = 24 products, or 5! = 120 for the derived equations."""
 
+MAX_KEPT_FACTORS = 500
+"""Expressions whose factors are kept for the answers after this one; an answer brings some ten of its own."""
+
 MAX_CONDITIONS = 8
 """Factors of one equation that are tested for real zeros: each may take a run of Newton's iteration."""
+
+UNITS_OF_CHECKING = 200_000
+"""Of work (`core.effort`) for one answer, with its diagnosis."""
 
 MOST_MEANINGS = 100
 """Readings of the names of reactions in one answer: three names of four meanings each have 63 besides the usual one."""
@@ -96,3 +105,30 @@ WIDEST = 100
 
 MAX_SHOWN_CHARACTERS = 1000
 """Characters of an equation that are shown. An answer may have 2,000; the longest shipped equation has 177."""
+
+# Decimals
+
+MAX_DECIMALS = 12
+"""Decimals in one equation whose rounding is followed: twice as many as an equation in numbers usually has."""
+
+DECIMAL_STATES = 8
+"""States at which an equation with decimals must hold, apart from the one that confirms it: one row each at least, so
+that with as many decimals no more are left open than the form of the equation leaves."""
+
+NEWTON_STEPS_OF_DECIMALS = 40
+"""Steps to eighty digits. Each doubles the digits, and decimals that stand outside functions need one; the first ones
+gain less where two frequencies are close at a random state (up to 20 steps in 200 runs)."""
+
+MAX_PROJECTIONS = 60
+"""Projections in turn on the intervals and on the solutions, where the decimals are not determined."""
+
+# Models of a wrong answer
+
+MAX_MODEL_WORK = 20_000
+"""Numbers in the rows of changed equations that are compared with one answer. Two equations of two coordinates have 6,
+so that all variations of most problems fit; a rigid body with rolling constraints has 40, and 500 are tried."""
+
+MAX_BESIDE = 150
+"""Terms times squared parameters of an equation in which one change is sought although a model explains it: a
+pendulum's two terms with three parameters. The number of possible factors grows with that square, and the search takes
+the longest."""

@@ -9,15 +9,18 @@ right if it holds at every equilibrium, exactly.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.force_names import meanings, other_readings
-from lagrange.answers.readings import Reading
+from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written, remark_on, rounded, rounded_in_motion
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
@@ -76,10 +79,14 @@ def _judged(text: str, claim: Claim, reference: Reference) -> Iterator[EquationV
     """The verdicts on a claim in all sets of coordinates that have what it uses."""
     zero, remarks = claim
     for c in reference.candidates_for({s.name for s in zero.free_symbols}):
-        verdict = _verdict(zero, c, reference)
+        verdict = _verdict(as_written(zero), c, reference)
+        more = c.remarks_on([zero])
+        if verdict is Verdict.WRONG and decimals_in([zero]):
+            values = rounded_in_motion([c.read(zero)], c.system)
+            if values is not None:
+                verdict, more = Verdict.EQUIVALENT, (remark_on(values), *more)
         if verdict is not None:
-            right = verdict is Verdict.EQUIVALENT
-            yield EquationVerdict(text, verdict, remarks=(*remarks, *c.remarks_on([zero])) if right else ())
+            yield EquationVerdict(text, verdict, remarks=(*remarks, *more) if verdict is Verdict.EQUIVALENT else ())
 
 
 Claim = tuple[sp.Expr, tuple[str, ...]]
@@ -88,11 +95,12 @@ Claim = tuple[sp.Expr, tuple[str, ...]]
 
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[Claim]:
     """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
+    scope = replace(reference.scope, decimals="")
     if "=" in fragment.text:
-        equation = read_equation(fragment, reference.scope, [], MAX_ANSWER_CHARACTERS, latex=True)
+        equation = read_equation(fragment, scope, [], MAX_ANSWER_CHARACTERS, latex=True)
         lhs, rhs = equation.lhs, equation.rhs
         return [] if isinstance(lhs, Vector) or isinstance(rhs, Vector) else [(lhs - rhs, ())]
-    value = read_value(fragment, reference.scope, [], latex=True)
+    value = read_value(fragment, scope, [], latex=True)
     if isinstance(value, Vector):
         return []
     return [(force - value, (remark,) if remark else ()) for force, remark in _meanings(reaction)]
@@ -162,7 +170,7 @@ class AtRest:
     def check(self, reading: Reading) -> EquationVerdict:
         """The verdict on an equation of an answer that is about reactions."""
         order = (Verdict.TRIVIAL, *_STATED)
-        best = _best(self._judged(reading.text, reading.components), order)
+        best = _best(self._judged(reading.text, reading.with_decimals or reading.components), order)
         verdict = best.verdict if best is not None else Verdict.UNREADABLE
         diagnosis = {
             Verdict.WRONG: "it does not hold at every equilibrium",
@@ -200,7 +208,7 @@ class AtRest:
         known = {s.name for s in (*configuration.slots.coordinates, *configuration.expressed)}
         if not used & {q.name for q in self.reference.scope.slots.coordinates} <= known or not reactions.at:
             return None
-        meant = [configuration.rewritten(e.xreplace(dict(meaning))) for e in claims]
+        meant = [configuration.rewritten(as_written(e).xreplace(dict(meaning))) for e in claims]
         verdicts: list[bool | None] = []
         try:
             if all(is_zero(e) for e in meant):
@@ -213,4 +221,23 @@ class AtRest:
                 verdicts += [r.points.holds(e.xreplace(r.rule), values) for e in meant]
         except DivisionByZeroError:
             return None
+        if False in verdicts and decimals_in(claims) and self._round(claims, meaning, reactions):
+            return Verdict.EQUIVALENT
         return Verdict.WRONG if False in verdicts else Verdict.UNDECIDED if None in verdicts else Verdict.EQUIVALENT
+
+    def _round(
+        self, claims: Sequence[sp.Expr], meaning: Mapping[sp.Symbol, sp.Expr], reactions: StaticReactions
+    ) -> bool:
+        """Whether claims hold at every equilibrium with numbers that round to their decimals."""
+        values = dict(self.reference.values)
+        for r in reactions.at:
+            if r is None or r.verified is not True:
+                return False
+            meant = [reactions.configuration.rewritten(e.xreplace(dict(meaning))).xreplace(r.rule) for e in claims]
+            try:
+                places = [*r.points.values_at(meant)]
+            except NotAlgebraicError:
+                return False
+            if any(rounded([e.xreplace(values) for e in at], r.points.around) is None for at in places):
+                return False
+        return True

@@ -22,8 +22,10 @@ and these coefficients are compared like any other equations.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import field
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import field, replace
+from functools import cached_property
 from itertools import combinations, product
 
 import sympy as sp
@@ -33,7 +35,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import MAX_ANGLES
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import differential, prime, t, variation
+from lagrange.core.symbols import Decimal, differential, prime, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import OneEquation
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -49,7 +51,9 @@ NOT_FOR_ALL = "it does not hold for all displacements that the constraints admit
 class Reading:
     """One equation of an answer: its two sides and its components, each zero; or the error in reading it.
 
-    other  the same text as it might also be read; None if there is no other way
+    other   the same text as it might also be read; None if there is no other way
+    source  the text that was read, and the names in it, with those that have decimals in their definitions; None if
+            there are no decimals that may have been rounded
     """
 
     text: str
@@ -58,6 +62,18 @@ class Reading:
     notes: list[Diagnostic] = field(default_factory=list)
     sides: tuple[sp.Expr | Vector, ...] = ()
     other: Reading | None = None
+    source: tuple[Fragment, Scope] | None = None
+
+    @cached_property
+    def with_decimals(self) -> tuple[sp.Expr, ...]:
+        """The components with symbols for the decimals that may have been rounded; none if there are no such decimals.
+
+        See `lagrange.answers.written.decimals`.
+        """
+        if self.source is None:
+            return ()
+        reading = read_answer(*self.source)
+        return reading.components if any(decimals_in(reading.components)) else ()
 
     @property
     def surprising(self) -> tuple[sp.Expr | Vector, ...]:
@@ -97,7 +113,16 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     if isinstance(lhs, Vector) and isinstance(rhs, Vector):
         parts = tuple(c for c in (lhs - rhs).components if c != 0) or (sp.S.Zero,)
         return Reading(text, parts, notes=notes, sides=(lhs, rhs))
-    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs))
+    source = (fragment, replace(scope, decimals="")) if scope.decimals is None and _DECIMAL.search(text) else None
+    return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs), source=source)
+
+
+_DECIMAL = re.compile(r"[0-9](?:\.|\{,\})[0-9]|\.[0-9][0-9]")
+
+
+def decimals_in(expressions: Iterable[sp.Expr]) -> list[Decimal]:
+    """The decimals that may have been rounded, in a fixed order."""
+    return sorted({s for e in expressions for s in e.free_symbols if isinstance(s, Decimal)}, key=lambda d: d.name)
 
 
 def radii(system: System) -> tuple[sp.Symbol, ...]:

@@ -16,8 +16,11 @@ from functools import cached_property
 import sympy as sp
 
 from lagrange.answers.force_names import other_readings
+from lagrange.answers.models.mechanics import Mechanics, mechanics_of
+from lagrange.answers.models.search import Models
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.slips import terms_of
+from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Sign, prime, variation
 from lagrange.core.vectors import Vector
@@ -28,8 +31,8 @@ from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
-from lagrange.mechanics.energy_symbols import energy_symbols
-from lagrange.mechanics.solution import Solution, letters_of_oscillations, small_displacements
+from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
+from lagrange.mechanics.solution import InCoordinates, Solution
 from lagrange.problem.model import Problem
 from lagrange.values.dimensions import Mismatch, mismatch
 
@@ -47,6 +50,7 @@ class ReferenceCandidate:
     certain      magnitudes and signs that the file settles: |N| is N
     positive     radii that are taken as positive
     remarks      the meanings of names of forces that differ from those in the derivation, in words
+    mechanics    the parts of the system, in which a model may change it; None if they are not known
     """
 
     choice: str
@@ -60,13 +64,30 @@ class ReferenceCandidate:
     certain: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict)
     positive: tuple[sp.Symbol, ...] = ()
     remarks: Mapping[str, str] = field(default_factory=dict)
+    mechanics: Callable[[], Mechanics] | None = None
+
+    @cached_property
+    def models(self) -> Models:
+        """The changed problems that a wrong answer is compared with."""
+        return Models(self.system, dict(self.values), self._mechanics)
+
+    def _mechanics(self) -> Mechanics | None:
+        found = self.mechanics() if self.mechanics is not None else None
+        if found is None or not self.positive:
+            return found
+        return found.force(lambda f: replace(f, shares=tuple(with_positive_radii(e, self.positive) for e in f.shares)))
 
     @cached_property
     def system(self) -> System:
         """The system, with the numbers that the file gives."""
         return _with_values(self.build(), self.values) if self.values else self.build()
 
-    @property
+    @cached_property
+    def factorizations(self) -> Factorizations:
+        """The factors that are known of the system."""
+        return Factorizations(self.system)
+
+    @cached_property
     def known(self) -> set[str]:
         """The names of coordinates and unknowns that may occur in answers compared with it."""
         slots = self.configuration.slots
@@ -129,6 +150,25 @@ class Reference:
     def coordinates(self) -> frozenset[str]:
         """The names of the coordinates."""
         return frozenset(q.name for q in self.scope.slots.coordinates)
+
+    @cached_property
+    def scope_of_answers(self) -> Scope:
+        """The names without letters of the derivation that are declared names but for their case.
+
+        `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
+        """
+        lower = {n.lower() for n in self.declared}
+        hidden = {n for n in self.letters if n.lower() in lower and n not in self.declared}
+        if not hidden:
+            return self.scope
+        scalars = {n: v for n, v in self.scope.scalars.items() if n not in hidden}
+        coordinates = tuple(q for q in self.scope.slots.coordinates if q.name not in hidden)
+        return replace(self.scope, scalars=scalars, slots=replace(self.scope.slots, coordinates=coordinates))
+
+    @cached_property
+    def of_answers(self) -> Reference:
+        """The same with only the names that answers may use."""
+        return self if self.scope_of_answers is self.scope else replace(self, scope=self.scope_of_answers)
 
     def candidates_for(self, used: Collection[str]) -> Iterator[ReferenceCandidate]:
         """The candidates for an answer with these names: as in the derivation, then for other meanings of reactions."""
@@ -393,13 +433,13 @@ def _candidates(solution: Solution) -> Iterator[ReferenceCandidate]:
     if solution.own.motion is None:
         return
     unknowns = solution.problem.unknowns
-    yield _candidate("", solution.own.motion, solution)
+    yield _candidate(solution.own, solution.own.motion, solution)
     reactions = tuple(c.reaction for c in solution.problem.constraints)
     tensions = solution.law.newton.single_forces if solution.law else {}
     for c in solution.choices:
         if c.motion is None:
             continue
-        reduced = _candidate(c.name, c.motion, solution)
+        reduced = _candidate(c, c.motion, solution)
         yield reduced
         lost = {r for r in reactions if r not in reduced.multipliers}
         configuration = c.motion.configuration
@@ -418,13 +458,20 @@ def _candidates(solution: Solution) -> Iterator[ReferenceCandidate]:
             )
 
 
-def _candidate(choice: str, motion: EquationsOfMotion, solution: Solution) -> ReferenceCandidate:
+def _candidate(view: InCoordinates, motion: EquationsOfMotion, solution: Solution) -> ReferenceCandidate:
     """The equations of one configuration, with the multipliers of the constraints that remain in it."""
     configuration = motion.configuration
     reactions = {c.name: c.reaction for c in solution.problem.constraints}
     multipliers = tuple(reactions[r.name] for r in configuration.rows)
     known = (*multipliers, *solution.problem.unknowns)
-    return ReferenceCandidate(choice, configuration, known, lambda: _with_multipliers(motion, solution))
+    frictions = view.dynamics.friction_forces if view.dynamics is not None else ()
+    return ReferenceCandidate(
+        view.name,
+        configuration,
+        known,
+        lambda: _with_multipliers(motion, solution),
+        mechanics=lambda: mechanics_of(configuration, solution.problem, frictions),
+    )
 
 
 def _with_multipliers(motion: EquationsOfMotion, solution: Solution) -> System:

@@ -8,8 +8,9 @@ coordinate, another parameter, a sum for a difference of angles.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from enum import Enum, auto
+from functools import lru_cache
 from itertools import combinations
 
 import sympy as sp
@@ -161,7 +162,7 @@ def _renamed(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) -> It
         back = {v: k for k, v in forth.items()}
         for rule in (forth, back, forth | back):
             if used & set(rule):
-                yield Slip.COORDINATE, term.subs(list(rule.items()), simultaneous=True)
+                yield Slip.COORDINATE, term.xreplace(rule)
         for k in range(3):
             a, b = (prime(s, k) if k else s for s in (q, p))
             for wrong, right in ((a, b), (b, a)):
@@ -173,7 +174,8 @@ def _renamed(term: sp.Expr, slots: Slots, parameters: Sequence[sp.Symbol]) -> It
                 yield Slip.PARAMETER, term.xreplace({a: b})
 
 
-def factors(parameters: Iterable[sp.Symbol], slots: Slots, angles: Sequence[sp.Expr]) -> list[sp.Expr]:
+@lru_cache(maxsize=64)
+def factors(parameters: Sequence[sp.Symbol], slots: Slots, angles: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
     """The wrong factors that a term may have, up to a number, the simplest first."""
     constants = list(parameters)[:MAX_FACTOR_PARAMETERS]
     simple: list[sp.Expr] = [sp.S.One]
@@ -205,4 +207,4 @@ def factors(parameters: Iterable[sp.Symbol], slots: Slots, angles: Sequence[sp.E
     simple += [a**2 / b for a in constants for b in constants if a != b]
     simple += [a * f for a in constants for f in moving]
     simple += [f / a for a in constants for f in moving]
-    return simple
+    return tuple(simple)

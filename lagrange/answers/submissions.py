@@ -27,7 +27,7 @@ from time import perf_counter
 
 from lagrange.answers.equations import WHAT_IT_IS, check_equations
 from lagrange.answers.examiner import Examiner
-from lagrange.answers.limits import MAX_MARKS, MAX_SIGNS
+from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
 from lagrange.answers.recognition import Recognised
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
@@ -70,16 +70,17 @@ def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
 
 
 def _check_size(fragment: Fragment) -> None:
-    """Refuse a file with more signs than any answer has, before a record is made of each of them."""
+    """Refuse a file with more signs or lines than any answer has, before a record is made of each of them."""
     text = fragment.text
-    if text.count("=") > MAX_SIGNS:
-        message = f"a file may have {MAX_SIGNS:,} signs of equality, and this one has {text.count('='):,}"
-        help_ = "hand in the equations asked for, and not everything that was computed"
-        raise ProblemError(Diagnostic("too-many-equations", message, fragment.span(0, 20), help=help_))
-    if sum(map(text.count, "\\${}()[],;")) > MAX_MARKS:
-        message = f"a file may have {MAX_MARKS:,} brackets, commas and commands"
-        help_ = "hand in the equations asked for, and not everything that was computed"
-        raise ProblemError(Diagnostic("too-many-equations", message, fragment.span(0, 20), help=help_))
+    for number, most, what in (
+        (text.count("="), MAX_SIGNS, "signs of equality"),
+        (sum(map(text.count, "\\${}()[],;`")), MAX_MARKS, "brackets, commas and commands"),
+        (text.count("\n"), MAX_FILE_LINES, "lines"),
+    ):
+        if number > most:
+            message = f"a file may have {most:,} {what}, and this one has {number:,}"
+            help_ = "hand in the equations asked for, and not everything that was computed"
+            raise ProblemError(Diagnostic("too-many-equations", message, fragment.span(0, 20), help=help_))
 
 
 def _part(fragment: Fragment, start: int, end: int) -> Fragment:
@@ -309,6 +310,10 @@ class Grader:
             source, ending = decode(content, name), PurePath(name).suffix.lower()
             if ending not in (".yaml", ".yml"):
                 fragments += equations_in_file(source, ending)
+                if len(fragments) > MAX_SIGNS:
+                    message = f"a submission may have {MAX_SIGNS:,} equations in all its files"
+                    help_ = "hand in the equations asked for, and not everything that was computed"
+                    raise ProblemError(Diagnostic("too-many-equations", message, fragments[-1].whole, help=help_))
             elif answers is None:
                 answers = read_answers(source, self.examiner.problem)
             else:

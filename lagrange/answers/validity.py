@@ -31,7 +31,13 @@ from lagrange.algebra.exact.zero_test import (
 )
 from lagrange.algebra.fourier.terms import Factors, as_term, common_powers, divided, multiplied, number_apart
 from lagrange.algebra.fourier.textbook_form import textbook_form
-from lagrange.answers.limits import MAX_CONDITIONS, MAX_DETERMINANT, MAX_EXPANDED_TERMS, MAX_NAMED_SIZE
+from lagrange.answers.limits import (
+    MAX_CONDITIONS,
+    MAX_DETERMINANT,
+    MAX_EXPANDED_TERMS,
+    MAX_KEPT_FACTORS,
+    MAX_NAMED_SIZE,
+)
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
 from lagrange.core.symbols import partial
@@ -54,20 +60,82 @@ class NonzeroCondition:
     together: bool = False
 
 
+class Factorizations:
+    """The factors of what occurs in the equations of one system, kept for one answer after the other.
+
+    never  the factors by which the derived equations divide
+    """
+
+    def __init__(self, system: System) -> None:
+        self.system = system
+        self.measures = Sizes()
+        self._known: dict[sp.Expr, Factors] = {}
+        self.never = {f for e in system.equations for f in self.below(e)}
+
+    def size(self, e: sp.Expr) -> int:
+        """The number of nodes of an expression."""
+        return self.measures.of(e).size
+
+    def powers(self, e: sp.Expr) -> Factors:
+        """The factors of an expression."""
+        if e not in self._known:
+            powers: Factors = {}
+            for factor, exponent in as_term(e).factors.items():
+                inside = self._pieces(factor)
+                powers = multiplied(powers, {f: exponent * p for f, p in inside.items()})
+            self._known[e] = powers
+        return self._known[e]
+
+    def below(self, e: sp.Expr) -> Iterator[sp.Expr]:
+        """The factors by which an expression divides, as it is written."""
+        stack, seen = [e], {e}
+        while stack:
+            part = stack.pop()
+            if isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.is_negative:
+                yield from self.powers(part.base)
+            elif type(part) in _BELOW:
+                yield from self.powers(_BELOW[type(part)](part.args[0]))
+            stack += [a for a in part.args if a not in seen]
+            seen.update(part.args)
+
+    def forget_much(self) -> None:
+        """Forgets what other answers had, if that is much."""
+        if len(self._known) > MAX_KEPT_FACTORS:
+            self._known.clear()
+            self.measures = Sizes()
+
+    def _pieces(self, e: sp.Expr) -> Factors:
+        """The factors of an expression that is no product, brought to textbook form unless it is long."""
+        measure = self.measures.of(e)
+        if e.is_Symbol or measure.widest > MAX_EXPANDED_TERMS or measure.size > 4 * MAX_NAMED_SIZE:
+            return {e: 1}
+        form = textbook_form(e)
+        if form == 0 or not form.is_Add:
+            return {_signed(f): p for f, p in as_term(form).factors.items()}
+        terms = [as_term(summand).factors for summand in form.args]
+        shared = common_powers(terms)
+        _, rest = number_apart(sp.Add(*(sp.Mul(s, *(f**-p for f, p in shared.items())) for s in form.args)))
+        return multiplied(shared, {_signed(rest): 1})
+
+
 def conditions(
-    equations: Sequence[sp.Expr], system: System, *, complete: bool = True
+    equations: Sequence[sp.Expr], known: Factorizations, *, complete: bool = True
 ) -> list[tuple[NonzeroCondition, ...]]:
     """The conditions for each of several independent equations, each zero, that follow from a system.
 
+    known     the system, with the factors that are known of it
     complete  there are no other equations, which might determine the accelerations where these do not
 
     Empty if they cannot be found within bounds.
     """
+    system = known.system
+    known.forget_much()
     try:
-        combinations = system.configuration.states.sampled(lambda p: _combinations(p, equations, system), 1)[0]
+        one, other = system.configuration.states.sampled(lambda p: _combinations(p, equations, system), 2)
     except (NoPointError, UnsupportedError, DivisionByZeroError):
         return [()] * len(equations)
-    every = _Validity(equations, system, combinations).conditions()
+    combinations = [replace(a, constant=a.values == b.values) for a, b in zip(one, other, strict=True)]
+    every = _Validity(equations, known, combinations).conditions()
     return [tuple(c for c in own if complete or not c.together) for own in every]
 
 
@@ -78,11 +146,15 @@ class _Combination:
     parts    the numbers of the derived equations with nonzero coefficients
     pure     whether all constraints have the coefficient 0
     columns  the numbers of the unknowns in the equation
+    values   the coefficients, if they are certain
+    constant whether the coefficients are numbers: then nothing that could vanish is multiplied or divided by
     """
 
     parts: tuple[int, ...]
     pure: bool
     columns: frozenset[int]
+    values: tuple[Any, ...] = ()
+    constant: bool = False
 
 
 def _combinations(point: Point, equations: Sequence[sp.Expr], system: System) -> list[_Combination]:
@@ -104,7 +176,7 @@ def _combinations(point: Point, equations: Sequence[sp.Expr], system: System) ->
         used = [n for n, x in enumerate(c) if not vanishes(x)]
         parts = tuple(n - len(constraints) for n in used if n >= len(constraints))
         columns = frozenset(j for j, x in enumerate(row[:-1]) if not vanishes(x))
-        combinations.append(_Combination(parts, len(parts) == len(used), columns))
+        combinations.append(_Combination(parts, len(parts) == len(used), columns, tuple(c)))
     return combinations
 
 
@@ -115,24 +187,25 @@ def _unknowns(system: System) -> tuple[sp.Symbol, ...]:
 class _Validity:
     """The conditions for one answer against one system."""
 
-    def __init__(self, equations: Sequence[sp.Expr], system: System, combinations: Sequence[_Combination]) -> None:
+    def __init__(
+        self, equations: Sequence[sp.Expr], known: Factorizations, combinations: Sequence[_Combination]
+    ) -> None:
         self.equations = equations
-        self.system = system
+        self.known = known
+        self.system = known.system
         self.combinations = combinations
-        self.unknowns = _unknowns(system)
-        self.measures = Sizes()
-        self._known: dict[sp.Expr, Factors] = {}
-        self.never = {f for e in system.equations for f in self._below(e)}
+        self.unknowns = _unknowns(known.system)
 
     def conditions(self) -> list[tuple[NonzeroCondition, ...]]:
         """The conditions for each equation; those on the determinant are given with the last that it mixes."""
         factors = [self._own(e, c) for e, c in zip(self.equations, self.combinations, strict=True)]
         mixed = [n for n, c in enumerate(self.combinations) if not self._is_multiple(c)]
-        rest = divided(self._determinant(mixed), _product(factors[n] for n in mixed)) if mixed else {}
+        open_ones = any(not self.combinations[n].constant for n in mixed)
+        rest = divided(self._determinant(mixed), _product(factors[n] for n in mixed)) if open_ones else {}
         every = []
         for n, e in enumerate(self.equations):
             own = {f: NonzeroCondition(f, divided=power < 0) for f, power in factors[n].items()}
-            own = {f: NonzeroCondition(f, divided=True) for f in self._below(e)} | own
+            own = {f: NonzeroCondition(f, divided=True) for f in self.known.below(e)} | own
             if n in mixed[-1:]:
                 own = {f: NonzeroCondition(f, divided=power < 0, together=power > 0) for f, power in rest.items()} | own
             named = (replace(c, factor=None) if self._is_long(f) else c for f, c in [*own.items()][:MAX_CONDITIONS])
@@ -144,17 +217,17 @@ class _Validity:
 
     def _own(self, equation: sp.Expr, c: _Combination) -> Factors:
         """The factor of one equation: for a multiple of E_k the ratio to it, otherwise what its coefficients share."""
-        own = {j: self._coefficient(equation, j) for j in sorted(c.columns)}
+        own = {} if c.constant else {j: self._coefficient(equation, j) for j in sorted(c.columns)}
         if not own:
             return {}
         if self._is_multiple(c):
             derived = {j: self._coefficient(self.system.equations[c.parts[0]], j) for j in own}
-            j = min(own, key=lambda j: self._size(own[j]) + self._size(derived[j]))
-            return divided(self._powers(own[j]), self._powers(derived[j]))
-        shared = _common(self._powers(a) for a in own.values())
+            j = min(own, key=lambda j: self.known.size(own[j]) + self.known.size(derived[j]))
+            return divided(self.known.powers(own[j]), self.known.powers(derived[j]))
+        shared = _common(self.known.powers(a) for a in own.values())
         for k in c.parts:
             coefficients = (self._coefficient(self.system.equations[k], j) for j in range(len(self.unknowns)))
-            shared_in_derived = _common(self._powers(a) for a in coefficients if a != 0)
+            shared_in_derived = _common(self.known.powers(a) for a in coefficients if a != 0)
             shared = {f: p for f, p in shared.items() if p > 0 and f not in shared_in_derived}
         return shared
 
@@ -174,11 +247,11 @@ class _Validity:
             columns = columns[head:]
         if len(rows) != len(columns) or len(columns) > MAX_DETERMINANT:
             return {}
-        own = self._powers(self._expanded(rows, columns))
+        own = self.known.powers(self._expanded(rows, columns))
         derived = [*self.system.equations, *self.system.accelerated_constraints]
         if len(derived) != len(self.unknowns) or len(derived) > MAX_DETERMINANT + 1:
             return {f: p for f, p in own.items() if p > 0}
-        of_derived = self._powers(self._expanded(derived, range(len(self.unknowns))))
+        of_derived = self.known.powers(self._expanded(derived, range(len(self.unknowns))))
         if eliminated:
             return {f: p for f, p in own.items() if p > 0 and f not in of_derived}
         return divided(own, of_derived)
@@ -194,50 +267,12 @@ class _Validity:
             return sp.S.Zero
         return partial(equation, u)
 
-    def _size(self, e: sp.Expr) -> int:
-        return self.measures.of(e).size
-
-    def _powers(self, e: sp.Expr) -> Factors:
-        """The factors of an expression."""
-        if e not in self._known:
-            powers: Factors = {}
-            for factor, exponent in as_term(e).factors.items():
-                inside = self._pieces(factor)
-                powers = multiplied(powers, {f: exponent * p for f, p in inside.items()})
-            self._known[e] = powers
-        return self._known[e]
-
-    def _pieces(self, e: sp.Expr) -> Factors:
-        """The factors of an expression that is no product, brought to textbook form unless it is long."""
-        measure = self.measures.of(e)
-        if e.is_Symbol or measure.widest > MAX_EXPANDED_TERMS or measure.size > 4 * MAX_NAMED_SIZE:
-            return {e: 1}
-        form = textbook_form(e)
-        if form == 0 or not form.is_Add:
-            return {_signed(f): p for f, p in as_term(form).factors.items()}
-        terms = [as_term(summand).factors for summand in form.args]
-        shared = common_powers(terms)
-        _, rest = number_apart(sp.Add(*(sp.Mul(s, *(f**-p for f, p in shared.items())) for s in form.args)))
-        return multiplied(shared, {_signed(rest): 1})
-
-    def _below(self, e: sp.Expr) -> Iterator[sp.Expr]:
-        """The factors by which an expression divides, as it is written."""
-        stack, seen = [e], {e}
-        while stack:
-            part = stack.pop()
-            if isinstance(part, sp.Pow) and part.exp.is_Rational and part.exp.is_negative:
-                yield from self._powers(part.base)
-            elif type(part) in _BELOW:
-                yield from self._powers(_BELOW[type(part)](part.args[0]))
-            stack += [a for a in part.args if a not in seen]
-            seen.update(part.args)
-
     def _is_long(self, factor: sp.Expr) -> bool:
-        return self._size(factor) > MAX_NAMED_SIZE and factor not in self.never
+        return self.known.size(factor) > MAX_NAMED_SIZE and factor not in self.known.never
 
     def _counts(self, factor: sp.Expr) -> bool:
         """Whether a factor can vanish at a real point at which the derived equations are defined."""
-        if factor.is_nonzero or factor in self.never:
+        if factor.is_nonzero or factor in self.known.never:
             return False
         configuration = self.system.configuration
         if not configuration.rows and (factor.is_Symbol or _is_wave(factor)):

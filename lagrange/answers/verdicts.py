@@ -75,6 +75,8 @@ class EquationVerdict:
 
     sides  both sides as they were read, if the reading may surprise; otherwise empty
     hints  for a wrong equation of motion: the diagnosis at each of the three hint levels, the last being `diagnosis`
+    cause  the mistake in a few words, the same for all who made it; empty if it is not known
+    model  the name of the model that explains it; empty if none does
     """
 
     text: str
@@ -83,6 +85,8 @@ class EquationVerdict:
     remarks: tuple[str, ...] = ()
     sides: tuple[sp.Expr | Vector, ...] = ()
     hints: tuple[str, ...] = ()
+    cause: str = ""
+    model: str = ""
 
     def at_hint_level(self, level: int) -> EquationVerdict:
         """The verdict with the diagnosis of a hint level: 1, 2 or 3."""

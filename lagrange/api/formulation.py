@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
+    from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
 
 
 @record
@@ -170,6 +171,11 @@ class Formulation:
     def stability(self) -> SecondVariation | None:
         """Their stability: `verdicts`, one for each branch."""
         return self.view.stability
+
+    @property
+    def hamiltonian(self) -> Hamiltonian | None:
+        """Hamilton's function and equations, if the problem asks for them."""
+        return self.view.hamiltonian
 
     @property
     def linearization(self) -> Linearization | None:

@@ -137,6 +137,15 @@ class UndecidedError(ProblemError):
         super().__init__(Diagnostic("undecided", f"it could not be decided {question}", span, help=help_))
 
 
+class GaveUpError(UndecidedError):
+    """The error for a problem of which nothing is known within the work, time or memory that is allowed."""
+
+    def __init__(self, stage: str, reason: str) -> None:
+        help_ = "a smaller system, or shorter expressions, may be solved"
+        self.place = f"{stage}, {reason}"
+        ProblemError.__init__(self, Diagnostic("given-up", f"given up at: {self.place}", help=help_))
+
+
 class NotCoveredError(ProblemError):
     """The error for something that the format allows and the program cannot do yet."""
 

@@ -13,7 +13,7 @@ the language of problem files (`theta''`, `d(x)`, `delta(x)`, `lambda_rod`), so 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Sequence
 from functools import lru_cache
 
 import sympy as sp
@@ -45,6 +45,43 @@ class Sign(sp.Symbol):
 
     def _eval_Abs(self) -> sp.Expr:
         return sp.S.One
+
+
+class Decimal(sp.Symbol):
+    """A decimal in an answer, which stands for all numbers that round to it.
+
+    written     the number itself
+    half_width  how far a number that rounds to it may be from it
+
+    Its name is the decimal and the place where it was written, so that each place has a symbol of its own.
+    """
+
+    __slots__ = ("half_width", "written")
+
+    def __new__(cls, text: str, place: str) -> Decimal:
+        """The decimal with this text, `14.01` or `1.2e-3`."""
+        symbol: Decimal = cls.__xnew__(cls, f"{text} at {place}", positive=True)
+        mantissa, _, power = text.lower().partition("e")
+        places = len(mantissa.partition(".")[2])
+        symbol.written = sp.Rational(text)
+        symbol.half_width = sp.Rational(1, 2) * sp.Integer(10) ** (int(power or 0) - places)
+        return symbol
+
+    @staticmethod
+    def is_rounded(text: str) -> bool:
+        """Whether a number may have been rounded: one with a decimal point and two digits that count, but not 2.0."""
+        mantissa = text.lower().partition("e")[0]
+        whole, point, places = mantissa.partition(".")
+        digits = (whole + places).lstrip("0")
+        return bool(point) and len(digits) > 1 and not (len(digits) == 2 and not places.strip("0"))
+
+    @property
+    def text(self) -> str:
+        """The decimal as it was written."""
+        return str(self.name).partition(" ")[0]
+
+    def __getnewargs_ex__(self) -> tuple[tuple[object, ...], dict[str, bool]]:
+        return (self.text, self.name.partition(" at ")[2]), {}
 
 
 class Bounded(sp.Symbol):
@@ -177,6 +214,14 @@ def variation(symbol: sp.Symbol) -> sp.Symbol:
 def multiplier(constraint: str) -> sp.Symbol:
     """The multiplier of a constraint, λ_rod."""
     return sp.Symbol(f"lambda_{constraint}", real=True)
+
+
+def free_letter(*candidates: str, taken: Collection[str], of: Sequence[str] = ()) -> str:
+    """The first letter that no name uses, with each of the subscripts `of` if there are any."""
+    for letter in candidates:
+        if not any(name in taken for name in ([f"{letter}_{s}" for s in of] or [letter])):
+            return letter
+    return candidates[-1] + "_"
 
 
 def counting(name: str) -> str:

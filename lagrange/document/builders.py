@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from lagrange.document.derivation import Detail, Display, Equation, Math, Mathematics, Part, Prose
 
@@ -28,6 +29,12 @@ def paragraph(*sentences: Prose) -> Prose:
 def display(*equations: Equation, boxed: bool = False, detail: Detail = Detail.STEPS) -> Display:
     """Displayed equations."""
     return Display(equations, boxed, detail)
+
+
+def paired(equations: Sequence[Equation]) -> tuple[Equation, ...]:
+    """Equations two in a line, the second as what follows the first, which has the number."""
+    pairs = [equations[n : n + 2] for n in range(0, len(equations), 2)]
+    return tuple(replace(pair[0], condition=(Math(pair[1].sides),)) if len(pair) == 2 else pair[0] for pair in pairs)
 
 
 def listed(parts: Iterable[Part], last: str = " and ") -> tuple[Part, ...]:

@@ -23,6 +23,7 @@ Mathematics: TypeAlias = sp.Expr | Vector
 class Rule(StrEnum):
     """What a step does. Stable: programs rely on these names."""
 
+    RESULT = "result"  # one degree of freedom, l θ'' + g sin θ = 0: at the head of the page
     STATEMENT = "statement"  # a particle P of mass m at x i + y j, with its weight m g j
     CONSTRAINT = "constraint"  # x² + y² = l²: no velocity occurs, geometric
     PFAFFIAN_FORM = "pfaffian-form"  # 2x dx + 2y dy = 0
@@ -41,9 +42,11 @@ class Rule(StrEnum):
     LINEARIZATION = "linearization"  # l ξ'' + g ξ = 0, ω² = g/l
     SOLVED_REACTIONS = "solved-reactions"  # T = m g cos θ + m l θ'²
     CONSERVED = "conserved"  # m l² θ'²/2 − m g l cos θ = const
+    HAMILTON = "hamilton-equations"  # H = p_θ²/(2 m l²) − m g l cos θ, p_θ' = −∂H/∂θ
     QUESTION = "question"  # N = 0: cos θ = 2/3
     FRICTION_AT_REST = "friction-at-rest"  # |F| ≤ μ_s N: tan α ≤ μ_s
     EQUILIBRIUM = "equilibrium"  # tan θ = (2k - 1)/tan α
+    MEANING = "meaning"  # small θ: period 2π √(l/g)
     CHECKS = "checks"  # Lagrange's equations give the same
 
 
@@ -154,17 +157,32 @@ Block = Prose | Display | Table | Matrices | CheckMark | Picture
 
 @record
 class Step:
-    """One step of the derivation."""
+    """One step of the derivation; one without a title, such as the result at the head, has no number either.
+
+    choice  the choice of coordinates to which it belongs; empty for the file's own
+    folded  what a page says in its place, where it shows it only on request: `Other coordinate: y`
+    """
 
     rule: Rule
     title: str
     body: tuple[Block, ...]
+    choice: str = ""
+    folded: tuple[Part, ...] = ()
 
 
 @record
 class Derivation:
-    """A whole derivation, as it is printed."""
+    """A whole derivation.
+
+    steps  everything, in the order of the chapter: what JSON and `--detail full` have
+    page   what is printed by default: the result first, then the shortest way to it; empty where it is `steps`
+    """
 
     title: str
     source: str
     steps: tuple[Step, ...]
+    page: tuple[Step, ...] = ()
+
+    def at(self, detail: Detail) -> tuple[Step, ...]:
+        """The steps of a level of detail."""
+        return self.steps if detail is Detail.FULL or not self.page else self.page

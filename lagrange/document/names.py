@@ -174,6 +174,8 @@ def _latex_letter(word: str, bold: bool) -> str:
         return rf"\mathbf{{{word}}}"
     if len(word) == 1 and word.isascii():
         return word
+    if word == "const":
+        return r"\mathrm{const}"
     return rf"\mathit{{{word}}}" if word.isascii() else rf"\text{{{word}}}"
 
 

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.document.builders import listed, math, prose
-from lagrange.document.derivation import Block, CheckMark, Detail, Part, Rule, Step
-from lagrange.explain.words import constraints_called, joined, spoken
+from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step
+from lagrange.explain.words import constraints_called, joined, plural, spoken
 from lagrange.mechanics.dynamics.checks import Check
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.solution import InCoordinates, Solution
 
+LONGEST_FORMULA = 30
+"""The most operations of an acceleration that is written before its value."""
 LONGEST_SPOT = 60
 """The most numbers of a spot value that a reader may want to type."""
 
@@ -26,18 +30,67 @@ def explain_checks(
     body: list[Block] = [*_grouped(solution.checks), *_answers(answers)]
     for name, remark in remarks:
         body.append(prose(f"In the answer for {constraints_called([name])} {remark.replace('`', '')}."))
+    if solution.given_up:
+        body.append(prose(f"Given up at: {solution.given_up}. What it and the later stages find is missing."))
     if not body:
         body.append(prose("The file states no answers to compare with, and nothing asked for has a second route."))
     spots = [(v.name, v.spot) for v in solution.views]
     several = sum(spot is not None for _, spot in spots) > 1
     for name, spot in spots:
         if spot is not None:
-            where = f" ({spoken(name)})" if name and several else ""
-            parts: list[Part] = [f"Numerical check{where}: ", *_assignments(spot.values)]
+            where = spoken(name) if name and several else ""
+            parts: list[Part] = [_SPOT, *_in(where), *_assignments(spot.values)]
             parts += [" give ", *_assignments(spot.accelerations), "."]
             long = len(spot.values) + len(spot.accelerations) > LONGEST_SPOT
             body.append(prose(*parts, detail=Detail.FULL if long else Detail.STEPS))
     return Step(Rule.CHECKS, "Checks", tuple(body))
+
+
+def in_one_line(step: Step, solution: Solution) -> Step:
+    """The step with one line for all checks that held, and with the numbers of one set of coordinates only."""
+    held = [b for b in step.body if isinstance(b, CheckMark) and b.passed]
+    body = [b for b in step.body if b not in held and not _is_spot(b)]
+    if len(held) > 1:
+        telling = next((b for b in held if "Lagrange" in str(b.name[0])), held[0])
+        name, more = str(telling.name[0]).partition(" (")[0], len(held) - 1
+        held = [CheckMark((f"{name}, and {more} more {plural(more, 'check', 'checks')}",), True, "")]
+    return replace(step, body=(*held, *body, *_spot(solution)))
+
+
+def _in(choice: str) -> tuple[Part, ...]:
+    return (f"in {choice}, ",) if choice else ()
+
+
+def _is_spot(block: Block) -> bool:
+    return isinstance(block, Prose) and block.parts[0] == _SPOT
+
+
+_SPOT = "Numerical check: "
+
+
+def _spot(solution: Solution) -> list[Block]:
+    """`Numerical check: g = 10, l = 1, θ = 1/2 give θ'' = −(g/l) sin θ = −4.79426.`"""
+    views = [*solution.choices[:1], solution.own, *solution.choices[1:]]
+    view = next((v for v in views if v.spot is not None), None)
+    if view is None or view.spot is None:
+        return []
+    spot = view.spot
+    results = [math(a, *_formula(view, a), value) for a, value in spot.accelerations.items()]
+    long = len(spot.values) + len(spot.accelerations) > LONGEST_SPOT
+    words: list[Part] = ["Try it: ", *_assignments(spot.values), plural(len(spot.values), " gives ", " give ")]
+    return [prose(*words, *listed(results), ".", detail=Detail.FULL if long else Detail.STEPS)]
+
+
+def _formula(view: InCoordinates, acceleration: sp.Symbol) -> list[sp.Expr]:
+    """The acceleration as a formula, where there is only one and it is short."""
+    if view.motion is None or len(view.motion.equations) != 1 or view.configuration.rows:
+        return []
+    equation = view.motion.equations[0].expression
+    factor = equation.diff(acceleration)
+    if factor == 0 or factor.has(acceleration):
+        return []
+    formula = textbook_form(-(equation - factor * acceleration).expand() / factor)
+    return [formula] if formula.count_ops() <= LONGEST_FORMULA and not formula.is_number else []
 
 
 def _grouped(checks: Sequence[Check]) -> list[Block]:

@@ -6,11 +6,13 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT, TimeDerivative, variation
+from lagrange.core.symbols import CONSTANT, TimeDerivative, prime, variation
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.motion import label_of
 from lagrange.explain.words import are, constraints_called, plural, suffix_of, title_in
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.dynamics.conservation import Because, Conserved, ConservedQuantity, EnergyRate, Integral
 
 SMALL = ("epsilon", "eta", "delta", "zeta")
@@ -149,8 +151,11 @@ _COMBINED = ("the combined momentum along and about the axis", "the combined mom
 def _conclusion(conserved: Conserved, integrals: Sequence[Integral]) -> tuple[Part, ...]:
     """`Therefore (11) and (13) times C are the rates of change of the momenta, which are constant`."""
     several, first = len(integrals) > 1, integrals[0]
-    one, more = _COMBINED if first.because is Because.SCREW else _CALLED[first.quantity]
-    proofs = [_proof(conserved, i) for i in integrals]
+    configuration = conserved.motion.configuration
+    quantities = {conserved_called(i, configuration) for i in integrals}
+    quantity = quantities.pop() if len(quantities) == 1 else first.quantity
+    one, more = _COMBINED if first.because is Because.SCREW else _CALLED[quantity]
+    proofs = [proof_of(conserved, i) for i in integrals]
     if not all(proofs):
         return (f"Along the motion {more if several else one} {'are' if several else 'is'} constant",)
     if several and first.because is Because.RATE:
@@ -166,7 +171,23 @@ def _conclusion(conserved: Conserved, integrals: Sequence[Integral]) -> tuple[Pa
     return ("Therefore ", *words, f"{rate} constant")
 
 
-def _proof(conserved: Conserved, integral: Integral) -> tuple[Part, ...]:
+def conserved_called(integral: Integral, configuration: Configuration) -> ConservedQuantity:
+    """The quantity; the momentum of an angle is an angular momentum."""
+    q = integral.coordinate
+    if integral.quantity is not ConservedQuantity.MOMENTUM or q is None:
+        return integral.quantity
+    waves = (sp.sin, sp.cos)
+    places = [c for p in configuration.points for c in p.position.fixed().components]
+    turned = any(q in w.free_symbols for e in places for w in e.atoms(*waves))
+    turned = turned or any(prime(q) in e.free_symbols for r in configuration.rotations for e in _turning(r))
+    return ConservedQuantity.ANGULAR_MOMENTUM if turned else integral.quantity
+
+
+def _turning(rotation: Rotation) -> tuple[sp.Expr, ...]:
+    return rotation.angular_velocity.components
+
+
+def proof_of(conserved: Conserved, integral: Integral) -> tuple[Part, ...]:
     """`the sum of θ̇ times (11) and φ̇ times (12)`: the combination of equations that is the rate of an integral."""
     used = [(m, e) for m, e in zip(integral.multipliers, conserved.motion.equations, strict=False) if m != 0]
     terms: list[tuple[Part, ...]] = []

@@ -207,7 +207,7 @@ def _coefficients(constraints: Sequence[ConstraintAnalysis], slots: Slots) -> Ta
     for c in constraints:
         cells = (*c.row.coefficients, c.row.drift) if with_time else c.row.coefficients
         rows.append((spoken(c.row.name), *(math(a) for a in cells)))
-    return Table(tuple(header), tuple(rows))
+    return Table(tuple(header), tuple(rows), Detail.STEPS if len(constraints) > 1 else Detail.FULL)
 
 
 def explain_integrability(classification: Classification, slots: Slots, taken: Collection[str] = ()) -> Step:
@@ -253,14 +253,14 @@ def _explain_finite(members: Sequence[ConstraintAnalysis]) -> list[Block]:
         Emphasis("exact"),
         ": the mixed partial derivatives agree",
     ]
-    telling = [p for c in members if (p := _telling_pair(c)) is not None]
+    telling = [p for c in members if (p := telling_pair(c)) is not None]
     shown = [p for p in telling if 0 not in p.coefficients][:SHOWN_PAIRS]
     if shown:
         words += [", for instance ", *listed(map(equal, shown))]
     return [prose(*words, ".")]
 
 
-def _telling_pair(c: ConstraintAnalysis) -> PartialsComparison | None:
+def telling_pair(c: ConstraintAnalysis) -> PartialsComparison | None:
     """The most telling pair of partial derivatives: not 0 = 0, and not of a zero coefficient."""
 
     def weight(p: PartialsComparison) -> tuple[bool, bool]:
@@ -273,7 +273,7 @@ def _telling_pair(c: ConstraintAnalysis) -> PartialsComparison | None:
 def _explain_exact(c: ConstraintAnalysis) -> list[Block]:
     """A kinematic constraint whose form is the differential of a function."""
     label = f"form-{c.row.name}"
-    pair = _telling_pair(c)
+    pair = telling_pair(c)
     words: list[Part] = ["The mixed partial derivatives of ", Ref(label), " agree"]
     words += [", for instance ", equal(pair)] if pair and 0 not in pair.coefficients else []
     words += [": the form is ", Emphasis("exact"), ". "]

@@ -53,25 +53,29 @@ def explain_displacements(
 
 def _tangent(normals: Sequence[Normal]) -> list[Block]:
     """∇f·dr + f_t dt = 0 and ∇f·δr = 0: virtual displacements are tangent to the surface as it is at the time."""
-    blocks: list[Block] = []
+    if not normals:
+        return []
+    lines: list[Equation] = []
     for n in normals:
-        name, form, virtual = n.row.name, Ref(f"form-{n.row.name}"), Ref(f"virtual-{n.row.name}")
-        gradient = n.gradient.as_sum()
+        gradient, name = n.gradient.as_sum(), n.row.name
         possible = DotProduct(gradient, VectorSymbol(f"d(r_{n.particle})"))
-        moving = n.row.drift != 0
-        lines = (
+        virtual = DotProduct(gradient, VectorSymbol(f"delta(r_{n.particle})"))
+        lines += [
             Equation((possible, n.rate * differential(t)), label=f"normal-possible-{name}"),
-            Equation((DotProduct(gradient, VectorSymbol(f"delta(r_{n.particle})")), sp.S.Zero), label=f"normal-{name}"),
-        )
-        which = "The vector in brackets" if isinstance(gradient, sp.Add) else "The first vector"
-        where = f"{which} is the gradient, normal to the surface or curve on which {the(n.particle)} is kept: "
-        end = (
-            "a virtual displacement is tangent to it as it is at that time, a possible one in general is not."
-            if moving
-            else "possible and virtual displacements are tangent to it."
-        )
-        blocks += [prose("In vector form, ", form, " and ", virtual, " are"), display(*lines), prose(where + end)]
-    return blocks
+            Equation((virtual, sp.S.Zero), label=f"normal-{name}"),
+        ]
+    forms = listed(Ref(f"{kind}-{n.row.name}") for n in normals for kind in ("form", "virtual"))
+    which = "The vector in brackets" if isinstance(normals[0].gradient.as_sum(), sp.Add) else "The first vector"
+    whom = joined(dict.fromkeys(the(n.particle) for n in normals))
+    where = plural(len(normals), f"{which} is the gradient, normal to the surface or curve on which {whom} is kept: ",
+                   "The gradients are normal to the surfaces or curves on which " + whom
+                   + plural(len({n.particle for n in normals}), " is", " are") + " kept: ")  # fmt: skip
+    end = (
+        "a virtual displacement is tangent to it as it is at that time, a possible one in general is not."
+        if any(n.row.drift != 0 for n in normals)
+        else f"possible and virtual displacements are tangent to {plural(len(normals), 'it', 'them')}."
+    )
+    return [prose("In vector form, ", *forms, " are"), display(*lines), prose(where + end)]
 
 
 def _subtracted(configuration: Configuration) -> list[Block]:
@@ -84,10 +88,9 @@ def _subtracted(configuration: Configuration) -> list[Block]:
     dt = math(differential(t))
     moving = any(r.drift != 0 for r in rows)
     words: tuple[Part, ...] = (
-        "A possible displacement, in the time ", dt, ", satisfies ", *forms, ". Two possible displacements in the same "
-        "time from the same position differ by a virtual displacement. ",
-        *(("The terms in ", dt, " drop out of the difference, as time is frozen in a virtual displacement:") if moving
-          else ("Their difference satisfies",)),
+        "Possible displacements satisfy ", *forms, ". A virtual displacement is the difference of two of them in the "
+        "same time ", dt, ", from the same position: ", "the terms in " if moving else "", *((dt,) if moving else ()),
+        " drop out, and it satisfies" if moving else "it satisfies",
     )  # fmt: skip
     lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
     return [prose(*words), display(*lines)]

@@ -75,13 +75,13 @@ def illustrated(steps: Iterable[Step], solution: Solution, notation: Notation) -
     for step in steps:
         match step.rule:
             case Rule.STATEMENT:
-                words = len([*takewhile(lambda b: isinstance(b, Prose), step.body[:2])])
+                words = len([*takewhile(_is_sentence, step.body[:2])])
                 step = _with(step, words, _of_system(solution, notation, with_loads=not free))
                 if free and not later:
                     step = _with(step, len(step.body), _of_free_bodies(solution, notation))
                 yield step
             case Rule.REACTIONS if free:
-                yield _with(step, 1, _of_free_bodies(solution, notation))
+                yield _with(step, 1 if _is_sentence(step.body[0]) else 2, _of_free_bodies(solution, notation))
             case Rule.GENERALIZED_COORDINATES:
                 choice = next(choices, None)
                 drawn = choice is not None and _has_new(choice.coordinates, solution)
@@ -91,6 +91,11 @@ def illustrated(steps: Iterable[Step], solution: Solution, notation: Notation) -
                     yield step
             case _:
                 yield step
+
+
+def _is_sentence(block: Block) -> bool:
+    """Whether a block is a paragraph that ends, and does not lead to an equation."""
+    return isinstance(block, Prose) and isinstance(block.parts[-1], str) and block.parts[-1].endswith(".")
 
 
 def _has_new(coordinates: GeneralizedCoordinates, solution: Solution) -> bool:

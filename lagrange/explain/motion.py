@@ -9,7 +9,7 @@ import sympy as sp
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
-from lagrange.explain.bodies import any_moving, law_times_displacement, terms_of_bodies, terms_of_dampers
+from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.words import (
     are,
@@ -29,6 +29,8 @@ from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
+WRITTEN_OUT = "Written out, it reads"
+"""Before the principle in coordinates."""
 
 
 def explain_principle(motion: DalembertMotion) -> Step:
@@ -37,7 +39,7 @@ def explain_principle(motion: DalembertMotion) -> Step:
         _multiplied(motion.configuration),
         display(Equation((_principle(motion.configuration), ZERO), label="principle")),
         *_accelerations(motion),
-        prose("Written out, it reads"),
+        prose(WRITTEN_OUT),
         display(Equation((motion.principle.statement, ZERO), label="written-out")),
     ]
     return Step(Rule.PRINCIPLE, "D'Alembert's principle", tuple(body))
@@ -51,10 +53,9 @@ def _multiplied(configuration: Configuration) -> Block:
         one = " and summed, reads" if terms > 1 or not configuration.rotations else ", reads"
         ending = ", summed, read" if " and " in laws else one
         return prose(f"{_no_reactions(configuration)} {capital(laws)}{ending}")
-    force = "mass times acceleration equal to applied force plus reaction"
-    moment = "the rate of change equal to the moment of applied forces and reactions"
-    laws = law_times_displacement(configuration, f", {force if any_moving(configuration) else moment},")
-    words = f"Multiply {laws}, and add: the reactions drop out by "
+    terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
+    add = ", and add" if terms > 1 else ""
+    words = f"Multiply {law_times_displacement(configuration, '')}{add}: the reactions drop out by "
     return prose(words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
 
 
@@ -146,6 +147,10 @@ def scaling(equations: Sequence[EquationOfMotion]) -> tuple[Part, ...]:
     divided = _distinct(e.factor.numerator.expression for e in equations)
     excluded = _distinct(f for e in equations for f in e.factor.nonzero)
     clauses: list[tuple[Part, ...]] = []
+    factors = {(e.factor.denominator.expression, e.factor.numerator.expression) for e in equations}
+    if len(factors) > 1:  # no factor is that of every equation
+        clauses.append(("each without its factors ", *listed(math(f) for f in (*multiplied, *divided))))
+        multiplied, divided = [], []
     if multiplied:
         clauses.append(("multiplying by ", *listed(math(f) for f in multiplied)))
     if divided:
@@ -229,8 +234,14 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
     noun = plural(len(choice.coordinates), "coordinate", "coordinates")
     chosen = listed(math(q) for q in choice.coordinates)
     article = plural(len(choice.coordinates), "the ", "")
+    satisfying: tuple[Part, ...] = ()
+    if coordinates.satisfied:
+        verb = plural(len(coordinates.satisfied), "holds", "hold")
+        satisfying = (f" {constraints_called(coordinates.satisfied)} {verb} identically",)
+    ending = ":" if configuration.expressed else "."
+    beginning = ("With ", *chosen, f" as generalized {noun}", *satisfying)
     body: list[Block] = [
-        prose("Take ", *chosen, f" as {article}generalized {noun}", ":" if configuration.expressed else ".")
+        prose(*(beginning if satisfying else ("Take ", *chosen, f" as {article}generalized {noun}")), ending)
     ]
     if configuration.expressed:
         body.append(
@@ -246,14 +257,11 @@ def explain_choice(coordinates: GeneralizedCoordinates) -> Step:
         real = listed(math(r, ZERO, relation="≥") for r in coordinates.radicands)
         they = plural(len(coordinates.signs), "It is", "They are")
         sentences.append(prose(*signs, f"{each}: {kept} are kept. {they} real where ", *real, "."))
-    if coordinates.satisfied:
-        called = capital(constraints_called(coordinates.satisfied))
-        sentences.append(prose(f"{called}{are(coordinates.satisfied)}satisfied identically."))
-    if len(choice.coordinates) > 1:
-        words = " are independent: the derivatives of the old coordinates with respect to them are so."
-        sentences.append(prose(*chosen, words))
     if sentences:
         body.append(paragraph(*sentences))
+    if len(choice.coordinates) > 1:
+        words = " are independent: so are the derivatives of the old coordinates with respect to them."
+        body.append(prose(*chosen, words, detail=Detail.FULL))
     body += _remaining(coordinates)
     return Step(Rule.GENERALIZED_COORDINATES, title_in(f"Generalized {noun}", choice.name), tuple(body))
 

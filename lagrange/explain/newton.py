@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 
 import sympy as sp
 
@@ -19,6 +19,8 @@ from lagrange.mechanics.dynamics.newton import Count, FreeBody, Newton, Reaction
 from lagrange.problem.model import Keeper
 
 ZERO = sp.S.Zero
+MOST_LAWS = 2
+"""The most bodies whose laws are written in vectors in a sentence."""
 LONGEST = 8
 """The most operations of an expression in running text."""
 
@@ -124,14 +126,10 @@ def _of_rod(reaction: Reaction, rod: Rod) -> Prose:
     """A distance between two points, and its tension."""
     first, second = rod.ends
     other = the(second) if second else ("O" if rod.centre is not None and rod.centre.is_zero else "a given point")
-    like = ", as that of a rod" if second else ", as that of a rod, or of a smooth circle or sphere"
     by = reaction.constraint.by
-    if by is not None and by in _LIKE:
-        like = f", as that of {KEEPERS[by]}"
-    elif reaction.constraint.side is not None:
+    like = f", as that of {KEEPERS[by]}" if by is not None and by in _LIKE else ""
+    if reaction.constraint.side is not None and by is None:
         like = ", as that of a string"
-    elif by is not None or reaction.on_body:
-        like = ""
     beginning: list[Part] = [
         f"{capital(constraints_called([reaction.name]))} keeps {the(first)} at the distance ", math(rod.length),
         f" from {other}: its reaction acts along the line joining them{like}.",
@@ -243,7 +241,7 @@ def explain_friction(friction_forces: Sequence[FrictionForce]) -> list[Block]:
     return blocks
 
 
-def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Block]:
+def _law(newton: Newton, bodies: Sequence[FreeBody], at_rest: bool) -> list[Block]:
     lines = []
     turned = False
     for b in bodies:
@@ -260,8 +258,15 @@ def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Bloc
         words = "Newton's law, mass times acceleration equal to applied force plus reaction, and the law of angular "
         words += "momentum, its rate of change about the mass centre equal to the moment of both, have the components"
     else:
-        words = "Newton's law, mass times acceleration equal to applied force plus reaction, has the components"
+        words = "Newton's law"
     blocks: list[Block] = [prose(words), display(*lines)]
+    if not at_rest and not turned:
+        words = "Newton's law, mass times acceleration equal to applied force plus reaction, has the components"
+        blocks[0] = prose(words)
+        if len(bodies) <= MOST_LAWS:
+            laws = listed(math(*law_of(b)) for b in bodies)
+            law, have = ("Newton's law, ", ", has") if len(bodies) == 1 else ("Newton's laws, ", ", have")
+            blocks[0] = prose(law, *laws, f"{have} the components")
     if newton.idle:
         names = listed(math(q) for q in newton.idle)
         lines = [Equation((ZERO, right), label=f"idle-{q.name}") for q, right in newton.idle.items()]
@@ -269,6 +274,13 @@ def _law(newton: Newton, bodies: Iterable[FreeBody], at_rest: bool) -> list[Bloc
                        " move no particle, so the generalized forces on them must vanish:")  # fmt: skip
         blocks += [prose(*names, words), display(*lines)]
     return blocks
+
+
+def law_of(body: FreeBody) -> tuple[sp.Expr, sp.Expr]:
+    """m r'' = F + R."""
+    applied = VectorSymbol(f"F_{body.name}") if not body.applied.is_zero else ZERO
+    reaction = VectorSymbol(f"R_{body.name}") if body.bound else ZERO
+    return body.particle.mass * VectorSymbol(f"r_{body.name}''"), applied + reaction
 
 
 def _counted(newton: Newton, before: Count, after: Count, configuration: Configuration, freedom: int) -> list[Block]:

@@ -46,12 +46,8 @@ def explain_reactions(
     equations = "Lagrange's equations" if by_lagrange else "Newton's equations"
     if newton.equations is None and not by_lagrange:
         equations = "the equations with multipliers"
-    unknowns = "multipliers" if any(r.called == "multiplier" for r in newton.reactions) else "reactions"
     if lines and not long:
-        words = (
-            f"{_differentiated(newton)}, and {equations} are linear in the accelerations and {unknowns}; solved for "
-        )
-        words += "the latter, they give"
+        words = f"{equations} and {_differentiated(newton)}, give"
         body.append(prose(words if first else "In these coordinates the same equations give"))
     elif lines:
         body.append(prose(f"Solved for the multipliers, {equations} give long expressions."))
@@ -66,15 +62,19 @@ def explain_reactions(
     body += explain_contacts(reactions, newton)
     if first:
         body += explain_bounds(newton)
-    title = title_in(plural(len(newton.reactions), "The reaction", "The reactions"), choice)
-    return Step(Rule.SOLVED_REACTIONS, title, tuple(body)) if body else None
+    return Step(Rule.SOLVED_REACTIONS, title_in(title_of_reactions(newton), choice), tuple(body)) if body else None
+
+
+def title_of_reactions(newton: Newton) -> str:
+    """The title of the step."""
+    return plural(len(newton.reactions), "The reaction", "The reactions")
 
 
 def _differentiated(newton: Newton) -> str:
-    """`The constraint, differentiated twice`: as often as it takes for accelerations to appear."""
+    """`the constraint, differentiated twice`: as often as it takes for accelerations to appear."""
     kinds = {r.row.finite is None for r in newton.reactions}
     often = "until accelerations appear" if len(kinds) > 1 else "once" if True in kinds else "twice"
-    return f"{plural(len(newton.reactions), 'The constraint', 'The constraints')}, differentiated {often}"
+    return f"{plural(len(newton.reactions), 'the constraint', 'the constraints')}, differentiated {often}"
 
 
 def reaction_lines(reactions: Reactions, newton: Newton, suffix: str) -> list[Equation]:
@@ -132,17 +132,19 @@ def explain_bounds(newton: Newton) -> list[Block]:
                        "Strings can only pull, and stay taut as long as ")  # fmt: skip
         blocks.append(prose(words, *taut, "."))
     if len(rods) == 1 and rods[0][1].centre is not None and rods[0][0].tension is not None:
-        outside = math(rods[0][0].tension, sp.S.Zero, relation="≤")
-        blocks.append(
-            prose("A rod can pull and push. A string in its place, or a surface that holds the particle inside it, "
-                  "requires ", *tensions, "; a surface that supports it from outside requires ", outside, ".")
-        )  # fmt: skip
+        slack = math(rods[0][0].tension, sp.S.Zero, relation="<")
+        if "rod" in rods[0][0].name:
+            blocks.append(prose("A rod may also push; a string in its place would go slack where ", slack, "."))
+        else:
+            outside = math(rods[0][0].tension, sp.S.Zero, relation="≤")
+            blocks.append(
+                prose("What can only pull, such as a string, requires ", *tensions, "; what can only push from "
+                      "outside, such as the surface of a sphere, requires ", outside, ".")
+            )  # fmt: skip
     elif rods:
         blocks.append(
-            prose("A rod can pull and push. A string in its place can only pull, and stays taut as long as "
-                  if len(rods) == 1 else
-                  "Rods can pull and push. Strings in their place can only pull, and stay taut as long as ",
-                  *tensions, ".")
+            prose(plural(len(rods), "A rod may also push; a string in its place would stay taut as long as ",
+                         "Rods may also push; strings in their place would stay taut as long as "), *tensions, ".")
         )  # fmt: skip
     for r in pulling:
         if r.on_body and r not in strings and r.rod is not None and r.tension is not None:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.answers.examiner import compared_answers, not_compared
+from lagrange.answers.examiner import compared_answers, not_compared, stated_equations
+from lagrange.answers.limits import UNITS_OF_CHECKING
 from lagrange.answers.verdicts import AnswerVerdict, Verdict
-from lagrange.core.diagnostics import Diagnostic
+from lagrange.core.diagnostics import Diagnostic, GaveUpError
+from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.document.derivation import Derivation, Step
 from lagrange.document.notation import Notation
@@ -32,20 +35,24 @@ from lagrange.explain.motion import (
     explain_principle,
 )
 from lagrange.explain.newton import explain_newton, explain_works
+from lagrange.explain.page.arrangement import page, without_names_of_choices
 from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
 from lagrange.explain.statement import explain_statement
 from lagrange.mechanics.constraints.definedness import explained_failures
 from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.equations import DalembertMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw
-from lagrange.mechanics.energy_symbols import energy_symbols, states_potential
+from lagrange.mechanics.energy_symbols import (
+    energy_symbols,
+    letters_of_oscillations,
+    small_displacements,
+    states_potential,
+)
 from lagrange.mechanics.solution import (
     InCoordinates,
     OnStage,
     Solution,
-    letters_of_oscillations,
     silent,
-    small_displacements,
     solve,
 )
 from lagrange.problem.model import Find, Friction, Problem
@@ -57,6 +64,12 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.values.quantities import Values
+
+EVERY_CHOICE = "all"
+"""In place of the name of a choice: all of them, and none folded. A choice that is called so takes precedence."""
+
+UNITS_OF_EXPLAINING = 200_000
+"""Of work (`core.effort`) for all steps and pictures."""
 
 DIGITS = 4
 """The significant digits of results in numbers, where no other number is asked for."""
@@ -103,6 +116,7 @@ def report(
 ) -> Report:
     """Solves a problem and explains the solution. Arguments are those of `solve`; raises what `solve` raises.
 
+    choice  also `EVERY_CHOICE`: all choices, as without one, but the page shows them all
     digits  the significant digits of results in numbers
     """
     with explained_failures(problem):
@@ -112,19 +126,47 @@ def report(
 def _reported(
     problem: Problem, choice: str | None, complete: bool, method: Method, digits: int, on_stage: OnStage
 ) -> Report:
-    solution = solve(problem, choice, complete=complete, method=method, on_stage=on_stage)
+    every_choice = choice == EVERY_CHOICE and all(c.name != choice for c in problem.choices)
+    named = None if every_choice else choice
+    solution = solve(problem, named, complete=complete, method=method, on_stage=on_stage)
     on_stage("comparing answers")
-    answers = tuple(compared_answers(solution))
+    answers: tuple[AnswerVerdict, ...] = ()
+    try:
+        with allowed_for("comparing answers", UNITS_OF_CHECKING):
+            answers = tuple(compared_answers(solution))
+    except GaveUpError as error:
+        solution = replace(solution, given_up=solution.given_up or error.place)
+    with allowed_for("explanations and pictures", UNITS_OF_EXPLAINING):
+        return _explained(solution, answers, complete, every_choice, method, digits, on_stage)
+
+
+def _explained(
+    solution: Solution,
+    answers: tuple[AnswerVerdict, ...],
+    complete: bool,
+    every_choice: bool,
+    method: Method,
+    digits: int,
+    on_stage: OnStage,
+) -> Report:
     on_stage("explanations and pictures")
     notation = notation_of(solution)
-    shown: Iterable[Step] = (step for step in _steps(solution, answers, complete) if step is not None)
-    values = values_of(solution.problem)
-    if values is not None or any(v.in_numbers is not None for v in solution.views):
-        from lagrange.explain.numbers import with_numbers
+    problem, values = solution.problem, values_of(solution.problem)
 
-        shown = with_numbers(shown, solution, values or no_values(problem), digits)
-    steps = tuple(illustrated(shown, solution, notation))
-    derivation = Derivation(problem.title, problem.source, steps)
+    def finished(steps: Iterable[Step]) -> tuple[Step, ...]:
+        if values is not None or any(v.in_numbers is not None for v in solution.views):
+            from lagrange.explain.numbers import with_numbers
+
+            steps = with_numbers(steps, solution, values or no_values(problem), digits)
+        return tuple(illustrated(steps, solution, notation))
+
+    steps = [step for step in _steps(solution, answers, complete) if step is not None]
+    right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
+    stated = stated_equations(solution) if right and solution.own.motion is not None else ()
+    arranged = page(solution, steps, stated, every_choice=every_choice)
+    derivation = Derivation(
+        problem.title, problem.source, finished(steps), tuple(without_names_of_choices(finished(arranged)))
+    )
     remarks = (*_remarks(problem, method), *not_compared(solution, answers))
     return Report(solution, answers, derivation, notation, remarks, values)
 
@@ -170,26 +212,9 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     if solution.own.dynamics is None:
         yield _speeds(solution.own.in_speeds, solution)
     yield _small_oscillations(solution.own.linearization)
+    yield _in_momenta(solution.own, solution)
     for c in solution.choices:
-        yield explain_choice(c.coordinates)
-        if c.equilibrium is not None:
-            from lagrange.explain.rest.statics import explain_equilibrium_in_choice
-
-            yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
-            yield _reactions_at_rest(solution, c.reactions_at_rest)
-        yield from _rest(solution, c)
-        if c.dynamics is not None:
-            written = c.dynamics.written
-            if isinstance(written, LagrangeMotion):
-                yield from _by_lagrange(solution, written)
-            elif isinstance(written, DalembertMotion):
-                yield explain_motion_in_choice(written, problem, c.dynamics.with_multipliers)
-            yield explain_matrix_form(c.dynamics, c.name) if complete else None
-        yield _speeds(c.in_speeds, solution)
-        yield _reactions(solution, c.dynamics, c.name)
-        yield _rolling(c)
-        yield _conserved(c.conserved, problem, c.name)
-        yield _small_oscillations(c.linearization)
+        yield from (step and replace(step, choice=c.name) for step in _in_choice(solution, c, complete))
     if solution.asked:
         from lagrange.explain.questions import explain_questions
 
@@ -201,6 +226,31 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     stated = (e for a in answers if a.name == "reactions" for e in a.equations)
     remarks = [(e.text.partition(":")[0], remark) for e in stated for remark in e.remarks]
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], remarks)
+
+
+def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator[Step | None]:
+    """The steps in a choice of generalized coordinates."""
+    problem = solution.problem
+    yield explain_choice(c.coordinates)
+    if c.equilibrium is not None:
+        from lagrange.explain.rest.statics import explain_equilibrium_in_choice
+
+        yield explain_equilibrium_in_choice(c.coordinates, c.equilibrium, c.stability)
+        yield _reactions_at_rest(solution, c.reactions_at_rest)
+    yield from _rest(solution, c)
+    if c.dynamics is not None:
+        written = c.dynamics.written
+        if isinstance(written, LagrangeMotion):
+            yield from _by_lagrange(solution, written)
+        elif isinstance(written, DalembertMotion):
+            yield explain_motion_in_choice(written, problem, c.dynamics.with_multipliers)
+        yield explain_matrix_form(c.dynamics, c.name) if complete else None
+    yield _speeds(c.in_speeds, solution)
+    yield _reactions(solution, c.dynamics, c.name)
+    yield _rolling(c)
+    yield _conserved(c.conserved, problem, c.name)
+    yield _small_oscillations(c.linearization)
+    yield _in_momenta(c, solution)
 
 
 def names_of(problem: Problem) -> frozenset[str]:
@@ -255,6 +305,14 @@ def _small_oscillations(linearization: Linearization | None) -> Step | None:
     from lagrange.explain.rest.oscillations import explain_linearization
 
     return explain_linearization(linearization)
+
+
+def _in_momenta(view: InCoordinates, solution: Solution) -> Step | None:
+    if view.hamiltonian is None:
+        return None
+    from lagrange.explain.hamilton import explain_hamiltonian
+
+    return explain_hamiltonian(view.hamiltonian, energy_symbols(solution))
 
 
 def _reactions_at_rest(solution: Solution, reactions: StaticReactions | None) -> Step | None:
@@ -348,6 +406,9 @@ def _shortcomings(solution: Solution, answers: tuple[AnswerVerdict, ...]) -> Ite
     for word, verdict in (("holonomic", c.holonomic), ("scleronomic", c.scleronomic), ("catastatic", c.catastatic)):
         if verdict is None:
             yield Diagnostic("undecided", f"it could not be decided whether the system is {word}")
+    if solution.given_up:
+        help_ = "what was found before is complete; a smaller system, or shorter expressions, may be solved"
+        yield Diagnostic("given-up", f"given up at: {solution.given_up}", help=help_)
     for check in solution.checks:
         if not check.passed:
             where = f" ({check.choice})" if check.choice else ""
@@ -366,10 +427,11 @@ def notation_of(solution: Solution) -> Notation:
     problem = solution.problem
     new = [q for c in solution.choices for q in c.configuration.slots.coordinates]
     lengths = [link.length_symbol for link in solution.own.configuration.links]
+    momenta = (p for v in solution.views if v.hamiltonian is not None for p in v.hamiltonian.momenta)
     return Notation(
         coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *lengths, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
-        speeds=tuple(s.symbol for s in problem.speeds),
+        speeds=(*(s.symbol for s in problem.speeds), *momenta),
         frequencies=letters_of_oscillations(solution),
         parameters=tuple(p.symbol for p in problem.parameters),
         forces=(*_names_of_reactions(solution), *problem.unknowns),

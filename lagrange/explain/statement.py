@@ -157,7 +157,9 @@ def _body(configuration: Configuration, centre: MassPoint) -> Block:
     if configuration.is_pinned(centre):
         mass: tuple[Part, ...] = (" of mass ", math(centre.mass)) if centre.mass != 0 else ()
         return prose(f"The mass centre of {called}, a rigid body", *mass, ", stays at")
-    mass = (" and has the mass ", math(centre.mass)) if centre.mass != 0 else (" and has no mass",)
+    weighed = any(f.on == centre.name and f.name == "weight" for f in configuration.loads)
+    without = () if weighed else (" and has no mass",)
+    mass = (" and has the mass ", math(centre.mass)) if centre.mass != 0 else without
     return prose(f"{capital(called)} is rigid", *mass, ". The position of its mass centre is")
 
 
@@ -209,9 +211,8 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction], with_po
     blocks += moments_on(configuration)
     blocks += explain_links(configuration)
     if configuration.potential != 0 and with_potential:
-        of = "" if configuration.springs else " of the given fields"
         blocks += [
-            prose(f"The potential energy{of} is"),
+            prose("The potential energy is"),
             display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
         ]
     return blocks

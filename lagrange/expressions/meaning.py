@@ -15,7 +15,7 @@ from __future__ import annotations
 import sympy as sp
 
 from lagrange.core.diagnostics import Fragment, ProblemError
-from lagrange.core.symbols import Unspecified, base, differential, prime, t, variation
+from lagrange.core.symbols import Decimal, Unspecified, base, differential, prime, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.expressions.bounded_arithmetic import BoundedArithmetic
 from lagrange.expressions.limits import HIGHEST_PRESCRIBED_RATE, MAX_EXPONENT, MAX_NESTED_EXPONENT
@@ -60,7 +60,9 @@ class Meaning:
     def scalar(self, tree: Tree) -> sp.Expr:
         """The tree as a scalar. Raises ProblemError where it is none."""
         match tree:
-            case Number(text=text):
+            case Number(text=text, start=start):
+                if self.scope.decimals is not None and Decimal.is_rounded(text):
+                    return Decimal(text, f"{self.scope.decimals}{start}")
                 return sp.Rational(text)
             case Name():
                 return self._named(tree)
@@ -164,7 +166,9 @@ class Meaning:
         if self.is_vector(tree.base):
             help_ = "write `dot(a, a)` for its square"
             raise self.report.error("vector-power", "a vector has no powers", tree, help_)
-        base, exponent = self.scalar(tree.base), self.scalar(tree.exponent)
+        base = self.scalar(tree.base)
+        number = tree.exponent.text if isinstance(tree.exponent, Number) else None
+        exponent = self.scalar(tree.exponent) if number is None else sp.Rational(number)
         with self.report.blaming(tree):
             return self._arithmetic.power(base, exponent)
 

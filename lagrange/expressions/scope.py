@@ -53,13 +53,18 @@ class FunctionDeclaration:
 
 @record
 class Scope:
-    """The declared names. `budget` is the work that is left for reading the texts of the file."""
+    """The declared names.
+
+    budget    the work that is left for reading the texts of the file
+    decimals  if not None, decimals that may have been rounded are read as symbols (`Decimal`), with this in their names
+    """
 
     scalars: Mapping[str, sp.Expr] = field(default_factory=dict)
     slots: Slots = field(default_factory=lambda: Slots(()))
     functions: Mapping[str, FunctionDeclaration] = field(default_factory=dict)
     vectors: Mapping[str, Vector] = field(default_factory=dict)
     budget: WorkBudget | None = field(default=None, compare=False, repr=False)
+    decimals: str | None = None
 
     def scalar(self, name: str) -> sp.Expr | None:
         """The scalar that a name means, if any."""

@@ -1,4 +1,4 @@
-"""The symbols for T, V, L, p_k, Q_k and v, and replacements where the problem uses these letters for something else.
+"""The symbols for T, V, L, H, R, p_k, Q_k and v, and replacements where the problem uses these letters otherwise.
 
 A pendulum of length L has the Lagrangian Λ; one whose rod has the tension T has the kinetic energy K. The names are
 valid in the language of problem files, so that what is printed with them can be read back.
@@ -6,11 +6,10 @@ valid in the language of problem files, so that what is printed with them can be
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
-
 import sympy as sp
 
 from lagrange.core.records import record
+from lagrange.core.symbols import free_letter
 from lagrange.mechanics.dynamics.energies import Energies
 from lagrange.mechanics.solution import Solution
 
@@ -22,6 +21,8 @@ class EnergySymbols:
     kinetic: sp.Symbol
     potential: sp.Symbol
     lagrangian: sp.Symbol
+    hamiltonian: sp.Symbol
+    routhian: sp.Symbol
     momenta: str
     forces: str
     quasi: str
@@ -83,28 +84,35 @@ def energy_symbols(solution: Solution) -> EnergySymbols:
     coordinates = [*(q.name for q in problem.slots.coordinates), *chosen]
     points = [p.name for p in solution.own.configuration.points]
     return EnergySymbols(
-        kinetic=_symbol(_free("T", "K", "T_kin", taken=taken)),
-        potential=_symbol(_free("V", "U", "V_pot", taken=taken)),
-        lagrangian=_symbol(_free("L", "Lambda", "L_agr", taken=taken)),
-        momenta=_free("p", "P", "p_gen", taken=taken, of=coordinates),
-        forces=_free("Q", "K", "Q_gen", taken=taken, of=coordinates),
-        quasi=_free("N", "B", "N_gen", taken=taken, of=coordinates),
-        speeds=_free("v", "u", "v_abs", taken=taken, of=points),
+        kinetic=_symbol(free_letter("T", "K", "T_kin", taken=taken)),
+        potential=_symbol(free_letter("V", "U", "V_pot", taken=taken)),
+        lagrangian=_symbol(free_letter("L", "Lambda", "L_agr", taken=taken)),
+        hamiltonian=_symbol(free_letter("H", "H_am", taken=taken)),
+        routhian=_symbol(free_letter("R", "L_R", taken=taken)),
+        momenta=free_letter("p", "P", "p_gen", taken=taken, of=coordinates),
+        forces=free_letter("Q", "K", "Q_gen", taken=taken, of=coordinates),
+        quasi=free_letter("N", "B", "N_gen", taken=taken, of=coordinates),
+        speeds=free_letter("v", "u", "v_abs", taken=taken, of=points),
         index=next(k for k in ("k", "n", "s", "gen") if k not in coordinates and f"q_{k}" not in taken),
     )
+
+
+def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters ξ of all linear equations."""
+    return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
+
+
+def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
+    """The letters for frequencies, exponents and damping ratios."""
+    linear = [v.linearization for v in solution.views if v.linearization is not None]
+    names = {f"{f.omega}{i}" for f in linear for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
+    names |= {f.exponent.name for f in linear} | ({"zeta"} if linear else set())
+    return tuple(sp.Symbol(n, real=True) for n in sorted(names))
 
 
 def states_potential(solution: Solution) -> bool:
     """Whether the derivation has a V of its own, that of statics, in which the weights are not."""
     return solution.own.equilibrium is not None and solution.own.configuration.potential != 0
-
-
-def _free(*candidates: str, taken: Collection[str], of: Sequence[str] = ()) -> str:
-    """The first letter that is free, with each of the subscripts `of` if there are any."""
-    for letter in candidates:
-        if not any(name in taken for name in ([f"{letter}_{s}" for s in of] or [letter])):
-            return letter
-    return candidates[-1] + "_"
 
 
 def _symbol(name: str) -> sp.Symbol:

@@ -11,21 +11,22 @@ record, made by the same functions.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
+from lagrange.core.diagnostics import GaveUpError
+from lagrange.core.effort import GivenUpError, allowed, reason
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign
-from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.classification import Classification, classify
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
 from lagrange.mechanics.constraints.definedness import check_defined, explained_failures
 from lagrange.mechanics.constraints.displacements import Elimination, transport_rates, virtual_displacements
 from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
+from lagrange.mechanics.coverage import chosen_coordinates, refuse_what_is_not_covered
 from lagrange.mechanics.dynamics.checks import (
     Check,
     check_choice,
@@ -37,6 +38,7 @@ from lagrange.mechanics.dynamics.checks import (
     check_motion,
     check_reactions,
     check_reality,
+    check_substitutions,
     check_workless,
 )
 from lagrange.mechanics.dynamics.comparison import System
@@ -46,7 +48,8 @@ from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
 from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
 from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
-from lagrange.problem.model import Choice, Find, Friction, Problem
+from lagrange.mechanics.limits import UNITS_OF_SOLVING
+from lagrange.problem.model import Belt, Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
@@ -59,6 +62,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.linearization import Linearization
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+    from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
 
@@ -86,6 +90,7 @@ class InCoordinates:
     in_speeds          the velocities, and the equations of motion, in the quasi-velocities of the file
     conserved          the conserved quantities
     linearization      small oscillations
+    hamiltonian        Hamilton's function and equations
     in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
     at_rest            where the system can be at rest with friction
     rolling            the conditions under which what rolls does not slip
@@ -105,6 +110,7 @@ class InCoordinates:
     in_speeds: QuasiVelocityForm | None = None
     conserved: Conserved | None = None
     linearization: Linearization | None = None
+    hamiltonian: Hamiltonian | None = None
     in_numbers: EquilibriaInNumbers | None = None
     at_rest: AtRest | None = None
     rolling: Rolling | None = None
@@ -143,6 +149,7 @@ class Solution:
     works            the work of the reactions
     asked            the answers to the questions of the file
     from_start       the motion from the initial state, where nothing is asked
+    given_up         the stage at which the work was given up, and why; later results are missing
     """
 
     problem: Problem
@@ -156,6 +163,7 @@ class Solution:
     checks: tuple[Check, ...] = ()
     asked: tuple[Asked, ...] = ()
     from_start: FromStart | None = None
+    given_up: str = ""
 
     @property
     def views(self) -> tuple[InCoordinates, ...]:
@@ -167,7 +175,7 @@ class Solution:
         """Whether every check passed and nothing is undecided."""
         c = self.classification
         decided = None not in (c.holonomic, c.scleronomic, c.catastatic)
-        return decided and all(check.passed for check in self.checks)
+        return decided and not self.given_up and all(check.passed for check in self.checks)
 
 
 def solve(
@@ -185,36 +193,64 @@ def solve(
               dependent coordinates, if a choice has them
     on_stage  called with the name of each stage when it begins
 
-    Raises ProblemError if the problem contradicts itself, UndecidedError or NotCoveredError if it cannot be solved.
+    A stage that takes more work than is allowed (`UNITS_OF_SOLVING`) is given up, and so are those after it.
+
+    Raises ProblemError if the problem contradicts itself, UndecidedError or NotCoveredError if it cannot be solved,
+    GaveUpError if not even its constraints can be classified with the work allowed.
     """
-    with explained_failures(problem):
+    with explained_failures(problem), allowed(UNITS_OF_SOLVING):
         return _solved(problem, choice, complete, method, on_stage)
 
 
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
-    _refuse_what_is_not_covered(problem)
-    needs_motion = Find.LINEARIZATION in problem.find or problem.questions
+    refuse_what_is_not_covered(problem)
+    needs_motion = {Find.LINEARIZATION, Find.HAMILTONIAN} & {*problem.find} or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
-    solution = blank = _kinematics(problem, choice, on_stage)
+    running = ""
+
+    def begin(stage: str) -> None:
+        nonlocal running
+        running = stage
+        on_stage(stage)
+
+    try:
+        solution = blank = _kinematics(problem, choice, begin)
+    except (GivenUpError, MemoryError) as stop:
+        raise GaveUpError(running, reason(stop)) from None
+    stages = _stages(problem, blank, complete, method, begin)
+    try:
+        for stage in stages:
+            solution = stage(solution)
+    except (GivenUpError, MemoryError) as stop:
+        return replace(solution, given_up=f"{running}, {reason(stop)}")
+    return solution
+
+
+def _stages(
+    problem: Problem, blank: Solution, complete: bool, method: Method, on_stage: OnStage
+) -> Iterator[Callable[[Solution], Solution]]:
+    """The stages after the constraints, as the file asks for them. blank: the solution before them."""
+    rough = any(isinstance(f, Friction | Belt) for f in problem.forces)
     if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         from lagrange.mechanics.equilibrium.checks import check_statics
 
-        check_statics(problem, solution.own.configuration)
+        check_statics(problem, blank.own.configuration)
     if Find.MOTION in problem.find:
-        solution = _with_motion(solution, complete, method, on_stage)
+        yield lambda s: _with_motion(s, complete, method, on_stage)
     if problem.speeds:
-        solution = _with_speeds(solution, on_stage)
+        yield lambda s: _with_speeds(s, on_stage)
     if Find.LINEARIZATION in problem.find:
-        solution = _with_linearization(solution, on_stage)
-    rough = any(isinstance(f, Friction) for f in problem.forces)
+        yield lambda s: _with_linearization(s, on_stage)
+    if Find.HAMILTONIAN in problem.find:
+        yield lambda s: _with_hamiltonian(s, on_stage)
     if Find.EQUILIBRIUM in problem.find and not rough:
-        solution = _with_equilibrium(solution, on_stage)
+        yield lambda s: _with_equilibrium(s, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
-        solution = _with_rest(solution, blank, on_stage)
-    if problem.questions or (problem.initial and solution.law is not None):
-        solution = _with_questions(solution, on_stage)
-    return _with_numbers(solution)
+        yield lambda s: _with_rest(s, blank, on_stage)
+    if problem.questions or (problem.initial and Find.MOTION in problem.find):
+        yield lambda s: _with_questions(s, on_stage)
+    yield _with_numbers
 
 
 def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solution:
@@ -227,7 +263,9 @@ def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solu
     own = _in_coordinates(own_coordinates(configuration))
     rates = transport_rates(configuration.constrained, own.elimination)
     on_stage("choices of coordinates")
-    choices = tuple(_in_coordinates(generalized_coordinates(c, configuration)) for c in _choices(problem, choice))
+    choices = tuple(
+        _in_coordinates(generalized_coordinates(c, configuration)) for c in chosen_coordinates(problem, choice)
+    )
     on_stage("checks")
     checks = [
         *check_reality(configuration),
@@ -235,7 +273,7 @@ def _kinematics(problem: Problem, choice: str | None, on_stage: OnStage) -> Solu
         *check_finite_forms(classification),
         *check_displacements(configuration, own.elimination, rates),
         *check_hidden(classification, own.elimination, configuration),
-        *_substitutions(choices),
+        *check_substitutions([c.coordinates for c in choices]),
     ]
     return Solution(
         problem,
@@ -268,8 +306,7 @@ def _law(solution: Solution, at_rest: bool = False, method: Method = Method.DALE
 def _with_motion(solution: Solution, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     """The solution with the equations of motion in every set of coordinates."""
     on_stage("Newton's law")
-    law = _law(solution, method=method)
-    configuration = solution.own.configuration
+    law, configuration = _law(solution, method=method), solution.own.configuration
     check_constant_inertia(law.problem, configuration)
     works = works_of_reactions(law.newton, configuration, solution.own.elimination)
     checks = [*solution.checks, *check_workless(works, configuration)]
@@ -380,8 +417,7 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.sampled_checks import check_oscillations
 
     on_stage("small oscillations")
-    problem = solution.problem
-    taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
+    taken = _names(solution.problem)
     checks = [*solution.checks]
 
     def linearized(view: InCoordinates) -> InCoordinates:
@@ -397,11 +433,37 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     return replace(solution, own=own, choices=choices, checks=tuple(checks))
 
 
+def _with_hamiltonian(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with Hamilton's function, in every set of free coordinates that is given without square roots."""
+    from lagrange.mechanics.momenta.hamiltonian import check_hamiltonian, hamiltonian
+
+    on_stage("Hamilton's equations")
+    taken = _names(solution.problem)
+    checks = [*solution.checks]
+    free = {v.name for v in solution.views if not v.configuration.rows and not v.signs} or {solution.views[-1].name}
+
+    def in_momenta(view: InCoordinates) -> InCoordinates:
+        if view.motion is None or view.name not in free:
+            return view
+        found = hamiltonian(view.motion, taken)
+        checks.extend(check_hamiltonian(found))
+        return replace(view, hamiltonian=found)
+
+    own, *choices = map(in_momenta, solution.views)
+    return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))
+
+
+def _names(problem: Problem) -> frozenset[str]:
+    """The names that a problem uses, for letters of results that must differ from them."""
+    return frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
+
+
 def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     """The solution with the equilibria in every set of coordinates."""
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
+    from lagrange.mechanics.equilibrium.spring_forces import spring_forces
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
@@ -417,6 +479,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         resting = original
         if view is not own:
             resting = without_poles(equilibrium(view.configuration, view.elimination, problem.unknowns), original)
+        resting = replace(resting, pulls=spring_forces(resting))
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]
@@ -470,7 +533,8 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
 
     on_stage("questions")
     law = solution.law
-    assert law is not None  # questions need the motion
+    if law is None:  # a reference system, which has an initial state and no motion of its own
+        return solution
     frictions = {f.name for f in law.frictions}
     places = []
     for view in sorted(solution.views, key=lambda v: (v.is_own, bool(v.signs))):
@@ -496,6 +560,7 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
 
     blank  the solution before the motion was found, whose configurations have no kinetic friction
     """
+    from lagrange.mechanics.equilibrium.checks import check_impending
     from lagrange.mechanics.equilibrium.equilibrium import virtual_work
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import at_rest
     from lagrange.mechanics.equilibrium.friction.impending_motion import impending_motions
@@ -519,7 +584,7 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
             if Find.IMPENDING in problem.find:
                 file = (own.configuration, own.elimination, work)
                 motions = impending_motions(problem, law.newton, file, before.configuration, before.elimination)
-                checks += _impending_checks(motions)
+                checks += check_impending([m.equilibrium for m in motions])
                 view = replace(view, impending=motions)
         views.append(view)
     return replace(
@@ -531,65 +596,3 @@ def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Soluti
         choices=tuple(views[1:]),
         checks=tuple(checks),
     )
-
-
-def _impending_checks(motions: Sequence[ImpendingMotion]) -> list[Check]:
-    """The checks of the equilibria with friction at its limit, those of all directions of slip together."""
-    from lagrange.mechanics.equilibrium.checks import check_equilibrium
-
-    groups: dict[str, list[Check]] = {}
-    for m in motions:
-        for check in check_equilibrium(m.equilibrium, m.equilibrium):
-            groups.setdefault(check.name, []).append(check)
-    return [replace(group[0], passed=all_hold(c.passed for c in group)) for group in groups.values()]
-
-
-def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
-    """The letters ξ of all linear equations."""
-    return tuple(dict.fromkeys(x for v in solution.views if v.linearization for x in v.linearization.displacements))
-
-
-def letters_of_oscillations(solution: Solution) -> tuple[sp.Symbol, ...]:
-    """The letters for frequencies, exponents and damping ratios."""
-    linear = [v.linearization for v in solution.views if v.linearization is not None]
-    names = {f"{f.omega}{i}" for f in linear for i in ("", *(f"_{n}" for n in range(len(f.displacements) + 1)))}
-    names |= {f.exponent.name for f in linear} | ({"zeta"} if linear else set())
-    return tuple(sp.Symbol(n, real=True) for n in sorted(names))
-
-
-def _substitutions(choices: Sequence[InCoordinates]) -> list[Check]:
-    """The constraints that `generalized_coordinates` has verified to hold, as checks."""
-    checks = []
-    for c in choices:
-        if c.coordinates.satisfied:
-            listed = ", ".join(name.replace("_", " ") for name in c.coordinates.satisfied)
-            checks.append(Check(f"satisfied identically: {listed}", True, "exact, at random states", c.name))
-    return checks
-
-
-def _choices(problem: Problem, name: str | None) -> list[Choice]:
-    if name is None:
-        return list(problem.choices)
-    chosen = [c for c in problem.choices if c.name == name]
-    if not chosen:
-        names = [c.name for c in problem.choices]
-        help_ = suggestion(name, names, "choices")
-        raise ProblemError(Diagnostic("no-such-choice", f"the problem has no choice `{name}`", help=help_))
-    return chosen
-
-
-def _refuse_what_is_not_covered(problem: Problem) -> None:
-    for force in (f for f in problem.forces if isinstance(f, Friction)):
-        if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
-            what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
-            raise NotCoveredError(what, force.span)
-        if Find.LINEARIZATION in problem.find:
-            raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
-    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction) for f in problem.forces):
-        message = "impending motion is asked for, and no friction is given"
-        help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
-        raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
-    if problem.equations:
-        raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
-    if Find.LINEARIZATION in problem.find and problem.unknowns:
-        raise NotCoveredError("small oscillations with unknown forces, which have no law,")

@@ -21,13 +21,13 @@ from functools import partial
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.algebra.forms.affine import is_affine
 from lagrange.algebra.forms.nonlinear_constraints import (
     Alternative,
     Alternatives,
     Why,
     alternatives,
     in_configuration,
-    is_affine,
 )
 from lagrange.algebra.fourier.vector_cleanup import tidied
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Severity, Span, nearest

@@ -1,25 +1,39 @@
 """Reading what acts: gravity, forces, moments, springs, dampers, potentials, friction.
 
-The kind of a force is the one key it has of `vector`, `moment`, `spring`, `damper`, `potential`, `friction`. Applied
-forces may depend on position, velocity and time, never on accelerations.
+The kind of a force is the one key it has of `vector`, `moment`, `spring`, `damper`, `potential`, `friction`, `belt`.
+Applied forces may depend on position, velocity and time, never on accelerations.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, ProblemError, suggestion
 from lagrange.core.vectors import Vector
+from lagrange.expressions.reader import Scope
 from lagrange.problem.declared_names import canonical, names_in
 from lagrange.problem.keys import FORCES, SENSES, Form
 from lagrange.problem.load_context import LoadContext
-from lagrange.problem.model import AppliedForce, AppliedMoment, Damper, Force, Friction, Potential, Spring
+from lagrange.problem.model import (
+    AppliedForce,
+    AppliedMoment,
+    Belt,
+    Constraint,
+    Damper,
+    Force,
+    Friction,
+    Potential,
+    Spring,
+)
 from lagrange.problem.sections import (
+    CONSTANT,
     ENERGY,
     FORCE,
+    PLACE,
     POSITION,
     RATE,
     SPRING,
@@ -40,20 +54,22 @@ def read_gravity(node: Node | None, context: LoadContext) -> Vector | None:
     return None if node is None else context.diagnostics.attempt(lambda: context.vector(node, "`gravity`", FORCE))
 
 
-def read_forces(node: Node | None, context: LoadContext) -> tuple[Force, ...]:
-    """name -> what acts."""
+def read_forces(node: Node | None, context: LoadContext, constraints: Iterable[Constraint]) -> tuple[Force, ...]:
+    """name -> what acts; the tensions of a belt may be reactions of the constraints."""
     if node is None:
         return ()
+    reactions = {c.reaction.name: c.reaction for c in constraints}
+    tensions = replace(context.scope, scalars={**context.scope.scalars, **reactions})
     forces = []
     for key, value in context.diagnostics.attempt(lambda: entries_of(node, "`forces`", _EXAMPLE)) or ():
         name = context.forces.declare(key, "a force")
         if name is not None:
-            force = context.diagnostics.attempt(partial(_force, name, key, value, context))
+            force = context.diagnostics.attempt(partial(_force, name, key, value, context, tensions))
             forces += [force] if force is not None else []
     return tuple(forces)
 
 
-def _force(name: str, key: Scalar, node: Node, context: LoadContext) -> Force:
+def _force(name: str, key: Scalar, node: Node, context: LoadContext, tensions: Scope) -> Force:
     what = f"the force `{name}`"
     mapping = mapping_of(node, what, f"{name}: {{on: P, vector: F*i}}")
     kinds = [k for k in FORCES if any(entry.text == k for entry, _ in mapping.entries)]
@@ -70,7 +86,7 @@ def _force(name: str, key: Scalar, node: Node, context: LoadContext) -> Force:
         message = f"{what} does not say what acts"
         raise ProblemError(Diagnostic("force-kind", message, key.span, help=f"give it one of {listed}"))
     section.form = FORCES[kind]
-    return _READERS[kind](_Entry(name, what, key, section, context))
+    return _READERS[kind](_Entry(name, what, key, section, context, tensions))
 
 
 _ANY_FORCE = Form("a force", tuple({key.name: key for form in FORCES.values() for key in form.keys}.values()))
@@ -80,21 +96,24 @@ _ANY_FORCE = Form("a force", tuple({key.name: key for form in FORCES.values() fo
 class _Entry:
     """One entry of `forces`; its values are read by their keys."""
 
-    def __init__(self, name: str, what: str, key: Scalar, section: Section, context: LoadContext) -> None:
+    def __init__(
+        self, name: str, what: str, key: Scalar, section: Section, context: LoadContext, tensions: Scope
+    ) -> None:
         self.name = name
         self.what = what
         self.span = key.span
         self.section = section
         self.context = context
+        self.tensions = tensions
         self.all_of = context.diagnostics.all_of
 
     def node(self, key: str) -> Node:
         """The value of a required key."""
         return self.section.required(key, self.span)
 
-    def scalar(self, key: str, allowed: Allowed = FORCE) -> sp.Expr:
+    def scalar(self, key: str, allowed: Allowed = FORCE, scope: Scope | None = None) -> sp.Expr:
         """A required scalar."""
-        return self.context.scalar(self.node(key), f"`{key}` of {self.what}", allowed)
+        return self.context.scalar(self.node(key), f"`{key}` of {self.what}", allowed, scope)
 
     def vector(self, key: str) -> Vector:
         """A required vector."""
@@ -180,7 +199,7 @@ class _Entry:
 
 
 def _applied(f: _Entry) -> Force:
-    on, vector, at = f.all_of(f.point, lambda: f.vector("vector"), lambda: f.optional_vector("at", POSITION))
+    on, vector, at = f.all_of(f.point, lambda: f.vector("vector"), lambda: f.optional_vector("at", PLACE))
     return AppliedForce(f.name, on, vector, f.span, at)
 
 
@@ -230,6 +249,16 @@ def _friction(f: _Entry) -> Force:
     return Friction(f.name, coefficient, constraint, on, f.span, velocity, sense, contact, at, toward, static)
 
 
+def _belt(f: _Entry) -> Force:
+    coefficient, angle, tight, slack = f.all_of(
+        lambda: f.scalar("belt", CONSTANT),
+        lambda: f.scalar("angle", POSITION),
+        lambda: f.scalar("tight", FORCE, f.tensions),
+        lambda: f.scalar("slack", FORCE, f.tensions),
+    )
+    return Belt(f.name, coefficient, angle, tight, slack, f.span)
+
+
 _READERS: dict[str, Callable[[_Entry], Force]] = {
     "vector": _applied,
     "moment": _moment,
@@ -237,4 +266,5 @@ _READERS: dict[str, Callable[[_Entry], Force]] = {
     "damper": _damper,
     "potential": _potential,
     "friction": _friction,
+    "belt": _belt,
 }

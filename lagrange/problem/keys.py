@@ -125,6 +125,7 @@ class Find(StrEnum):
     MOTION = "motion"
     LINEARIZATION = "linearization"
     IMPENDING = "impending"
+    HAMILTONIAN = "hamiltonian"
 
 
 class FrameType(StrEnum):
@@ -324,6 +325,15 @@ FORCES = {
             Key("contact", "sense", "The sign of the reaction, when known."),
         ),
     ),
+    "belt": Form(
+        "a belt on a rough drum",
+        (
+            Key("belt", "expression", "A belt or rope on a rough drum: the coefficient.", required=True, example="mu"),
+            Key("angle", "expression", "The angle of contact.", required=True, example="beta"),
+            Key("tight", "expression", "The larger tension: a name or an expression.", required=True, example="T_1"),
+            Key("slack", "expression", "The smaller tension.", required=True, example="T_2"),
+        ),
+    ),
 }
 """The kinds of forces, each recognised by the key of its name."""
 
@@ -370,6 +380,13 @@ ANSWERS = Form(
             "Of small oscillations; lists in a list are those of several equilibria.",
         ),
         Key("ask", Named(AnyOf(("expression", "equation")), new=False), "Of the questions, by their names."),
+        Key(
+            "hamiltonian", AnyOf(("expression", "equation")), "Hamilton's function, in coordinates and momenta p_theta."
+        ),
+        Key("kinetic_energy", "expression", "T, in the coordinates of the file or of a choice."),
+        Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
+        Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
+        Key("virtual_displacements", _one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
     ),
 )
 

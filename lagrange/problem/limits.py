@@ -54,6 +54,9 @@ MAX_WRITTEN_OUT = 1_000_000
 Two thousand times the largest shipped file: abbreviations of abbreviations grow exponentially with their number.
 """
 
+UNITS_OF_READING = 50_000
+"""Of work (`core.effort`) for all of a file."""
+
 MOST_TESTED = 400
 """Parts of an expression that is tested for zero while reading; of all together, five times as many.
 

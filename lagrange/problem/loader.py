@@ -16,6 +16,7 @@ from pathlib import Path
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Source, suggestion
+from lagrange.core.effort import allowed_for
 from lagrange.core.symbols import CONSTANT
 from lagrange.expressions.reader import Scope
 from lagrange.problem.constraints import read_constraints
@@ -32,6 +33,7 @@ from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.forces import read_forces, read_gravity
 from lagrange.problem.frames import read_frame
 from lagrange.problem.keys import AXES, PROBLEM, Find
+from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
@@ -59,7 +61,7 @@ def read_problem(source: Source, settings: Sequence[Fragment] = ()) -> Problem:
     """
     diagnostics = Diagnostics()
     problem = None
-    with suppress(EnoughError):
+    with suppress(EnoughError), allowed_for("reading the problem", UNITS_OF_READING):
         problem = diagnostics.attempt(lambda: _problem(source, diagnostics, settings))
     diagnostics.stop_if_any()
     assert problem is not None  # otherwise a diagnostic was raised
@@ -88,7 +90,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     things = read_things(root, context)
     constraints = read_constraints(root.section("constraints"), context)
     gravity = read_gravity(root.get("gravity"), context)
-    forces = read_forces(root.section("forces"), context)
+    forces = read_forces(root.section("forces"), context, constraints)
     speeds = read_speeds(root.section("speeds"), context)
     choices = read_choices(root.section("generalized_coordinates"), context)
     asking = scope_of_questions(context.scope, constraints, choices)

@@ -225,7 +225,22 @@ class Friction:
     static: sp.Expr | None = None
 
 
-Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction
+@record
+class Belt:
+    """A belt or rope on a rough drum, at rest: tight ≤ slack e^(coefficient · angle) for its two tensions.
+
+    `tight` and `slack` may contain unknown forces and the names of reactions; `angle` is that of contact.
+    """
+
+    name: str
+    coefficient: sp.Expr
+    angle: sp.Expr
+    tight: sp.Expr
+    slack: sp.Expr
+    span: Span
+
+
+Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction | Belt
 
 
 @record
@@ -308,6 +323,11 @@ class Answers:
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
+    hamiltonian: Fragment | None = None
+    kinetic_energy: Fragment | None = None
+    generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
+    conserved: tuple[Fragment, ...] = ()
+    virtual_displacements: tuple[Fragment, ...] = ()
 
 
 @record

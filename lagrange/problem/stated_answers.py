@@ -87,7 +87,37 @@ class AnswerReader:
             frequencies=self._frequencies(section.get("frequencies")),
             ask=self._asked(section.get("ask")),
             rest=self._rest(section.get("rest")),
+            hamiltonian=self._one(section.get("hamiltonian"), "`hamiltonian`"),
+            kinetic_energy=self._one(section.get("kinetic_energy"), "a kinetic energy"),
+            generalized_forces=self._by_coordinates(section.get("generalized_forces")),
+            conserved=self._texts(section.get("conserved"), "`conserved`", '["m*r^2*phi\' = const"]'),
+            virtual_displacements=self.equations(section.get("virtual_displacements"), "`virtual_displacements`"),
         )
+
+    def _one(self, node: Node | None, what: str) -> Fragment | None:
+        """One text, which is read when it is judged."""
+        if node is None:
+            return None
+        scalar = self.diagnostics.attempt(lambda: scalar_of(node, what))
+        return scalar.fragment if scalar is not None else None
+
+    def _texts(self, node: Node | None, what: str, example: str) -> tuple[Fragment, ...]:
+        """A list of texts, or one text, which are read when they are judged."""
+        if node is None:
+            return ()
+        items = (node,) if isinstance(node, Scalar) else self.diagnostics.attempt(lambda: items_of(node, what, example))
+        read = (self._one(item, f"an entry of {what}") for item in items or ())
+        return tuple(fragment for fragment in read if fragment is not None)
+
+    def _by_coordinates(self, node: Node | None) -> Mapping[str, Fragment]:
+        """name of a coordinate -> the generalized force of it."""
+        if node is None:
+            return {}
+        what, example = "`generalized_forces`", "generalized_forces: {theta: -m*g*l*sin(theta)}"
+        entries = self.diagnostics.attempt(lambda: entries_of(node, what, example))
+        known = {q.name: q.name for q in self.scope.slots.coordinates}
+        forces = {canonical(key.text, known): self._one(value, "a generalized force") for key, value in entries or ()}
+        return {name: fragment for name, fragment in forces.items() if fragment is not None}
 
     def _rest(self, node: Node | None) -> tuple[Fragment, ...]:
         """Conditions of rest: a list of inequalities or equations, or one."""

@@ -23,6 +23,7 @@ from lagrange.problem.keys import Assumption
 from lagrange.problem.model import (
     AppliedForce,
     AppliedMoment,
+    Belt,
     Coordinate,
     Damper,
     Friction,
@@ -328,6 +329,8 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
                 yield f.energy, "N m"
             case Friction():
                 yield f.coefficient, "1"
+            case Belt():
+                yield from ((f.coefficient, "1"), (f.angle, "1"), (f.tight, "N"), (f.slack, "N"))
 
 
 def _components(vector: Vector | None, unit: str) -> Iterator[tuple[sp.Expr, str]]:

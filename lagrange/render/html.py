@@ -11,6 +11,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from html import escape as html_escape
+from itertools import groupby
 
 from lagrange.core.printable import printable
 from lagrange.document.derivation import (
@@ -52,6 +53,8 @@ h2 { font-size: 1.12rem; margin: 2.2rem 0 .6rem; font-weight: 600; border-top: 1
   padding-top: .8rem; break-after: avoid; }
 h2 .count { color: var(--accent); display: inline-block; min-width: 1.9rem; }
 p { margin: .6rem 0; overflow-wrap: break-word; }
+details { margin-top: 2.2rem; border-top: 1px solid var(--line); padding-top: .8rem; }
+summary { cursor: pointer; font-weight: 600; }
 .source { color: var(--quiet); font-style: italic; margin: .25rem 0 0; }
 nav ol { padding-left: 1.5rem; }
 a { color: var(--accent); text-decoration: none; }
@@ -133,6 +136,7 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
 
 
 MARKS = {True: ("✓", "held", "held"), False: ("✗", "failed", "did not hold"), None: ("?", "open", "undecided")}
+APOSTROPHE = re.compile(r"(?<=[A-Za-z])'(?=[A-Za-z])|(?<=[a-z]s)'(?=\s)")
 CLOSING = re.compile(r"[).,:;]+")
 
 
@@ -161,8 +165,8 @@ def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = 
 
 
 def escape(text: str) -> str:
-    """Text as HTML that shows it."""
-    return html_escape(printable(text))
+    """Text as HTML that shows it, with the apostrophes of a printer; a derivative's prime is not between letters."""
+    return html_escape(APOSTROPHE.sub("’", printable(text)))
 
 
 def _prefix(derivation: Derivation, place: int, derivations: Sequence[tuple[Derivation, Notation]]) -> str:
@@ -187,9 +191,17 @@ class _Article(Emitter[str]):
         yield f"<h1>{escape(self.derivation.title)}</h1>"
         if self.derivation.source:
             yield f'<p class="source">{escape(self.derivation.source)}</p>'
-        for number, step in enumerate(self.content.steps, 1):
-            yield f'<h2><span class="count">{number}</span>{escape(step.title)}</h2>'
-            yield from block_lines(step.body, self)
+        number = 0
+        for folded, steps in groupby(self.content.steps, key=lambda step: step.folded):
+            if folded:
+                yield f"<details><summary>{self.prose(folded)}</summary>"
+            for step in steps:
+                if step.title:
+                    number += 1
+                    yield f'<h2><span class="count">{number}</span>{escape(step.title)}</h2>'
+                yield from block_lines(step.body, self)
+            if folded:
+                yield "</details>"
         yield "</article>"
 
     # Words

@@ -17,6 +17,7 @@ from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.problem.values import no_values
+from lagrange.render.json_momenta import hamiltonian
 from lagrange.render.json_numbers import (
     add_oscillations,
     asked_number,
@@ -98,6 +99,10 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _reactions(solution, own.dynamics.reactions, report.values, write)
     if own.conserved is not None:
         found["conserved"] = integrals(own.conserved, write)
+    in_momenta = next((v for v in solution.views if v.hamiltonian is not None), None)
+    if in_momenta is not None and in_momenta.hamiltonian is not None:
+        named = {"choice": in_momenta.name} if in_momenta.name else {}
+        found["hamiltonian"] = hamiltonian(in_momenta.hamiltonian, write) | named
     if own.reactions_at_rest is not None:
         moving = found.get("reactions", {})
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
@@ -117,6 +122,8 @@ def as_object(report: Report) -> dict[str, Any]:
     first = next((s for s in spots if s is not None), None)
     if first is not None:
         found["spot"] = _spot(first, write)
+    if solution.given_up:
+        found["given_up"] = solution.given_up
     found["answers"] = [{"name": a.name, "verdict": a.verdict.value} for a in report.answers]
     found["steps"] = [
         {
@@ -236,6 +243,8 @@ def _choice(c: InCoordinates, values: Values | None, write: Write) -> dict[str, 
         }
     if c.conserved is not None:
         found["conserved"] = integrals(c.conserved, write)
+    if c.hamiltonian is not None:
+        found["hamiltonian"] = hamiltonian(c.hamiltonian, write)
     if c.reactions_at_rest is not None:
         found |= _reactions_at_rest(c.reactions_at_rest, (), found.get("reactions", {}), values, write)
     if c.spot is not None:
@@ -382,6 +391,8 @@ def _statics(
         "equilibrium_conditions": [_sign_conditions(b, write) for b in equilibrium.branches],
         "equilibrium_exists": equilibrium.exists,
     }
+    if any(equilibrium.pulls):
+        result["spring_forces"] = [{name: write(f) for name, f in pulls.items()} for pulls in equilibrium.pulls]
     if equilibrium.outside:
         outside = [[f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations] for b in equilibrium.outside]
         result["equilibrium_outside_ranges"] = outside

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 
+from lagrange.core.printable import printable
 from lagrange.core.records import record
 from lagrange.document.derivation import (
     CheckMark,
@@ -41,7 +42,7 @@ PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
 \usepackage{amsmath,amssymb}
 \usepackage{tikz}
 \usetikzlibrary{arrows.meta}
-\usepackage[margin=25mm]{geometry}
+\usepackage[margin=25mm, top=20mm, bottom=22mm]{geometry}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.5\baselineskip}
 \setlength{\emergencystretch}{3em}
@@ -52,6 +53,8 @@ PICTURES = r""", \usepackage{tikz} and \usetikzlibrary{arrows.meta}
 FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}PICTURES, a text width of about 160 mm at 11 pt,
 % and for long formulas in the text \setlength{\emergencystretch}{3em}
 """
+LARGE = 1.44
+"""How much wider the letters of a title are."""
 MARKS = {True: r"$\checkmark$", False: r"$\times$", None: "?"}
 
 
@@ -91,17 +94,26 @@ class _Article(Emitter[str]):
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
         self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
-        self.content = shown(derivation, detail, pictures=True)
+        self.content = shown(derivation, detail, pictures=True, folded=False)
         self.prefix = prefix
 
     def all(self) -> Iterator[str]:
         source = escape(self.derivation.source)
-        at_right = rf" \hfill \textnormal{{\normalsize {source}}}" if source else ""
-        yield rf"\section*{{{escape(self.derivation.title)}{at_right}}}"
-        for number, step in enumerate(self.content.steps, 1):
+        title = escape(self.derivation.title)
+        beside = LARGE * ems(title) + ems(source) < LATEX_LINE
+        at_right = rf" \hfill \textnormal{{\normalsize {source}}}" if source and beside else ""
+        yield rf"\section*{{{title}{at_right}}}"
+        if source and not beside:
+            yield rf"\emph{{{source}}}" + "\n"
+        number = 0
+        for step in self.content.steps:
             yield ""
-            yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
+            if step.title:
+                number += 1
+                yield rf"\subsection*{{{number}\quad {escape(step.title)}}}"
             yield from block_lines(step.body, self)
+        for choice in self.content.folded:
+            yield f"% another choice of coordinates: --choice {printable(choice)}"
 
     # Words
 
@@ -129,9 +141,8 @@ class _Article(Emitter[str]):
 
     def display(self, block: Display) -> Iterator[str]:
         systems = [self.rows(e, LATEX_LINE - 2 if block.boxed else LATEX_LINE) for e in block.equations]
-        if len(systems) == 1 and len(systems[0]) == 1:
-            code = systems[0][0].code.replace(ALIGN, "")
-            yield from self.equation(rf"\boxed{{{code}}}" if block.boxed else code, block.equations[0])
+        if len(systems) == 1 and len(systems[0]) == 1 and not block.boxed:
+            yield from self.equation(systems[0][0].code.replace(ALIGN, ""), block.equations[0])
         elif block.boxed and sum(map(len, systems)) > TALL_BOX:
             # A minipage cannot be broken between pages: a tall result is boxed equation by equation.
             for system in systems:
@@ -140,10 +151,11 @@ class _Article(Emitter[str]):
             yield from self.boxed(systems) if block.boxed else self.align(systems)
 
     def boxed(self, systems: Sequence[Sequence[_Row]]) -> Iterator[str]:
-        # \boxed takes one formula, not an `align`; the space above the first display would make the frame lopsided.
-        yield r"\begin{center}\fbox{\begin{minipage}{0.97\linewidth}\vspace{-\abovedisplayskip}"
+        # \boxed takes one formula, not an `align`. No page break parts the box from the sentence before it. The space
+        # above the first equation would make the frame lopsided.
+        yield r"\par\nopagebreak\smallskip\noindent\fbox{\begin{minipage}{0.97\linewidth}\vspace{-\abovedisplayskip}"
         yield from self.align(systems)
-        yield r"\end{minipage}}\end{center}"
+        yield "\\end{minipage}}\\par\\smallskip\n"
 
     def equation(self, code: str, equation: Equation) -> Iterator[str]:
         star = "" if equation.label else "*"
@@ -218,7 +230,7 @@ class _Article(Emitter[str]):
 
 def _tabular(cells: Sequence[Sequence[str]]) -> Iterator[str]:
     yield r"\begin{center}"
-    yield rf"\begin{{tabular}}{{l|{'l' * (len(cells[0]) - 1)}}}"
+    yield rf"\begin{{tabular}}{{{'l' * len(cells[0])}}}"
     header, *rows = (" & ".join(row) for row in cells)
     yield rf"  {header} \\ \hline"
     yield " \\\\\n".join("  " + row for row in rows)

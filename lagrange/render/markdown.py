@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import groupby
 
 from lagrange.core.printable import printable
 from lagrange.document.derivation import (
@@ -90,9 +91,17 @@ class _Page(Emitter[str]):
         yield f"# {escape(self.derivation.title)}"
         if self.derivation.source:
             yield f"*{escape(self.derivation.source).strip()}*"
-        for number, step in enumerate(self.content.steps, 1):
-            yield f"## {number}. {escape(step.title)}"
-            yield from block_lines(step.body, self)
+        number = 0
+        for folded, steps in groupby(self.content.steps, key=lambda step: step.folded):
+            if folded:
+                yield f"<details><summary>{self.prose(folded)}</summary>"
+            for step in steps:
+                if step.title:
+                    number += 1
+                    yield f"## {number}. {escape(step.title)}"
+                yield from block_lines(step.body, self)
+            if folded:
+                yield "</details>"
 
     def paragraphs(self, run: Sequence[Prose]) -> Iterator[str]:
         return (_OPENING.sub(r"\1\\\2", self.prose(block.parts)) for block in run)

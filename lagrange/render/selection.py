@@ -8,7 +8,7 @@ left out; JSON has everything.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import lru_cache
 
 import sympy as sp
@@ -157,11 +157,13 @@ class ShownSteps:
     steps    with the blocks that are shown
     numbers  of the equations, by label
     hidden   the labelled equations that are not shown
+    folded   the choices of coordinates whose steps are not shown, each with what stands in their place
     """
 
     steps: tuple[Step, ...]
     numbers: dict[str, int]
     hidden: dict[str, Equation]
+    folded: Mapping[str, tuple[Part, ...]] = field(default_factory=dict)
 
     def number(self, equation: Equation) -> str:
         """The number of an equation in parentheses; empty where it has none."""
@@ -176,24 +178,31 @@ class ShownSteps:
         return "(?)" if equation is None else Math(equation.sides, equation.relation)
 
 
-def shown(derivation: Derivation, detail: Detail, first: int = 1, *, pictures: bool = False) -> ShownSteps:
-    """The blocks shown at a level of detail, numbered from `first`. Without `pictures`, none is kept or drawn."""
+def shown(
+    derivation: Derivation, detail: Detail, first: int = 1, *, pictures: bool = False, folded: bool = True
+) -> ShownSteps:
+    """The blocks shown at a level of detail, their equations numbered from `first`.
+
+    pictures  whether they are kept and drawn
+    folded    whether the steps that the page folds are kept
+    """
     steps = []
     left: set[str] = set()
-    for step in derivation.steps:
+    for step in derivation.at(detail):
         body = tuple(block for block in step.body if block.detail <= detail and _has_place(block, pictures))
         if detail is Detail.BRIEF:
             body = tuple(_shortened(body))
-        if body:
+        if body and (folded or not step.folded):
             body, without = abridged(body)
             left |= without
             steps.append(replace(step, body=tuple(not_referring(block, left) for block in body)))
     labelled = [e for e in _equations(steps) if e.label is not None]
     numbers = {e.label: n for n, e in enumerate(labelled, first) if e.label is not None}
     steps = [replace(s, body=tuple(_condensed(b, numbers) for b in s.body)) for s in steps]
-    everything = {e.label: e for e in _equations(derivation.steps) if e.label is not None}
+    everything = {e.label: e for e in _equations((*derivation.steps, *derivation.page)) if e.label is not None}
     hidden = {label: e for label, e in everything.items() if label not in numbers}
-    return ShownSteps(tuple(steps), numbers, hidden)
+    left_folded = {} if folded else {s.choice: s.folded for s in derivation.at(detail) if s.folded}
+    return ShownSteps(tuple(steps), numbers, hidden, left_folded)
 
 
 def _condensed(block: Block, numbers: Mapping[str, int]) -> Block:

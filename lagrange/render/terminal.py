@@ -76,7 +76,7 @@ def text(derivation: Derivation, notation: Notation, width: int, detail: Detail 
 def lines(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> Iterator[Text]:
     """The lines of a derivation, none wider than `width` cells."""
     inner = max(min(width - 1, WIDEST_PAGE) - len(MARGIN), 8)
-    page = _Page(Writer(UNICODE, notation), shown(derivation, detail), inner)
+    page = _Page(Writer(UNICODE, notation), shown(derivation, detail, folded=False), inner)
     for line in page.all(derivation):
         line.rstrip()
         yield Text.assemble(MARGIN, line) if line else line
@@ -93,10 +93,16 @@ class _Page(Emitter[Text]):
 
     def all(self, derivation: Derivation) -> Iterator[Text]:
         yield from self.heading(printable(derivation.title), printable(derivation.source))
-        for number, step in enumerate(self.content.steps, 1):
-            if number > 1:
+        number = 0
+        for place, step in enumerate(self.content.steps):
+            if place and step.title:
                 yield Text()
+            number += bool(step.title)
             yield from self.step(number, step)
+        if self.content.folded:
+            yield Text()
+        for choice, words in self.content.folded.items():
+            yield from fill(self.words(("▸ ", *words, f"  (--choice {choice or 'all'})")), self.width)
 
     def heading(self, title: str, source: str) -> Iterator[Text]:
         gap = self.width - cell_len(title) - cell_len(source)
@@ -108,6 +114,10 @@ class _Page(Emitter[Text]):
         yield Text("─" * self.width, "dim")
 
     def step(self, number: int, step: Step) -> Iterator[Text]:
+        if not step.title:
+            indent = INDENT if number else ""
+            yield from (Text.assemble(indent, line) for line in block_lines(step.body, self))
+            return
         words = Words().text(printable(step.title), "bold")
         label = f"{number:<{len(INDENT) - 2}} "
         for n, line in enumerate(fill(words, self.width - len(label))):

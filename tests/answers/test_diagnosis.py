@@ -71,7 +71,7 @@ TABLE = [
     ("pendulum", "theta'' = 0", Slip.MISSING, "force", "g*sin(theta)/l is missing"),
     ("pendulum", "theta'' + 9.81/l*sin(theta) = 0", Slip.NUMBER, "force", "g in place of 9.81"),
     ("pendulum", "theta'' + 10*sin(theta)/l = 0", Slip.NUMBER, "force", "g in place of 10"),
-    ("pendulum", "0.33*theta'' + g*sin(theta)/(3*l) = 0", Slip.NUMBER, "inertia", "0.33 is not 1/3"),
+    ("pendulum", "0.34*theta'' + g*sin(theta)/(3*l) = 0", Slip.NUMBER, "inertia", "0.34 is not 1/3"),
     (
         "pendulum",
         "theta'' + theta' + g/l*sin(theta) = 0",

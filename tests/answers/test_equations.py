@@ -465,8 +465,8 @@ THIRD = SOLVED["pendulum"].replace("parameters: [m, l, g]", "parameters: {m: {va
         (VALUES, "x*(y'' - g) - y*x'' = 0 ; x^2 + y^2 = 0.25", EQUIVALENT),
         (VALUES, "y''/4 + y*y'^2/(1 - 4*y^2) = g*(1/4 - y^2)", EQUIVALENT),
         (THIRD, "theta'' + sin(theta)/3 = 0", EQUIVALENT),
-        (THIRD, "theta'' + 0.33*sin(theta) = 0", WRONG),
-        (THIRD, "theta'' + 0.3333333333*sin(theta) = 0", WRONG),
+        (THIRD, "theta'' + 0.33*sin(theta) = 0", EQUIVALENT),
+        (THIRD, "theta'' + 0.34*sin(theta) = 0", WRONG),
         (THIRD, "theta''/(l - 3) = 0", UNREADABLE),
     ],
 )

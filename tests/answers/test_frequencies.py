@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from functools import cache
+
 import pytest
 
 from lagrange.answers.examiner import compared_answers
-from lagrange.core.diagnostics import ProblemError
+from lagrange.answers.verdicts import AnswerVerdict
+from lagrange.core.diagnostics import ProblemError, Source
+from lagrange.mechanics.solution import Solution
+from lagrange.problem.loader import read_problem
 from tests.support.linearized_systems import COUPLED, DAMPED, DOUBLE, HOOP, MOLECULE, PENDULUM, solved
 
 PASS = """
@@ -35,6 +41,19 @@ forces:
   left: {spring: k, between: [P, -l*i], length: l}
   right: {spring: k, between: [P, l*i], length: l}
 """
+
+
+@cache
+def linearized(text: str) -> Solution:
+    return solved(text)
+
+
+def verdict_on(text: str, stated: str) -> AnswerVerdict:
+    """On frequencies that a file states: what they are compared with does not depend on them."""
+    file = f"title: T\n{text}\nfind: linearization\nanswers: {{frequencies: {stated}}}\n"
+    problem = read_problem(Source("problem.yaml", file))
+    [answer] = compared_answers(replace(linearized(text), problem=problem))
+    return answer
 
 
 @pytest.mark.parametrize(
@@ -67,8 +86,7 @@ forces:
     ],
 )
 def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
-    solution = solved(text, f"find: linearization\nanswers: {{frequencies: {stated}}}")
-    [answer] = compared_answers(solution)
+    answer = verdict_on(text, stated)
     assert answer.name == "frequencies"
     assert answer.verdict.value == verdict
 
@@ -92,8 +110,7 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
     ],
 )
 def test_the_reason_is_given(text: str, stated: str, said: str) -> None:
-    [answer] = compared_answers(solved(text, f"find: linearization\nanswers: {{frequencies: {stated}}}"))
-    assert answer.diagnosis == said
+    assert verdict_on(text, stated).diagnosis == said
 
 
 def test_what_cannot_be_read_is_named() -> None:

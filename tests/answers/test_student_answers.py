@@ -23,12 +23,12 @@ def answers() -> dict[str, list[tuple[str, str, str, str]]]:
     """Problem -> its answers: their place, the verdict expected, the extension, and the text."""
     found: dict[str, list[tuple[str, str, str, str]]] = {}
     for file in sorted(FOLDER.glob("*.txt")):
-        for place, problem, verdict, ending, text in _of_file(file):
+        for place, problem, verdict, ending, text in in_file(file):
             found.setdefault(problem, []).append((place, verdict, ending, text))
     return found
 
 
-def _of_file(file: Path) -> Iterator[tuple[str, str, str, str, str]]:
+def in_file(file: Path) -> Iterator[tuple[str, str, str, str, str]]:
     problem, head, lines = "", ("", "", ""), list[str]()
     for number, line in enumerate([*file.read_text(encoding="utf-8").splitlines(), "---"], 1):
         if line.startswith(("@ ", "---")):
@@ -68,3 +68,32 @@ def test_answers_of_students(problem: str) -> None:
 def test_there_are_hundreds_on_thirty_problems() -> None:
     assert len(ANSWERS) >= 30
     assert sum(map(len, ANSWERS.values())) >= 300
+
+
+def test_unreadable_lines_stand_where_they_were_written() -> None:
+    text = b"theta'' + q = 0\ntheta'' = -g/l*sin(theta)\n0 = theta'' + )\nl*theta'' + g*sin(theta) = 0\n"
+    graded = grader_of("ex11-ideal-pendulum").grade(Submission("a", (("a.txt", text),)))
+    assert [e.verdict.value for e in graded.equations] == ["unreadable", "equivalent", "unreadable", "equivalent"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "d/dt(dL/dtheta') - dL/dtheta = 0",
+        r"\frac{d}{dt}\frac{\partial L}{\partial \dot\theta} - \frac{\partial L}{\partial\theta} = 0",
+        r"\dv{t}\pdv{\mathcal{L}}{\dot q} = \pdv{\mathcal{L}}{q}",
+        "D[D[L, θ'[t]], t] == D[L, θ[t]]",
+        "diff(diff(L, theta'), t) - diff(L, theta) = 0",
+        "∂L/∂θ = -mgl sinθ",
+        "L = T - V",
+        "F = m a",
+        "E = T + V = const",
+        "sum M = I alpha",
+    ],
+)
+def test_the_method_may_be_quoted(line: str) -> None:
+    text = f"{line}\n\ntheta'' = -g/l*sin(theta)\n".encode()
+    graded = grader_of("ex11-ideal-pendulum").grade(Submission("a", (("a.txt", text),)))
+    assert [e.verdict.value for e in graded.equations] == ["equivalent"]
+    assert not any(m.startswith("error") for m in graded.messages)
+    assert any("not judged" in m for m in graded.messages)

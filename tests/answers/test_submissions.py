@@ -15,6 +15,7 @@ from lagrange.core.diagnostics import ProblemError, Source
 from lagrange.problem.loader import load, read_problem
 from tests.support.chance import examples
 from tests.support.paths import PROBLEMS
+from tests.support.shared import loaded, solved
 
 # -- files -----------------------------------------------------------------------------------------------------------
 
@@ -274,3 +275,38 @@ def test_a_reference_given_outright() -> None:
 def test_a_problem_without_equations_is_refused_before_anything_is_graded() -> None:
     with pytest.raises(ProblemError, match="no motion"):
         prepared("ex05")
+
+
+@pytest.mark.parametrize(
+    ("text", "ending"),
+    [
+        ("x=1\n" * 262_000, ".txt"),
+        ("$x=1$\n" * 150_000, ".tex"),
+        ("\n" * 1_000_000, ".txt"),
+        ("x\n" * 500_000, ".md"),
+        ("$x$" * 300_000, ".tex"),
+        ("`a`" * 300_000, ".md"),
+        ("<p>x=1</p>" * 100_000, ".html"),
+        ("x = " + "Eq(" * 300_000, ".txt"),
+    ],
+)
+def test_files_that_are_too_long_are_refused_before_they_are_read(
+    text: str, ending: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def never(*_: object) -> None:
+        raise AssertionError("it is read")
+
+    monkeypatch.setattr("lagrange.answers.submissions.marks_of", never)
+    monkeypatch.setattr("lagrange.answers.submissions._lines", never)
+    with pytest.raises(ProblemError) as refused:
+        equations_in_file(Source("answer", text), ending)
+    assert refused.value.diagnostics[0].code == "too-many-equations"
+
+
+def test_equations_of_all_files_of_a_submission_are_counted_together() -> None:
+    files = tuple((f"{n}.txt", b"theta'' = 0\n" * 600) for n in range(3))
+    graded = Grader.of(Examiner(loaded("ex11-ideal-pendulum"), solved("ex11-ideal-pendulum"))).grade(
+        Submission("a", files)
+    )
+    assert graded.verdict.value == "unreadable"
+    assert "1,000 equations in all its files" in graded.headline

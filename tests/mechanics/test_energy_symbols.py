@@ -11,7 +11,7 @@ from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
 from tests.support.lagrange_motions import TAKEN
-from tests.support.sweep import equations_in, unreadable
+from tests.support.printed_equations import equations_in, unreadable
 
 Read = Callable[[str], Problem]
 

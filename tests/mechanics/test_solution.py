@@ -7,10 +7,15 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
-from lagrange.core.diagnostics import NotCoveredError, ProblemError
+from lagrange.core.diagnostics import GaveUpError, NotCoveredError, ProblemError
+from lagrange.explain.report import report
 from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
+from lagrange.render import terminal
+from lagrange.render.json import as_object
 from lagsolve.command_group import status_of_error
+from tests.support.paths import PROBLEMS
 
 Read = Callable[[str], Problem]
 
@@ -179,3 +184,24 @@ forces: {s: {spring: c, between: [P, "[0, h]"], length: b}}
     numbers = {m: 2, c: 3, b: sp.Rational(1, 2), h: sp.Rational(3, 4), x: 1}
     [found] = sp.solve(equation.xreplace(numbers), acceleration)
     assert found == expected.xreplace(numbers)
+
+
+def test_what_is_known_when_the_work_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The constraints are classified, and the stage at which the work ended is named."""
+    sp.core.cache.clear_cache()
+    monkeypatch.setattr("lagrange.mechanics.solution.UNITS_OF_SOLVING", 4_000)
+    explained = report(load(PROBLEMS / "chapter6/ex18-double-pendulum.yaml"))
+    solution = explained.solution
+    assert solution.classification.degrees_of_freedom == 2
+    assert solution.own.motion is None
+    assert not solution.holds
+    assert "the work allowed for one problem is used up" in solution.given_up
+    assert [d.message for d in explained.shortcomings if d.code == "given-up"] == [f"given up at: {solution.given_up}"]
+    assert "Given up at: " in terminal.text(explained.derivation, explained.notation, 200)
+    assert as_object(explained)["given_up"] == solution.given_up
+
+
+def test_nothing_is_known_of_constraints_that_take_too_much_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lagrange.mechanics.solution.UNITS_OF_SOLVING", 1)
+    with pytest.raises(GaveUpError, match="given up at: classifying the constraints"):
+        solve(load(PROBLEMS / "chapter6/ex18-double-pendulum.yaml"))

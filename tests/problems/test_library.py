@@ -11,7 +11,7 @@ import pytest
 import yaml
 
 from lagrange.problem import library
-from lagrange.problem.model import Find, Friction, Problem
+from lagrange.problem.model import Belt, Find, Friction, Problem
 from tests.support.paths import PROBLEMS
 from tests.support.shared import loaded
 
@@ -84,7 +84,7 @@ def wanted(name: str, problem: Problem) -> set[str]:
     if Find.MOTION in problem.find:
         keys.add("equations")
     if Find.EQUILIBRIUM in problem.find:
-        keys.add("rest" if any(isinstance(f, Friction) for f in problem.forces) else "equilibrium")
+        keys.add("rest" if any(isinstance(f, Friction | Belt) for f in problem.forces) else "equilibrium")
     if Find.IMPENDING in problem.find:
         keys.add("equilibrium")
     if Find.LINEARIZATION in problem.find:

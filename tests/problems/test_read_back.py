@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 import sympy as sp
@@ -20,12 +21,12 @@ from lagrange.document.math_writer import latex
 from lagrange.document.math_writer import text as plain_text
 from lagrange.explain.report import Report, report
 from lagrange.expressions.latex_layout import piece
-from lagrange.expressions.reader import EquationRead, read_equation
+from lagrange.expressions.reader import EquationRead, Scope, read_equation
 from lagrange.problem.loader import load
 from lagrange.render.json import as_object
 from lagrange.render.latex import body
+from tests.support.printed_equations import equations_in, unreadable
 from tests.support.shared import SHIPPED, reported
-from tests.support.sweep import equations_in, unreadable
 
 
 @pytest.fixture(scope="module", params=SHIPPED)
@@ -34,7 +35,18 @@ def solved(request: pytest.FixtureRequest) -> Report:
 
 
 def read(text: str, result: Report) -> EquationRead:
-    return read_equation(Fragment.of(text), reference_of_solution(result.solution).scope)
+    return read_equation(Fragment.of(text), _scope(result))
+
+
+def _scope(result: Report) -> Scope:
+    """Made once for all equations of a problem."""
+    if result is not _last[0]:
+        _last[:] = result, reference_of_solution(result.solution).scope
+    scope: Scope = _last[1]
+    return scope
+
+
+_last: list[Any] = [None, None]
 
 
 def holds(text: str, result: Report, carried: bool = False) -> bool:
@@ -86,8 +98,7 @@ def test_positions_forces_and_differentials_are_what_they_are_called(solved: Rep
 
 def in_latex(code: str, result: Report) -> EquationRead:
     whole = Fragment.of(f"{code} = 0")
-    scope = reference_of_solution(result.solution).scope
-    return read_equation(piece(whole, 0, len(whole.text)), scope, latex=True)
+    return read_equation(piece(whole, 0, len(whole.text)), _scope(result), latex=True)
 
 
 def differs(side: Mathematics, result: Report) -> str:
@@ -136,7 +147,7 @@ def test_boxed_equations_of_a_document_can_be_read_again(solved: Report) -> None
             "boxed" in display or document[: document.index(display)].rstrip().endswith(r"\vspace{-\abovedisplayskip}")
         )
     ]
-    scope = reference_of_solution(solved.solution).scope
+    scope = _scope(solved)
     for display in boxed:
         rows = equations_in_file(Source("answer.tex", display), ".tex")
         assert rows

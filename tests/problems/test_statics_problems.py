@@ -376,3 +376,12 @@ def test_rest_at_numbers(name: str, values: dict[str, float], rests: bool) -> No
         for case in rest.cases
     ]  # fmt: skip
     assert any(holds) is rests
+
+
+def test_a_support_under_a_beam() -> None:
+    """Moments about the left end, as numbers: the support bears everything at the centre of the weights."""
+    found = solved("support-under-a-beam").own.equilibrium
+    assert found is not None
+    [point] = numbers(found, {"W": 100, "l": 4, "P": 30, "Q": 70, "a": 3, "y": 0, "theta": 0.3})
+    assert isclose(point["N"], 200)
+    assert isclose(point["s"], (100 * 2 + 70 * 3) / 200)

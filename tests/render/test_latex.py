@@ -16,9 +16,12 @@ PENDULUM = r"""\section*{Ideal pendulum \hfill \textnormal{\normalsize Chapter 6
 
 \subsection*{1\quad Equation of motion}
 With $x^{2} + y^{2} - l^{2} = 0$ it becomes
-\begin{equation}\label{ideal-pendulum:motion}
-  \boxed{\ddot{\theta} + \frac{g}{l} \sin\theta = 0 \qquad \text{where $l \neq 0$}}
-\end{equation}
+\par\nopagebreak\smallskip\noindent\fbox{\begin{minipage}{0.97\linewidth}\vspace{-\abovedisplayskip}
+\begin{align}
+  \ddot{\theta} + \frac{g}{l} \sin\theta &= 0 \qquad \text{where $l \neq 0$} \label{ideal-pendulum:motion}
+\end{align}
+\end{minipage}}\par\smallskip
+
 
 \subsection*{2\quad Checks}
 \begin{itemize}
@@ -106,12 +109,12 @@ def test_a_tall_box_is_cut_into_one_for_each_equation():
 def test_tables_are_turned_or_listed_where_they_are_too_wide():
     a = sp.symbols("a_:20")
     wide = Table(("row", *(math(s) for s in a)), (("one", *(math(s**2) for s in a)), ("two", *(math(s) for s in a))))
-    assert r"\begin{tabular}{l|ll}" in body(wide)
+    assert r"\begin{tabular}{lll}" in body(wide)
     assert r"  row & one & two \\ \hline" in body(wide)
     cells = tuple(math(sum(a)) for _ in range(3))
     assert body(Table(("row", "x", "y", "z"), (("one", *cells),) * 3)).startswith("\\begin{itemize}\n\\item one: x: $")
     narrow = Table(("row", math(x)), (("one", math(y)),))
-    assert "\\begin{tabular}{l|l}\n  row & $x$ \\\\ \\hline\n  one & $y$\n\\end{tabular}" in body(narrow)
+    assert "\\begin{tabular}{ll}\n  row & $x$ \\\\ \\hline\n  one & $y$\n\\end{tabular}" in body(narrow)
 
 
 def test_paragraphs_and_checks():

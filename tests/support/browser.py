@@ -12,13 +12,20 @@ import re
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TypedDict
 
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 _SCRIPT = """
 addEventListener("load", () => {
-  const frame = document.querySelector("iframe").contentWindow, page = frame.document, root = page.documentElement;
+  const found = [...document.querySelectorAll("iframe")].map(e => measured(e.contentWindow)), out = document.createElement("pre");
+  out.id = "out";
+  out.textContent = JSON.stringify(found);
+  document.body.append(out);
+});
+function measured(frame) {
+  const page = frame.document, root = page.documentElement;
   const faults = [], say = e => (e.getAttribute("aria-label") || e.textContent).slice(0, 80);
   if (root.scrollWidth > root.clientWidth) faults.push("the page is " + root.scrollWidth + " wide");
   page.querySelectorAll(".equation, td, th, table, p, li, h1, h2").forEach(e => {
@@ -31,11 +38,8 @@ addEventListener("load", () => {
     if (box.width > 0 && box.height > 0) drawn += 1;
     else if (!hidden) faults.push("not drawn: " + say(e));
   });
-  const out = document.createElement("pre");
-  out.id = "out";
-  out.textContent = JSON.stringify({width: root.clientWidth, drawn: drawn, faults: faults});
-  document.body.append(out);
-});
+  return {width: root.clientWidth, drawn: drawn, faults: faults};
+}
 """
 
 
@@ -49,18 +53,28 @@ class Measured(TypedDict):
 
 def measured(page: str, width: int) -> Measured:
     """Opens a page in a column of `width` pixels."""
-    frame = f'<iframe srcdoc="{html.escape(page)}" style="width:{width}px;height:900px;border:0"></iframe>'
-    around = f"<!DOCTYPE html><meta charset=utf-8><body>{frame}<script>{_SCRIPT}</script>"
+    [found] = all_measured([(page, width)])
+    return found
+
+
+def all_measured(pages: Sequence[tuple[str, int]]) -> list[Measured]:
+    """Opens pages, each in a column of its width, in one browser."""
+    frames = "".join(
+        f'<iframe srcdoc="{html.escape(page)}" style="width:{width}px;height:900px;border:0"></iframe>'
+        for page, width in pages
+    )
+    widest = max(width for _, width in pages)
+    around = f"<!DOCTYPE html><meta charset=utf-8><body>{frames}<script>{_SCRIPT}</script>"
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder, "page.html")
         file.write_text(around, encoding="utf-8")
         assert CHROMIUM is not None
         flags = ["--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile"]
-        call = [CHROMIUM, *flags, f"--window-size={width + 100},1000", "--dump-dom", file.as_uri()]
+        call = [CHROMIUM, *flags, f"--window-size={widest + 100},1000", "--dump-dom", file.as_uri()]
         done = subprocess.run(call, capture_output=True, text=True, timeout=300, check=False)
     found = re.search(r'<pre id="out">(.*?)</pre>', done.stdout, re.DOTALL)
     if found is None:
         raise RuntimeError(f"the browser said nothing: {done.stderr[-2000:]}")
 
-    result: Measured = json.loads(html.unescape(found[1]))
+    result: list[Measured] = json.loads(html.unescape(found[1]))
     return result

@@ -147,6 +147,11 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "journal-ignored": (
         "A note: the journal of an interrupted batch has lines that no batch has written. They are not used, and the "
         "submissions are graded again. The exit status is not changed.", None),
+    "given-up": (
+        "The problem takes more work, time or memory than is allowed. What was found before that is printed; with "
+        "`--timeout` the work may take as long as you say. Exit status 3.",
+        None,
+    ),
     "out-of-memory": ("The computer has not enough memory for this derivation. Exit status 3.", None),
     # -- the problem -------------------------------------------------------------------------------------------------
     "axes": ("A triad has three vectors.", None),

@@ -102,16 +102,39 @@ def flag_by_brackets(
     fields = [list(v) for v in sp.Matrix([list(f) for f in forms]).nullspace(simplify=False)]
     free = {*variables}.union(*(sp.sympify(a).free_symbols for f in forms for a in f))
     point = real_point((), (), list(free), seed)
-    ranks = [len(variables) - rank(fields, point)]
+    there = _Span(point)
+    ranks = [len(variables) - sum(map(there.grows, fields))]
     while ranks[-1]:
-        brackets = [_bracket(a, b, variables) for a, b in combinations(fields, 2)]
-        for new in brackets:
-            if rank([*fields, new], point) > rank(fields, point):
-                fields = [*fields, new]
-        ranks.append(len(variables) - rank(fields, point))
+        fields += [v for a, b in combinations(fields, 2) if there.grows(v := _bracket(a, b, variables))]
+        ranks.append(len(variables) - len(there.basis))
         if ranks[-1] == ranks[-2]:
             return tuple(ranks[:-1])
     return tuple(ranks)
+
+
+class _Span:
+    """What vectors span at a point, as orthonormal numbers."""
+
+    def __init__(self, point: Mapping[sp.Symbol, sp.Expr]) -> None:
+        self.point, self.basis = point, list[list[mp.mpf]]()
+
+    def grows(self, vector: Sequence[sp.Expr]) -> bool:
+        """Takes a vector in; whether it is independent of those before."""
+        with mp.workdps(DIGITS):
+            left = _numbers(vector, self.point)
+            whole = mp.norm(left)
+            for unit in self.basis:
+                share = mp.fdot(left, unit)
+                left = [x - share * u for x, u in zip(left, unit, strict=True)]
+            size = mp.norm(left)
+            if size <= mp.mpf(10) ** -20 * (1 + whole):
+                return False
+            self.basis.append([x / size for x in left])
+            return True
+
+
+def _numbers(row: Sequence[sp.Expr], point: Mapping[sp.Symbol, sp.Expr]) -> list[mp.mpf]:
+    return [mp.mpf(str(sp.N(e.xreplace(point), DIGITS))) for e in row]
 
 
 def _bracket(a: Sequence[sp.Expr], b: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> list[sp.Expr]:
@@ -123,6 +146,6 @@ def _bracket(a: Sequence[sp.Expr], b: Sequence[sp.Expr], variables: Sequence[sp.
 
 def rank(rows: Sequence[Sequence[sp.Expr]], point: Mapping[sp.Symbol, sp.Expr]) -> int:
     with mp.workdps(DIGITS):
-        numbers = mp.matrix([[mp.mpf(str(sp.N(e.xreplace(point), DIGITS))) for e in row] for row in rows])
+        numbers = mp.matrix([_numbers(row, point) for row in rows])
         singular = mp.svd_r(numbers, compute_uv=False)
     return sum(1 for s in singular if s > mp.mpf(10) ** -20)

@@ -1,5 +1,8 @@
 """Which process runs which test: all tests of a problem run in one, which solves it once (`shared.py`).
 
+Shipped problems are handed out in a few batches, so that what is tried with many at once, in TeX or in a browser, finds them
+solved.
+
 With several processes (`--dist loadgroup`) xdist hands out groups of tests. Its own way, a mark `xdist_group`, does nothing
 under pytest 9.2, where the name of a test can no longer be changed; so the group is read from the name.
 """
@@ -8,14 +11,23 @@ from __future__ import annotations
 
 import re
 import zlib
+from collections import Counter
+from collections.abc import Sequence
 from functools import cache
+from typing import Any
 
 from xdist.scheduler import LoadScopeScheduling
 
 from tests.support.paths import PROBLEMS, SYSTEM_FILES
+from tests.support.tiers import SECONDS
 
 NAMES = sorted({p.stem for p in (*PROBLEMS.glob("*/*.yaml"), *SYSTEM_FILES.glob("*.yaml"))}, key=len, reverse=True)
 PROBLEM = re.compile(rf"(?:^|[-/])({'|'.join(map(re.escape, NAMES))})(?:-|$)")
+BATCHES = 8
+_PLACES = {name: n for n, name in enumerate(sorted(p.stem for p in PROBLEMS.glob("*/*.yaml")))}
+_BATCH = re.compile(r"[\[-](batch-\d+)[\]-]")
+LITTLE = 0.01
+"""Seconds of a test that is not in the list of slow ones."""
 
 
 @cache
@@ -32,8 +44,41 @@ def part_of(test: str, parts: int) -> int:
     return zlib.crc32((test if group == test.partition("[")[0] else group).encode()) % parts
 
 
+def batch_of(problem: str) -> int:
+    """The batch of a shipped problem: those that are printed together in a format."""
+    return _PLACES[problem] % BATCHES
+
+
+@cache
+def unit_of(test: str) -> str:
+    """What one process runs: the tests of a batch of shipped problems, of a system, or of a function."""
+    group = group_of(test)
+    if group in _PLACES:
+        return f"batch-{batch_of(group)}"
+    batch = _BATCH.search(test)
+    return batch[1] if batch else group
+
+
+def longest_first(tests: Sequence[str]) -> list[int]:
+    """The order in which several processes take tests: those of a group together, and groups that take longest first.
+
+    Otherwise a test of half a minute, which is a group by itself, may be the last, and the other processes wait for it.
+    """
+    functions = [test.partition("[")[0] for test in tests]
+    number = Counter(functions)
+    seconds: Counter[str] = Counter()
+    for test, function in zip(tests, functions, strict=True):
+        seconds[unit_of(test)] += SECONDS.get(function, 0.0) / number[function] + LITTLE
+    first = {group: n for n, group in reversed([*enumerate(map(unit_of, tests))])}
+    return sorted(range(len(tests)), key=lambda n: (-seconds[g := unit_of(tests[n])], first[g], n))
+
+
 class ByProblem(LoadScopeScheduling):  # type: ignore[misc]
-    """Hands out the tests of a group together, large groups first."""
+    """Hands out the tests of a group together, in the order in which they were collected."""
+
+    def __init__(self, config: Any, log: Any) -> None:
+        super().__init__(config, log)
+        config.option.loadscopereorder = False
 
     def _split_scope(self, nodeid: str) -> str:
-        return group_of(nodeid)
+        return unit_of(nodeid)

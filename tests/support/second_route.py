@@ -27,6 +27,7 @@ from sympy.physics.mechanics import (
     dynamicsymbols,
 )
 from sympy.physics.mechanics import inertia as sp_inertia
+from sympy.simplify.cse_main import tree_cse
 
 t = dynamicsymbols._t
 
@@ -306,19 +307,30 @@ def literature(
 # -- numbers ---------------------------------------------------------------------------------------------------------
 
 
+WAVES = {"sin": lru_cache(mp.sin), "cos": lru_cache(mp.cos)}
+"""Of the same angle at each trial of an unknown. Only `number` uses them, in sixty digits."""
+
+
 @lru_cache(maxsize=4096)
 def _compiled(expression: sp.Expr) -> tuple[tuple[str, ...], Callable[..., mpf]]:
     symbols = sorted(expression.free_symbols, key=lambda s: s.name)
     stand_ins = [sp.Symbol(f"v{n}") for n in range(len(symbols))]
     plain = expression.xreplace(dict(zip(symbols, stand_ins, strict=True)))
-    return tuple(s.name for s in symbols), sp.lambdify(stand_ins, plain, "mpmath")
+    return tuple(s.name for s in symbols), sp.lambdify(stand_ins, [plain], ["mpmath", WAVES], cse=once)
+
+
+def once(expressions: Sequence[sp.Expr]) -> tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]:
+    """What occurs several times in expressions, by names; then the expressions with these names. For `lambdify(cse=...)`."""
+    found: tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]] = tree_cse(expressions, sp.numbered_symbols("w"))
+    return found
 
 
 def number(expression: sp.Expr, state: State) -> mpf:
     """The value of an expression at a state, to sixty digits. Raises ValueError where it is not real."""
     with mp.workdps(DIGITS):
         names, function = _compiled(sp.sympify(expression))
-        value = mp.mpmathify(function(*(state[n] for n in names)))
+        [found] = function(*(state[n] for n in names))
+        value = mp.mpmathify(found)
         if isinstance(value, mp.mpc):
             if abs(value.imag) > TINY * (1 + abs(value.real)):
                 raise ValueError("not a real number")

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from tests.support.grouping import NAMES, group_of, part_of
+from tests.support import grouping
+from tests.support.grouping import BATCHES, NAMES, batch_of, group_of, longest_first, part_of, unit_of
+from tests.support.shared import SHIPPED
 
 
 @pytest.mark.parametrize(
@@ -26,6 +28,27 @@ def test_group(test: str, group: str) -> None:
 
 def test_every_problem_has_its_own_group() -> None:
     assert all(group_of(f"a.py::test[{name}]") == name for name in NAMES)
+
+
+def test_a_batch_of_problems_is_one_unit() -> None:
+    batch = f"batch-{batch_of('heavy-top')}"
+    assert unit_of("a.py::test_a[heavy-top]") == unit_of(f"b.py::test_b[brief-{batch}]") == batch
+    assert unit_of(f"b.py::test_b[{batch}-brief]") == unit_of(f"b.py::test_b[{batch}]") == batch
+    assert unit_of("a.py::test_a[heavy_top]") == "heavy_top"
+    assert {batch_of(name) for name in SHIPPED} == {*range(BATCHES)}
+
+
+def test_the_longest_group_comes_first_and_groups_stay_together(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(grouping, "SECONDS", {"a.py::long": 20.0, "b.py::half": 6.0, "c.py::little": 2.0})
+    tests = [
+        "c.py::little",
+        "b.py::half[heavy-top]",
+        "z.py::none",
+        "b.py::half[sleigh]",
+        "a.py::long",
+        "y.py::x[heavy-top]",
+    ]
+    assert longest_first(tests) == [4, 1, 5, 3, 0, 2]
 
 
 def test_all_tests_of_a_problem_are_in_one_part_and_others_are_spread() -> None:

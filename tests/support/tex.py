@@ -1,5 +1,6 @@
 """Documents compiled by a real TeX."""
 
+import re
 import shutil
 import subprocess
 
@@ -8,6 +9,19 @@ import pytest
 from tests.support.processes import PATIENCE
 
 needs_tex = pytest.mark.skipif(shutil.which("pdflatex") is None, reason="pdflatex is not installed")
+FAULT = re.compile(r"^(Overfull \\hbox.*|LaTeX Warning: .*(?:undefined|multiply).*|! .*)$", re.MULTILINE)
+
+
+def faults_of_tex(document, folder):
+    """What TeX complains about in the second run: errors, overfull boxes, undefined and repeated labels."""
+    (folder / "a.tex").write_text(document, encoding="utf-8")
+    command = ["pdflatex", "-draftmode", "-interaction=nonstopmode", "-halt-on-error", "a.tex"]
+    for _ in range(2):
+        done = subprocess.run(
+            command, cwd=folder, capture_output=True, stdin=subprocess.DEVNULL, check=False, timeout=PATIENCE
+        )
+    faults = FAULT.findall((folder / "a.log").read_text(encoding="latin-1"))
+    return faults or [f"exit status {done.returncode}"] * bool(done.returncode)
 
 
 def compiled(text, folder):

@@ -2,6 +2,7 @@
 
 The tiers `truth` and `process` are listed here. Of the others those are `slow` whose function takes more than
 `LONG` processor seconds, all its parameters together: `slow_tests.txt` has them, as `pytest --renew-slow` measured them last.
+Its seconds also say which tests several processes begin with (`grouping.py`).
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ TIERS = {
         "command/test_watching.py::test_ctrl_c_during_an_import_is_no_traceback",
         "docs/test_authors.py::test_the_makefile_builds_the_document",
         "docs/test_teachers.py",
+        "problems/test_every_format.py",
         "render/test_escape.py::test_tex_is_content",
         "render/test_html.py::test_a_browser_draws_everything_and_nothing_is_cut_off",
         "render/test_latex.py::test_a_fragment_goes_into_a_document",
@@ -47,7 +49,11 @@ ALWAYS = {
 
 LONG = 1.0
 MEASURED = Path(__file__).with_name("slow_tests.txt")
-SLOW = frozenset(MEASURED.read_text(encoding="utf-8").splitlines())
+SECONDS = {
+    name: float(seconds)
+    for name, seconds in (line.split() for line in MEASURED.read_text(encoding="utf-8").splitlines())
+}
+"""Of each function that takes long, in whatever tier: all its parameters together."""
 
 
 def tier_of(test: str) -> str | None:
@@ -59,15 +65,13 @@ def tier_of(test: str) -> str | None:
             for name in slow
         ):
             return tier
-    return "slow" if function in SLOW else None
+    return "slow" if function in SECONDS and function not in ALWAYS else None
 
 
 def renew(seconds: Mapping[str, float]) -> None:
-    """Writes the list of slow tests anew, from the processor seconds of each test in a run of all."""
+    """Writes the list anew, from the processor seconds of each test in a run of all."""
     by_function: Counter[str] = Counter()
     for test, taken in seconds.items():
-        function = test.partition("[")[0]
-        if tier_of(test) in (None, "slow") and function not in ALWAYS:
-            by_function[function] += taken
-    slow = sorted(f for f, taken in by_function.items() if taken > LONG)
-    MEASURED.write_text("".join(f"{f}\n" for f in slow), encoding="utf-8")
+        by_function[test.partition("[")[0]] += taken
+    lines = [f"{function} {taken:.0f}\n" for function, taken in sorted(by_function.items()) if taken > LONG]
+    MEASURED.write_text("".join(lines), encoding="utf-8")

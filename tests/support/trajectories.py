@@ -4,21 +4,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
 
+import numpy as np
 import sympy as sp
 
-from tests.support.second_route import Route, slots
+from tests.support.second_route import Route, once, slots
 
 State = dict[str, float]
 
 
-def function_of(expression: sp.Expr) -> Callable[[Mapping[str, float]], float]:
+def function_of(expression: sp.Expr) -> Callable[[Mapping[str, Any]], float]:
     """The expression as a function of the values of its symbols."""
-    symbols = sorted(expression.free_symbols, key=lambda s: s.name)
+    values = functions_of([expression])
+    return lambda state: float(values(state)[0])
+
+
+def functions_of(expressions: Sequence[sp.Expr]) -> Callable[[Mapping[str, Any]], list[Any]]:
+    """Several expressions as one function of the values of their symbols; what occurs in several is computed once."""
+    symbols = sorted({s for e in expressions for s in e.free_symbols}, key=lambda s: s.name)
     stand_ins = [sp.Symbol(f"v{n}") for n in range(len(symbols))]
     names = [s.name for s in symbols]
-    compiled = sp.lambdify(stand_ins, expression.xreplace(dict(zip(symbols, stand_ins, strict=True))), "math")
-    return lambda state: float(compiled(*(state[n] for n in names)))
+    renamed = [e.xreplace(dict(zip(symbols, stand_ins, strict=True))) for e in expressions]
+    compiled = sp.lambdify(stand_ins, renamed, "math", cse=once)
+    return lambda state: compiled(*(state[n] for n in names))
 
 
 class Motion:
@@ -30,39 +39,42 @@ class Motion:
     def __init__(self, route: Route, prescribed: Sequence[str] = ()) -> None:
         self.route = route
         self.prescribed = tuple(prescribed)
-        self.equations = [function_of(slots(sp.sympify(e))) for e in route.system]
+        self.equations = functions_of([slots(sp.sympify(e)) for e in route.system])
 
     def unknowns(self, state: State) -> State:
         """Accelerations and multipliers, as far as they are determined."""
         names = self.route.unknowns
-        zero = {**state, **dict.fromkeys(names, 0.0)}
-        rows = []
-        for e in self.equations:
-            b = e(zero)
-            rows.append([*(e({**zero, n: 1.0}) - b for n in names), b])
+        # They occur linearly: 0 in all of them gives b, and 1 in one of them a column of A more.
+        tried = dict(zip(names, np.eye(len(names) + 1)[1:], strict=True))
+        values = np.array([np.broadcast_to(v, len(names) + 1) for v in self.equations({**state, **tried})])
+        rows = np.column_stack([values[:, 1:] - values[:, :1], values[:, :1]]).tolist()
         return _solved(rows, names)
 
     def trajectory(self, start: State, step: float, steps: int) -> Iterator[State]:
         """The states at the ends of the steps, the start first, with accelerations and multipliers."""
-        state = dict(start)
-        yield {**state, **self.unknowns(state)}
+        state = {**start, **self.unknowns(dict(start))}
+        yield state
         for _ in range(steps):
             state = self._stepped(state, step)
-            yield {**state, **self.unknowns(state)}
+            state |= self.unknowns(state)
+            yield state
 
     def _stepped(self, state: State, h: float) -> State:
+        """The state after a step, from one with its accelerations."""
         k1 = self._rates(state)
-        k2 = self._rates(self._moved(state, k1, h / 2))
-        k3 = self._rates(self._moved(state, k2, h / 2))
-        k4 = self._rates(self._moved(state, k3, h))
+        k2 = self._rates_at(self._moved(state, k1, h / 2))
+        k3 = self._rates_at(self._moved(state, k2, h / 2))
+        k4 = self._rates_at(self._moved(state, k3, h))
         total = {n: (k1[n] + 2 * k2[n] + 2 * k3[n] + k4[n]) / 6 for n in k1}
         return self._moved(state, total, h)
 
+    def _rates_at(self, state: State) -> State:
+        return self._rates({**state, **self.unknowns(state)})
+
     def _rates(self, state: State) -> State:
-        found = self.unknowns(state)
         rates = {"t": 1.0}
         for q in self.route.coordinates:
-            rates |= {q: state[f"{q}'"], f"{q}'": found[f"{q}''"]}
+            rates |= {q: state[f"{q}'"], f"{q}'": state[f"{q}''"]}
         return rates
 
     def _moved(self, state: State, rates: State, h: float) -> State:

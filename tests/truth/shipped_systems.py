@@ -431,6 +431,21 @@ def bead_on_rotating_hoop() -> tuple[Route, ...]:
     return (newton("x y z", [(m, (x, y, z), (0, 0, -m * g))], hoop),)
 
 
+def bead_in_a_turning_tube() -> tuple[Route, ...]:
+    r = moving("r")[0]
+    m, k, a, turn = constants("m k a Omega")
+    along = (cos(turn * t), sin(turn * t))
+    at, pull = tuple(r * e for e in along), tuple(-k * (r - a) * e for e in along)
+    return (newton("r", [(m, at, pull)]),)
+
+
+def spherical_pendulum_by_routh() -> tuple[Route, ...]:
+    theta, phi = moving("theta phi")
+    m, l, g = constants("m l g")
+    at = (l * sin(theta) * cos(phi), l * sin(theta) * sin(phi), -l * cos(theta))
+    return (newton("theta phi", [(m, at, (0, 0, -m * g))]),)
+
+
 def triatomic_molecule() -> tuple[Route, ...]:
     x1, x2, x3 = moving("x1 x2 x3")
     m, big, c, b = constants("m M c b")
@@ -484,6 +499,8 @@ ROLLING = ("rolling.1", "rolling.2")
 
 SHIPPED: dict[str, Textbook] = {
     "aircraft": Textbook(aircraft, HOLONOMIC, 6, 0),
+    "bead-in-a-turning-tube": Textbook(bead_in_a_turning_tube, RHEONOMIC, 1, 0),
+    "spherical-pendulum-by-routh": Textbook(spherical_pendulum_by_routh, HOLONOMIC, 2, 0),
     "bead-on-rotating-hoop": Textbook(bead_on_rotating_hoop, RHEONOMIC, 1, 2),
     "coupled-pendulums": Textbook(coupled_pendulums, HOLONOMIC, 2, 0),
     "double-pendulum-small-oscillations": Textbook(double_pendulum, HOLONOMIC, 2, 0),

@@ -29,10 +29,10 @@ from lagrange.mechanics.solution import solve
 from lagrange.render.json import as_object
 from tests.support.derivation_text import reading, words
 from tests.support.lagrange_motions import by_lagrange, euler_lagrange, motions
+from tests.support.printed_equations import equations_in, unreadable
 from tests.support.second_route import Route, constants, lagrange, moving, slots
 from tests.support.second_route import t as time
 from tests.support.shared import asking, loaded, reported
-from tests.support.sweep import equations_in, unreadable
 
 HARDER = """
     atwood charged_particle damped_oscillator driven_wire dumbbell_with_blade_at_end free_top free_top_quasi

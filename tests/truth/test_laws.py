@@ -25,6 +25,7 @@ from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.solution import Solution, solve
 from lagrange.problem.loader import read_problem
+from tests.support.chance import times
 from tests.support.paths import SYSTEM_FILES
 from tests.support.second_route import AGREED, DIGITS, Route, affine, number, solved, states
 from tests.truth.test_textbook_systems import derived_rows, differentiated, names_in
@@ -33,7 +34,7 @@ from tests.truth.textbook_systems import SYSTEMS
 Data = dict[str, Any]
 
 LAW = settings(
-    max_examples=8, deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow], database=None
+    max_examples=times(8), deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow], database=None
 )
 
 CONSTRAINED = (
@@ -166,7 +167,7 @@ NEW_NAMES = ("a9", "zeta", "Q", "u_1", "e", "S", "q_2", "N", "beta", "X_A", "y_"
 
 
 @pytest.mark.parametrize("name", ["cart_with_pendulum", "dumbbell_with_blade_at_end", "two_wheels", "rotating_hoop"])
-@LAW
+@settings(LAW, max_examples=times(3))
 @given(data=st.data())
 def test_renaming_coordinates_permutes_the_result(name: str, data: st.DataObject) -> None:
     coordinates = [q.symbol.name for q in original(name).problem.coordinates]

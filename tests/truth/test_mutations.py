@@ -16,10 +16,11 @@ import sympy as sp
 from lagrange.answers.diagnosis import diagnosed
 from lagrange.answers.slips import Slip
 from lagrange.mechanics.dynamics.comparison import Standing, System, compare
+from tests.support.chance import times
 from tests.support.mutations import best_system, mutations
 from tests.support.shared import asking, solved
 
-MOST = 12
+MOST = times(6)
 """Slips of one problem that are tried, taken from all of its equations; `make bench` tries every one."""
 
 

@@ -94,10 +94,7 @@ def differentiated(expression: sp.Expr, configuration: Configuration) -> sp.Expr
                 back[function.diff(t, n) if n else function] = sp.Symbol(root + "'" * n, real=True)
         elif s.name == "t":
             forth[s], back[t] = t, s
-    rate = expression.subs(forth).diff(t) if forth else sp.S.Zero
-    for f in sorted(back, key=lambda e: -getattr(e, "derivative_count", 0) if e != t else 1):
-        rate = rate.subs(f, back[f])
-    return rate
+    return expression.xreplace(forth).diff(t).xreplace(back)
 
 
 def derived_rows(configuration: Configuration, equations: tuple[sp.Expr, ...], book: Textbook) -> list[sp.Expr]:
@@ -235,17 +232,25 @@ def test_reactions_in_a_choice(name: str) -> None:
             agree({n: number(v, state) for n, v in values.items()}, accelerations(route, whole).values)
 
 
-def test_most_reactions_are_found() -> None:
-    """What is too large to be solved for is the exception."""
-    wanted = [r.name for n in SYSTEMS if (law := solution_of(n).solution.law) for r in law.used]
-    lost = [
-        f"{n}: {name}"
-        for n in SYSTEMS
-        if (dynamics := solution_of(n).solution.own.dynamics) and dynamics.reactions
-        for name, value in dynamics.reactions.multipliers.items()
-        if value is None
-    ]
-    assert len(lost) < len(wanted) / 5, lost
+TOO_LARGE = {
+    "bicycle": "rear_wheel front_wheel",
+    "chain_of_four": "rod1 rod2 rod3 rod4",
+    "circles_with_common_point": "first second rod",
+    "four-bar-linkage": "closure.1 closure.2",
+    "four_bar": "crank coupler rocker",
+    "free_top_quasi": "first second third",
+    "heavy_slider_crank": "pin.1 pin.2 bolt.1 bolt.2",
+    "three-link-chain": "upper middle lower",
+    "two-wheeled-carriage": "sideways left_wheel right_wheel",
+}
+"""The reactions that are left unsolved. They are the exception: 26 of 173."""
+
+
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_reactions_are_found(name: str) -> None:
+    dynamics = solution_of(name).solution.own.dynamics
+    found = dynamics.reactions.multipliers if dynamics and dynamics.reactions else {}
+    assert [n for n, value in found.items() if value is None] == TOO_LARGE.get(name, "").split()
 
 
 # -- choices -----------------------------------------------------------------------------------------------------------

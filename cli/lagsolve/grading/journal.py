@@ -126,7 +126,7 @@ def _entry(line: bytes) -> tuple[str, TableRow] | None:
 
 def _is_row(row: TableRow) -> bool:
     """Whether each value is one that a row can have."""
-    texts = (row.submission, row.remark, row.feedback)
+    texts = (row.submission, row.remark, row.feedback, row.mistakes)
     if not all(isinstance(t, str) and t == one_line(t) for t in texts) or type(row.seconds) not in (int, float):
         return False
     counts = (row.right, row.required, row.missing)

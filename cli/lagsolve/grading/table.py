@@ -23,7 +23,7 @@ from lagrange.answers.submissions import Graded
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.printable import visible
 from lagrange.core.records import record
-from lagsolve.limits import LONGEST_REMARK
+from lagsolve.limits import LONGEST_REMARK, MOST_CLUSTERS
 
 FORMULA = re.compile(r"(^\s*|[;\t]\s*[\"']*)(?=[=+\-@＝＋－＠\t\r])")
 COLOURS = {Verdict.EQUIVALENT: "green", Verdict.WRONG: "red", Verdict.UNDECIDED: "magenta"}
@@ -41,6 +41,7 @@ class TableRow:
     remark: str
     seconds: float
     feedback: str = ""
+    mistakes: str = ""
 
     @classmethod
     def of(cls, name: str, graded: Graded, feedback: str = "") -> TableRow:
@@ -50,7 +51,9 @@ class TableRow:
         remark = visible(" ".join(graded.remark.split()))
         if len(remark) > LONGEST_REMARK:
             remark = f"{remark[:LONGEST_REMARK]}..."
-        return cls(visible(name), graded.verdict, right, required, missing, remark, round(graded.seconds, 3), feedback)
+        causes = dict.fromkeys(visible(e.cause) for e in graded.equations if e.cause)
+        mistakes, seconds = "; ".join(causes)[:LONGEST_REMARK], round(graded.seconds, 3)
+        return cls(visible(name), graded.verdict, right, required, missing, remark, seconds, feedback, mistakes)
 
     @property
     def score(self) -> str:
@@ -96,13 +99,21 @@ def table_text(rows: Sequence[TableRow], width: int, on_terminal: bool) -> str:
     file = io.StringIO()
     Console(file=file, width=width, height=len(rows), force_terminal=on_terminal or None).print(table)
     lines = [line.rstrip() for line in file.getvalue().splitlines()]
-    return "\n".join([*lines, "", textwrap.fill(_summary(rows), width, subsequent_indent="  "), ""])
+    below = [_summary(rows), *_clusters(rows)]
+    return "\n".join([*lines, "", *(textwrap.fill(line, width, subsequent_indent="  ") for line in below), ""])
 
 
 def _summary(rows: Sequence[TableRow]) -> str:
     count = Counter(row.verdict for row in rows)
     listed = ", ".join(f"{count[v]:,} {v.value}" for v in ORDER if count[v])
     return f"{len(rows):,} submission{'s' if len(rows) != 1 else ''}: {listed}"
+
+
+def _clusters(rows: Sequence[TableRow]) -> list[str]:
+    """The mistakes that several made, the most frequent first: `14 of 60: without the weight of `bob``."""
+    count = Counter(mistake for row in rows for mistake in row.mistakes.split("; ") if mistake)
+    common = [(mistake, n) for mistake, n in count.most_common(MOST_CLUSTERS) if n > 1]
+    return [f"{n:,} of {len(rows):,}: {mistake}" for mistake, n in common]
 
 
 ORDER = (

@@ -2,6 +2,7 @@
 
 A product has the product of the signs of its factors, a sum of terms of one sign that sign. A sum with one square root
 in it is decided by squares: where A and B √D have different signs, A + B √D has the sign of A times that of A² − B² D.
+e^u is more than 1 for u > 0.
 Parameters may have a range (`ranges`). An undecidable sign is None, and becomes a condition of whatever depends on it.
 """
 
@@ -67,6 +68,9 @@ def _of_factor(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     signs = {_of_product(term, known) for term in f.args}
     if len(signs) == 1:
         return signs.pop()
+    growing = {e: 1 + sp.Dummy(positive=True) for e in f.atoms(sp.exp) if _of_product(e.args[0], known) == 1}
+    if growing:
+        return _of_product(_factored(sp.expand(f.xreplace(growing))), known)
     roots = {p for term in f.args for p in sp.Mul.make_args(term) if p.is_Pow and p.exp == sp.S.Half}
     if roots:
         return _by_squares(f, roots.pop(), known) if len(roots) == 1 else None

@@ -16,6 +16,7 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.limits import LONGEST_REWRITTEN, MOST_BRANCH_POINTS
 from lagrange.algebra.closed_forms.polynomial_roots import factors
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero
@@ -264,7 +265,7 @@ def as_stated(b: Branch, letters: TrigLetters, unknowns: Sequence[sp.Symbol]) ->
         return min(used, default=-1)
 
     relations = [
-        Relation(letters.write(r.lhs), shortest_form(letters.write(resolved(r.rhs, known))))
+        Relation(letters.write(r.lhs), without_leading_minus(shortest_form(letters.write(resolved(r.rhs, known)))))
         for r in sorted(b.relations, key=place)
     ]
     conditions = [

@@ -8,6 +8,8 @@ the limits were gathered: [831] of 100,000.
 # Graph (`expression_graph`). Bounds memory and time of a hostile input [831 nodes, 33 symbols].
 MOST_NODES = 100_000
 MOST_SYMBOLS = 1_000
+# Nodes evaluated at a point for a unit of work (`core.effort`).
+NODES_PER_UNIT = 10
 # Terms of an angle or exponent that is multiplied out [3]; a product of forty sums would have 2^40.
 MOST_ANGLE_TERMS = 200
 # Operations of an angle with a quotient of sums that is cancelled first, which takes a polynomial gcd.
@@ -59,6 +61,8 @@ BLOCK_TRIALS = 12
 # Blocks tried in one search [73], constraints solved together [4], choices of unknowns for them. Blocks of more than
 # four are not looked for among the constraints; all that remain are still tried at once [8].
 MOST_TRIED_BLOCKS = 400
+# Sets of so many constraints looked at: all fours of fifty.
+MOST_COMBINATIONS = 230_000
 LARGEST_BLOCK = 4
 CHOICES_OF_UNKNOWNS = 20
 # Operations of a rule x = R(θ + φ) that is substituted in angles [32].

@@ -17,8 +17,10 @@ import sympy as sp
 
 from lagrange.algebra.exact import linear_algebra
 from lagrange.algebra.exact.expression_graph import Graph, Op, Term
+from lagrange.algebra.exact.limits import NODES_PER_UNIT
 from lagrange.algebra.exact.linear_algebra import NumberRow
 from lagrange.algebra.exact.prime_field import InadmissibleError
+from lagrange.core.effort import spend
 from lagrange.core.symbols import Sign
 
 _RATIONAL = (Op.SYMBOL, Op.ADD, Op.MULTIPLY, Op.POWER)
@@ -70,8 +72,10 @@ class Point:
         if values[node] is None:
             operations, codes, data = self.operations, self.graph.operations, self.graph.data
             n = node
+            order = self.graph.order(node)
+            spend(len(order) / NODES_PER_UNIT)
             try:
-                for n in self.graph.order(node):
+                for n in order:
                     if values[n] is None:
                         values[n] = operations[codes[n]](self, values, data[n])
             except InadmissibleError as error:

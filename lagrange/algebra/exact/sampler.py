@@ -91,6 +91,11 @@ class Sampler:
         """Whether points have residues (else they are real, if there are any)."""
         return self.order is not None
 
+    @property
+    def has_roots(self) -> bool:
+        """Whether points come from square roots, each of which takes a branch of the surface at random."""
+        return self.order is not None and self.order.roots > 0
+
     def contradictory(self) -> tuple[int, ...]:
         """A smallest set of constraints (their places) that exclude one another, or () if none was found."""
         return () if self.exact else contradiction(self.constraints, self.coordinates, self._unconstrained)
@@ -140,13 +145,27 @@ class Sampler:
                 # Only a denominator that has vanished at every point so far may be zero; a later failure is chance.
                 if error.node is not None and number < failures:
                     zeros[error.node] = zeros.get(error.node, 0) + 1
-                    _report_division(self.graph, error.node, zeros[error.node])
+                    self._report_division(error.node, zeros[error.node])
             except InadmissibleError:
                 failures += 1
             except NoPointError:
                 missing += 1
             if failures > DRAWS or missing >= MOST_MISSING_POINTS:
                 raise NoPointError
+
+    def _report_division(self, node: int, times: int) -> None:
+        """A denominator that vanished at several points, on all branches if there are any, is zero."""
+        # A root of the surface is taken at random too: on one component of a linkage that folds, links stay parallel.
+        graph = self.graph
+        has_branches = graph.marks[node] or self.has_roots
+        if times < (ZERO_DIVISIONS_WITH_SIGNS if has_branches else ZERO_DIVISIONS):
+            return
+        data = graph.data[node]
+        if graph.operations[node] in (Op.POWER, Op.ROOT):
+            raise DivisionByZeroError(graph.expressions[data[0]])
+        if graph.operations[node] == Op.TAN:
+            raise DivisionByZeroError(sp.cos(graph.expressions[data[0]]))
+        raise DivisionByZeroError(graph.expressions[node])
 
     def sampled(self, evaluate: Callable[[Point], T], number: int = 2, *, real: bool = False) -> list[T]:
         """The first so many `results`."""
@@ -246,15 +265,3 @@ def _kept(known: dict[int, AnyPoint | None], number: int, draw: Callable[[int], 
     if point is None:
         raise NoPointError
     return point
-
-
-def _report_division(graph: Graph, node: int, times: int) -> None:
-    """A denominator that vanished at several points, on all branches if it has any, is zero."""
-    if times < (ZERO_DIVISIONS_WITH_SIGNS if graph.marks[node] else ZERO_DIVISIONS):
-        return
-    data = graph.data[node]
-    if graph.operations[node] in (Op.POWER, Op.ROOT):
-        raise DivisionByZeroError(graph.expressions[data[0]])
-    if graph.operations[node] == Op.TAN:
-        raise DivisionByZeroError(sp.cos(graph.expressions[data[0]]))
-    raise DivisionByZeroError(graph.expressions[node])

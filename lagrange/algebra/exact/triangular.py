@@ -26,6 +26,7 @@ from lagrange.algebra.exact.limits import (
     DRAWS,
     LARGEST_BLOCK,
     LONGEST_RULE,
+    MOST_COMBINATIONS,
     MOST_TRIED_BLOCKS,
 )
 from lagrange.algebra.exact.points import Point
@@ -235,13 +236,20 @@ class _OrderSearch:
     def _candidates(
         self, remaining: list[int], size: int, unknowns: Callable[[int], Sequence[sp.Expr]]
     ) -> Iterator[tuple[Places, Unknowns]]:
-        for places in combinations(remaining, size):
-            others = [n for n in remaining if n not in places]
-            inside = {u: None for n in places for u in unknowns(n)}
-            own = [u for u in inside if not any(self._has(n, u) for n in others)]
+        where: dict[sp.Expr, list[int]] = {}
+        for n in remaining:
+            for u in unknowns(n):
+                where.setdefault(u, []).append(n)
+        # Of five hundred constraints only those matter that have an unknown in common with few others, or none at all.
+        inside = {n for places in where.values() for n in places}
+        relevant = {n for places in where.values() if len(places) <= size for n in places}
+        if size == len(remaining) or (size == 1 and len(inside) < len(remaining)):
+            relevant.update(remaining)
+        for places in islice(combinations(sorted(relevant), size), MOST_COMBINATIONS):
+            own = [u for u, occurrences in where.items() if set(occurrences) <= {*places}]
             # Fewer unknowns than constraints suffice where constraints are redundant: tried on all that are
             # left, and on a constraint without coordinates, which may be an identity.
-            if len(own) >= size or not others or not inside:
+            if len(own) >= size or len(places) == len(remaining) or inside.isdisjoint(places):
                 for chosen in islice(combinations(own, min(size, len(own))), CHOICES_OF_UNKNOWNS):
                     yield places, chosen
 

@@ -201,7 +201,7 @@ class Surface(Sampler):
         """
         # Square roots put points on one of several components of the surface: two points are too few to meet them.
         branches = Branches(self.graph, nodes, self._new_point)
-        least = ZERO_POINTS_AFTER_ROOTS if self.order and self.order.roots else ZERO_POINTS
+        least = ZERO_POINTS_AFTER_ROOTS if self.has_roots else ZERO_POINTS
 
         def met(point: Point) -> T:
             moved = prepare(point)
@@ -306,10 +306,14 @@ def agreed(
     """
     try:
         nodes = [surface.graph.node(e) for e in expressions]
-        # Without marks all points are alike, and three that agree decide.
-        if not any(surface.graph.marks[n] for n in nodes):
-            return _common(surface.sampled(lambda p: evaluate(prepare(p)), AGREEMENT_POINTS))
-        results = _on_branches(surface, evaluate, nodes, prepare)
+        # Without marks all points are alike, and three that agree decide; more where the surface may have components.
+        if any(surface.graph.marks[n] for n in nodes):
+            results = _on_branches(surface, evaluate, nodes, prepare)
+        else:
+            number = ZERO_POINTS_AFTER_ROOTS if surface.has_roots else AGREEMENT_POINTS
+            results = surface.sampled(lambda p: evaluate(prepare(p)), number)
+            if _unanimous(results) or not surface.has_roots:
+                return _common(results)
         # In the field a root takes either sign at random. Where results differ, the answer depends on the branch, and
         # only real points are on the right one.
         same = _unanimous(results)

@@ -27,6 +27,7 @@ from itertools import product
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero, rank
+from lagrange.algebra.forms.affine import is_affine
 from lagrange.algebra.forms.limits import (
     DEEPEST_REDUCTION,
     MOST_ALTERNATIVES,
@@ -114,12 +115,6 @@ def in_configuration(function: sp.Expr, slots: Slots) -> Alternatives:
         for a in found.members
     )
     return Alternatives(members, found.endless)
-
-
-def is_affine(function: sp.Expr, slots: Slots) -> bool:
-    """Whether a function is written as one that is affine in the velocities, or can be by multiplying out."""
-    derivatives = [function.diff(v) for v in slots.velocities if function.has(v)]
-    return all(sp.expand(d).free_symbols.isdisjoint(slots.velocities) for d in derivatives)
 
 
 def without_implied(candidates: Iterable[Alternative], slots: Slots) -> tuple[Alternative, ...]:

@@ -20,7 +20,9 @@ from math import gcd, lcm
 
 import sympy as sp
 
+from lagrange.algebra.fourier.limits import TERMS_PER_UNIT
 from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, pack, unpack
+from lagrange.core.effort import spend
 from lagrange.core.records import record
 
 Key = tuple[int, int]
@@ -326,6 +328,7 @@ class Basis:
 
     def element(self, terms: Terms, denominator: int = 1) -> Element:
         """The element with these terms, in its reduced form."""
+        spend(len(terms) / TERMS_PER_UNIT)
         if self.related and any(self._excess(monomial) for monomial, _ in terms):
             return self._reduced(terms, denominator)
         terms = {key: value for key, value in terms.items() if value[0] or value[1]}

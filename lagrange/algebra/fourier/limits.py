@@ -4,6 +4,9 @@ All bound the time of one step or the length of what is printed. A number in bra
 129 shipped problems, read off when the limits were gathered; "beyond" counts the times that a limit was exceeded there.
 """
 
+# Terms of a product for a unit of work (`core.effort`).
+TERMS_PER_UNIT = 2
+
 # Powers read into the ring (`ring`): terms of a power multiplied out [45], and the highest multiple of an angle, or
 # power of a sum, that is one [10]. cos^60 has 31 terms; cos(10^6 θ) becomes an angle of its own (test_trigonometry).
 LONGEST_POWER = 20_000

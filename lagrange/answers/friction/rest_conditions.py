@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
@@ -67,10 +68,10 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     def valued(e: sp.Expr) -> sp.Expr:
         return rest.configuration.rewritten(e).xreplace(numbers)
 
-    given = [_Stated(s.text, valued(s.slack), s.equation) for s in stated]
+    given = [part for s in stated for part in _without_modulus(_Stated(s.text, valued(s.slack), s.equation))]
     cases = [
         [
-            *(_Stated("", valued(c.right - c.left), False) for c in case),
+            *(part for c in case for part in _without_modulus(_Stated("", valued(c.right - c.left), False))),
             *(_Stated("", valued(e), True) for e in rest.equations),
         ]
         for case in rest.cases
@@ -99,6 +100,20 @@ def _compared(stated: Sequence[_Stated], rest: AtRest | Rolling, values: Mapping
     needed = [c for case in cases for c in case]
     exact = all(any(_are_same(s, c) or _has_limit(s, c) for c in needed) for s in given)
     return Verdict.EQUIVALENT if seen == {True, False} and exact else Verdict.UNDECIDED
+
+
+def _without_modulus(s: _Stated) -> tuple[_Stated, ...]:
+    """B ≥ |A| as B ≥ A and B ≥ −A."""
+    moduli = [m for m in s.slack.atoms(sp.Abs) if not m.args[0].has(sp.Abs)]
+    if s.equation or len(moduli) != 1:
+        return (s,)
+    [modulus] = moduli
+    rate = sp.expand(s.slack).coeff(modulus, 1)
+    rest = sp.expand(s.slack - rate * modulus)
+    symbols = {x for x in rate.free_symbols if isinstance(x, sp.Symbol)}
+    if rest.has(modulus) or rate.has(modulus) or Signs(symbols).of(rate) != -1:
+        return (s,)
+    return tuple(replace(s, slack=rest + sign * rate * modulus.args[0]) for sign in (1, -1))
 
 
 def _are_same(a: _Stated, b: _Stated) -> bool:

@@ -1,24 +1,26 @@
 """Is the stated answer to a question right?
 
 An answer is an expression for the quantity, or an equation: `2/3*R`, `cos(theta) = 2/3`, `leaves = acos(2/3)`. An
-expression must equal the derived value, exactly; angles count modulo 2π. An equation must hold at the derived state,
-and have no other solutions for the quantity. Where the initial state leaves the sense of the motion open, one of two
-opposite values is enough; a velocity may be given as a speed, without its sign; the name of a reaction may stand for
-the opposite force or for the multiplier. A remark says so.
+expression must equal the derived value, exactly, with decimals that may be rounded; angles count modulo 2π. An
+equation must hold at the derived state, and have no other solutions for the quantity. Where the initial state leaves
+the sense of the motion open, one of two opposite values is enough; a velocity may be given as a speed, without its
+sign; the name of a reaction may stand for the opposite force or for the multiplier. A remark says so.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.force_names import meanings
+from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
@@ -38,6 +40,7 @@ _ONE_OF_SEVERAL = "there are other values as well"
 _ONE_CASE = "it is right in one of several cases"
 _ROUNDED = "it is taken as a rounded number"
 _NOT_ANSWERED = "the derivation did not find an answer to compare with"
+_CLOSE = sp.Rational(1, 10**9)
 _SAYS_NOTHING = "it says nothing about the quantity that is asked for"
 
 
@@ -72,19 +75,25 @@ class _Claim:
         self.asked = asked
         self.solution = solution
         self.values = dict(reference.values)
-        self.scope = scope_of_questions(reference.scope, (), ())
-        self.places = _decimal_places(fragment.text)
-        self.expression, self.equation = _read(fragment, self.scope, asked.question.name)
+        self.scope = replace(scope_of_questions(reference.scope, (), ()), decimals="")
+        self.expression, self.equation = read_stated(fragment, self.scope, asked.question.name)
         self.quantity = asked.question.quantity
 
     def verdict(self) -> tuple[Verdict, str]:
         """The verdict, with a remark or a diagnosis. Raises DivisionByZeroError."""
         if not self.asked.answered:
             return Verdict.UNDECIDED, _NOT_ANSWERED
-        if self.expression is not None:
-            return self._of_expression(self.expression)
-        assert self.equation is not None
-        return self._of_equation(self.equation)
+        claim, judged = self.expression, self._of_expression
+        if claim is None:
+            assert self.equation is not None
+            claim, judged = self.equation, self._of_equation
+        verdict, remark = judged(as_written(claim))
+        if verdict in (Verdict.WRONG, Verdict.INCOMPLETE) and decimals_in([claim]):
+            rounded_verdict, rounded_remark = judged(claim)
+            if rounded_verdict is Verdict.EQUIVALENT or verdict is Verdict.WRONG:
+                right = rounded_verdict is Verdict.EQUIVALENT
+                return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
+        return verdict, remark
 
     def _derived(self) -> list[sp.Expr]:
         return list(dict.fromkeys(v for b in self.asked.branches for v in b.values))
@@ -92,6 +101,9 @@ class _Claim:
     def _same(self, claim: sp.Expr, value: sp.Expr) -> bool | None:
         """Whether two values are equal, those of an angle modulo 2π."""
         difference = (claim - value).xreplace(self.values)
+        if decimals_in([difference]):
+            residual = sp.sin(difference / 2) if self._is_angle() else difference
+            return rounded([residual]) is not None
         same = is_zero(difference)
         if same is False and self._is_angle():
             both = [is_zero(sp.cos(difference) - 1), is_zero(sp.sin(difference))]
@@ -106,8 +118,7 @@ class _Claim:
     def _of_expression(self, claim: sp.Expr) -> tuple[Verdict, str]:
         derived = self._derived()
         if self.asked.how is How.NUMERICAL:
-            rounded = any(self._rounds_to(claim, v) for v in derived)
-            return (Verdict.EQUIVALENT, _ROUNDED) if rounded else (Verdict.WRONG, "")
+            return self._of_number(claim, derived)
         same = [self._same(claim, v) for v in derived]
         if True in same:
             if len(derived) == 1 or all(s is True for s in same):
@@ -115,8 +126,6 @@ class _Claim:
             if len(self.asked.branches) == 1 or self.asked.mirrored:
                 return Verdict.EQUIVALENT, _SIDES
             return self._in_some_cases([any(self._same(claim, v) for v in b.values) for b in self.asked.branches])
-        if any(self._rounds_to(claim, v) for v in derived):
-            return Verdict.EQUIVALENT, _ROUNDED
         if None in same:
             return Verdict.UNDECIDED, UNDECIDED
         for ratio, remark in self._ratios():
@@ -132,13 +141,15 @@ class _Claim:
         cases = all(b.conditions for b in self.asked.branches)
         return Verdict.INCOMPLETE, _ONE_CASE if cases else _ONE_OF_SEVERAL
 
-    def _rounds_to(self, claim: sp.Expr, value: sp.Expr) -> bool:
-        """Whether a decimal number is the value, rounded; the value needs the numbers that the file gives."""
-        exact = value.xreplace(self.values)
-        if self.places is None or not claim.is_Rational or exact.free_symbols:
-            return False
-        number = exact.evalf()
-        return bool(number.is_Float and abs(claim - number) <= (1 + sp.Rational(1, 1000)) / 2 / 10**self.places)
+    def _of_number(self, claim: sp.Expr, derived: Sequence[sp.Expr]) -> tuple[Verdict, str]:
+        """The verdict where the derived value is a number only; equal digits of an exact claim prove nothing."""
+        decimals = decimals_in([claim])
+        width = as_written(sp.Add(*(abs(claim.diff(d)) * d.half_width for d in decimals)))
+        off = [abs((as_written(claim) - v).xreplace(self.values).evalf(20)) for v in derived]
+        close = [x for x in off if x.is_number and x <= width + _CLOSE]
+        if not close:
+            return Verdict.WRONG, ""
+        return (Verdict.EQUIVALENT, "") if decimals else (Verdict.UNDECIDED, UNDECIDED)
 
     def _ratios(self) -> Iterator[tuple[sp.Expr, str]]:
         """What a value may be multiplied by, with the remark that says so."""
@@ -163,7 +174,7 @@ class _Claim:
         by_branch: list[list[bool | None]] = []
         for b in self.asked.branches:
             residuals = [claim.xreplace(s).xreplace(self.values) for s in self._states(b.values, b.states)]
-            by_branch.append([None if self._is_open(e) else is_zero(e) for e in residuals])
+            by_branch.append([None if self._is_open(e) else _vanishes(e) for e in residuals])
         holds = [h for each in by_branch for h in each]
         if not holds or None in holds:
             return Verdict.UNDECIDED, UNDECIDED
@@ -219,18 +230,20 @@ class _Claim:
         return Verdict.EQUIVALENT, ""
 
 
-def _decimal_places(text: str) -> int | None:
-    """The decimal places of a number that a text ends with; None where it has no decimal point."""
-    found = re.search(r"\d*[.](\d+)\s*$", text)
-    return len(found[1]) if found else None
+def _vanishes(e: sp.Expr) -> bool | None:
+    """Whether an expression is zero, its decimals being numbers that round to them; None: undecided."""
+    return rounded([e]) is not None if decimals_in([e]) else is_zero(e)
 
 
 def _moves(e: sp.Expr) -> bool:
     return bool(e.free_symbols) and not all(s.is_positive for s in e.free_symbols)
 
 
-def _read(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:
-    """An expression, or an equation as an expression that is zero; the name of the question may be its left side."""
+def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | None, sp.Expr | None]:
+    """An expression, or an equation as an expression that is zero; the name of what is stated may be its left side.
+
+    Raises ProblemError.
+    """
     text = fragment.text
     if "=" in text:
         left, _, _ = text.partition("=")

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
-from lagrange.answers.readings import GivenEquation, Reading, displaced_coordinates
+from lagrange.answers.readings import GivenEquation, displaced_coordinates
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.working import Working
@@ -38,7 +38,7 @@ def verdict_on(working: Working, reference: Reference, check: Check, *, moving: 
         notes += more
     if verdict.verdict is Verdict.WRONG:
         verdict = check(equations, True)
-    return _with_unreadable(replace(verdict, notes=(*verdict.notes, *notes)), working.unreadable)
+    return _with_unreadable(replace(verdict, notes=(*verdict.notes, *notes)), equations, working)
 
 
 def _wrong(verdict: AnswerVerdict) -> list[int]:
@@ -128,19 +128,33 @@ def _is_of_motion(equation: Fragment, reference: Reference) -> bool:
     return not used.isdisjoint(forces | {u.name for u in reference.unknowns})
 
 
-def _with_unreadable(verdict: AnswerVerdict, unreadable: Sequence[Reading]) -> AnswerVerdict:
-    """The verdict with the lines that cannot be read, which decide only if they might hold what is missing."""
+def _with_unreadable(verdict: AnswerVerdict, equations: Sequence[Fragment], working: Working) -> AnswerVerdict:
+    """The verdict with the lines that cannot be read, which decide only if they might hold what is missing.
+
+    They stand where they were written.
+    """
+    unreadable = [f.reading for f in working.unreadable]
     if not unreadable:
         return verdict
-    lines = tuple(
-        EquationVerdict(r.text, Verdict.UNREADABLE, r.error.diagnostics[0].message) for r in unreadable if r.error
-    )
     errors = tuple(d for r in unreadable if r.error for d in r.error.diagnostics)
     stays = verdict.verdict in (Verdict.EQUIVALENT, Verdict.WRONG, Verdict.UNDECIDED)
-    whole = verdict.verdict if stays else Verdict.UNREADABLE
+    places = {id(f.whole): n for n, f in enumerate(working.written)}
+    judged = [*verdict.equations]
+    kept = [places.get(id(f.whole), -1) for f in equations]
+    if len(kept) != len(judged):
+        kept = [-1] * len(judged)
+    lines = [
+        (
+            places[id(f.whole)],
+            EquationVerdict(f.reading.text, Verdict.UNREADABLE, f.reading.error.diagnostics[0].message),
+        )
+        for f in working.unreadable
+        if f.reading.error
+    ]
+    ordered = sorted([*zip(kept, judged, strict=True), *lines], key=lambda pair: pair[0])
     return replace(
         verdict,
-        verdict=whole,
-        equations=(*verdict.equations, *lines),
+        verdict=verdict.verdict if stays else Verdict.UNREADABLE,
+        equations=tuple(e for _, e in ordered),
         unreadable=(*verdict.unreadable, *errors),
     )

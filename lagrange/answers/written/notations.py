@@ -1,6 +1,7 @@
 r"""Other notations of an equation, rewritten in the language of expressions: nothing here is ever run as code.
 
     d/dt(e)   d^2θ/dt^2   dU/dr   ∂L/∂θ'               diff(e, t)   θ''   diff(U, r)   diff(L, θ')
+    δx   dx                                            delta(x)   d(x)
     ddot(x)   x_ddot   x''[t]   D(x)(t)   θ¨           x''          x''   x''          x'   θ''
     Derivative(x(t), (t, 2))   diff(x(t), t$2)         diff(x, t, t)
     Sin[x]   arctan(x)   sgn(x)                        sin(x)   atan(x)   sign(x)
@@ -41,6 +42,9 @@ _OPERATOR = re.compile(
     rf"(?<![A-Za-z0-9_'])\(?[dⅆ∂]{_POWER}\s*/\s*\(?\s*[dⅆ∂]\s*(?P<by>{_NAME})(?P<more>['\u0307\u0308]*)"
     r"(?:\s*\^\s*\{?\s*[1-4]\s*\}?|[²³]|\*\*[1-4])?\s*\)?"
 )
+_GREEK_INDEX = re.compile(rf"(?<=[A-Za-z{''.join(GREEK)}]_)[{''.join(GREEK)}]")
+_VARIATION = re.compile(rf"δ\s*(?P<name>{_NAME})(?!\s*\()")
+_DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
 _SUFFIX = re.compile(rf"(?P<name>{_NAME}?)_?(?P<dots>d{{1,3}}ot)(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])")
@@ -50,8 +54,8 @@ _DOLLAR = re.compile(r"\$\s*([1-4])")
 _BRACES_OF_TIME = re.compile(r",\s*\{\s*(t)\s*,\s*([1-4])\s*\}")
 _MAPLE = re.compile(rf"\(?\bD(?:\s*@@\s*([1-3]))?\)?\s*\(\s*({_NAME})\s*\)\s*\(\s*t\s*\)")
 _DERIVED = re.compile(rf"\bDerivative\[([1-3])\]\[({_NAME})\]\[t\]")
-_OF_TIME = re.compile(r"(?<=[A-Za-z0-9_'])\[\s*t\s*\]")
-_APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7})\s*(?=\[)")
+_OF_TIME = re.compile(r"(?<=[\w'])\[\s*t\s*\]")
+_APPLIED = re.compile(r"(?<![A-Za-z0-9_])([A-Z][a-z]{1,7}|D)\s*(?=\[)")
 _CALLED = re.compile(
     r"(?<![A-Za-z0-9_\\])(arcsin|arccos|arctan|Arcsin|Arccos|Arctan|sgn|Sgn|ln|Sin|Cos|Tan|Cot|Exp|Sqrt)(?![a-z_0-9])"
 )
@@ -79,9 +83,25 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.apply(_dotted(draft.text))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
     _derivatives(draft, scope)
+    _displacements(draft, scope)
     draft.apply(_of_argument(draft.text, scope))
     draft.replace(_RUN, lambda m: _product(m, scope))
     return draft.finished()
+
+
+def _displacements(draft: Draft, scope: Scope) -> None:
+    """`δx` as delta(x), and `dx` as d(x)."""
+    moving = {q.name for q in scope.slots.coordinates} | {"t"}
+
+    def displaced(match: re.Match[str], sign: str) -> str | None:
+        name = scope.spelling("".join(GREEK.get(c, c) for c in match["name"]))
+        own = sign == "d" and scope.role(match[0].replace(" ", "")) is not Role.UNDECLARED
+        return f" {sign}({name})" if name in moving and not own else None
+
+    if scope.role("delta") is Role.UNDECLARED:
+        draft.replace(_VARIATION, lambda m: displaced(m, "delta"))
+    if scope.role("d") is Role.UNDECLARED:
+        draft.replace(_DIFFERENTIAL, lambda m: displaced(m, "d"))
 
 
 def _characters(draft: Draft) -> None:
@@ -94,6 +114,8 @@ def cleaned(fragment: Fragment) -> Fragment:
     """The text with invisible operators and odd signs replaced: they are harmless in an answer."""
     draft = Draft(fragment)
     _characters(draft)
+    if "\\" not in draft.text and "$" not in draft.text:
+        draft.replace(_GREEK_INDEX, lambda m: GREEK[m[0]])
     return draft.finished(latex=getattr(fragment, "latex", False))
 
 
@@ -103,11 +125,12 @@ def _function(name: str) -> str:
 
 
 def _called_with_brackets(text: str, scope: Scope) -> Iterator[Edit]:
-    """`Sin[x]` as sin(x)."""
+    """`Sin[x]` as sin(x), `D[L, x]` as diff(L, x)."""
     ends: dict[int, int] | None = None
     for match in _APPLIED.finditer(text):
         name = _function({"ArcTan": "arctan", "ArcSin": "arcsin", "ArcCos": "arccos"}.get(match[1], match[1]))
-        if name not in FUNCTIONS or scope.role(match[1]) is not Role.UNDECLARED:
+        name = "diff" if name == "d" else name
+        if name not in (*FUNCTIONS, "diff") or scope.role(match[1]) is not Role.UNDECLARED:
             continue
         ends = closings(text) if ends is None else ends
         if match.end() in ends:
@@ -165,11 +188,16 @@ def _rate(match: re.Match[str], scope: Scope) -> str | None:
     if scope.role(whole) is not Role.UNDECLARED and whole[0] == "d":
         return None
     if by == "t" and not match["more"]:
-        return f"{name}{chr(39) * order}" if not name.isdigit() else None
+        return f"{name}{chr(39) * order}{_left_over(match)}" if not name.isdigit() else None
     inner = f"{name}"
     for _ in range(order):
         inner = f"diff({inner}, {by}{match['more']})"
-    return inner
+    return inner + _left_over(match)
+
+
+def _left_over(match: re.Match[str]) -> str:
+    """The bracket after a derivative that closes one before it: (dL/dx), and not dL/(dx)."""
+    return ")" if match[0].count(")") > match[0].count("(") else ""
 
 
 def _operator(text: str, match: re.Match[str]) -> Iterator[Edit]:
@@ -188,7 +216,8 @@ def _operator(text: str, match: re.Match[str]) -> Iterator[Edit]:
         while end < len(text) and text[end] not in "+-−=,;)]}":
             end = ends[end] + 1 if end in ends else end + 1
     order = _order(match)
-    yield match.start(), match.end(), " " + "diff(" * order
+    opened = "(" if match[0].count("(") > match[0].count(")") else ""
+    yield match.start(), match.end(), f"{opened} {'diff(' * order}"
     yield end, end, f", {match['by']}{match['more']})" * order
 
 

@@ -11,7 +11,7 @@ equations or more, may be an unknown force; it is eliminated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from typing import TypeVar
@@ -19,7 +19,7 @@ from typing import TypeVar
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
-from lagrange.answers.readings import GivenEquation, Reading, read_answer
+from lagrange.answers.readings import GivenEquation, Reading, decimals_in, read_answer
 from lagrange.answers.references import Reference
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
 from lagrange.answers.written.notations import cleaned, rewritten, rewritten_latex
@@ -27,6 +27,7 @@ from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
+from lagrange.expressions.characters import GREEK
 from lagrange.expressions.edits import Draft, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -56,13 +57,24 @@ m cm mm km dm g kg mg t s ms min h N kN mN J kJ W Pa Hz rad deg rev rpm ft in lb
 kgm2 units metres meters seconds kilograms newton newtons
 """
 _UNITS = frozenset(_UNIT_NAMES.split())
+_WORDS = re.compile(r"[^\W\d]+")
+_LONGEST_LAW = 60
+_LONGEST_NAME = 60
+"""Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
 _APPROXIMATE = re.compile(
     r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|<<", re.IGNORECASE
 )
 _NOT = re.compile(r"\bnot\b|\bwithout\b|n't\b|\bno\b|\bnon-?linear|\bnicht\b|\bohne\b|\bkein", re.IGNORECASE)
-_FUNCTIONS_OF_NAME = {"sin": sp.asin, "cos": sp.acos, "tan": sp.atan}
+_UNDOING: dict[str, Callable[[sp.Expr], sp.Expr]] = {
+    "": lambda e: e,
+    "^2": sp.sqrt,
+    "sin": sp.asin,
+    "cos": sp.acos,
+    "tan": sp.atan,
+}
+"""What a name is if what is applied to it is known."""
 
 
 @record
@@ -71,18 +83,22 @@ class Working:
 
     judged       the equations that are compared
     approximate  which of them are marked as approximations
-    unreadable   those that could not be read
+    unreadable   those that could not be read, with their readings
+    written      both together, in the order in which they were written
     notes        what is not judged, and why
     unknowns     undeclared names that are eliminated as unknown forces
     defined      the names that the answer defines
+    quoting      whether it quotes the method, d/dt(∂L/∂q') − ∂L/∂q = 0
     """
 
     judged: tuple[Fragment, ...]
     approximate: frozenset[int] = frozenset()
-    unreadable: tuple[Reading, ...] = ()
+    unreadable: tuple[GivenEquation, ...] = ()
+    written: tuple[Fragment, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
     unknowns: tuple[sp.Symbol, ...] = ()
     defined: tuple[str, ...] = ()
+    quoting: bool = False
 
 
 @dataclass
@@ -173,11 +189,12 @@ class _Sorting:
     def __init__(self, reference: Reference, values_are_asides: bool) -> None:
         self.reference = reference
         self.values_are_asides = values_are_asides
-        self.scope = scope_of_answers(reference)
+        self.scope = reference.scope_of_answers
         self.declared = reference.declared
         self.notes: list[Diagnostic] = []
         self.defined: list[str] = []
         self.unknowns: list[sp.Symbol] = []
+        self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
 
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
@@ -186,34 +203,48 @@ class _Sorting:
             before = len(self.defined)
             for line in plain:
                 line.definition = line.definition or self._defines(line)
-            if len(self.defined) == before:
+            if len(self.defined) == before or all(line.definition for line in plain):
                 break
         for line in waiting:
             if line.whole:
                 line.reading = Reading(line.text)
             elif not line.definition and line.reading is None:
-                line.reading = read_as_written(line.fragment, self.scope, line.text)
+                line.reading = read_as_written(line.fragment, self.scope, line.text, self.rounded)
         if eliminating:
             self._find_unknowns([line for line in waiting if not line.definition])
-        judged = [line for line in waiting if not line.definition and line.reading and not line.reading.error]
-        unread = [line for line in waiting if not line.definition and line.reading and line.reading.error]
-        for line in unread:
+        waiting = [line for line in waiting if line.reading and not line.definition]
+        quotes = [line for line in waiting if _quotes_the_method(line, self.scope)]
+        for line in quotes:
+            self._note(line, f"`{line.text}` quotes the method, and is not judged")
+        laws = [line for line in waiting if self._is_general_law(line)]
+        for line in laws:
+            self._note(line, f"`{line.text}` is taken as a general law, and is not judged")
+        quotes += laws
+        waiting = [line for line in waiting if not any(line is quote for quote in quotes)]
+        for line in waiting:
             self._note_number(line)
-        approximate = frozenset(n for n, line in enumerate(judged) if _is_approximation(line))
-        for line in judged:
-            self._note_number(line)
+        judged = [line for line in waiting if line.reading and not line.reading.error]
+        given = {id(line): _given(line) for line in waiting}
         return Working(
+            tuple(given[id(line)] for line in judged),
+            frozenset(n for n, line in enumerate(judged) if _is_approximation(line)),
             tuple(
-                line.fragment if line.whole else GivenEquation.of_reading_at(line.reading, line.fragment)
-                for line in judged
-                if line.reading
+                f for line in waiting if isinstance(f := given[id(line)], GivenEquation) and f.reading.error is not None
             ),
-            approximate,
-            tuple(line.reading for line in unread if line.reading),
+            tuple(given.values()),
             tuple(self.notes),
             tuple(self.unknowns),
             tuple(self.defined),
+            len(quotes) > 0,
         )
+
+    def _is_general_law(self, line: _Line) -> bool:
+        """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
+        if len(set(_undeclared(line))) < 2 or len(line.text) > _LONGEST_LAW:
+            return False
+        names = {n.strip("_") for n in _WORDS.findall(line.text)}
+        names |= {GREEK[c] for c in line.text if c in GREEK}
+        return names.isdisjoint(self.reference.coordinates)
 
     def _note(self, line: _Line, message: str, help_: str = "") -> None:
         span = line.fragment.span(0, len(line.fragment.text))
@@ -268,6 +299,8 @@ class _Sorting:
 
     def _name_alone(self, side: Fragment) -> tuple[str, str]:
         """The name that alone makes up one side, and what is applied to it: `^2`, `sin`; empty if there is none."""
+        if len(side.text.strip()) > _LONGEST_NAME:
+            return "", ""
         try:
             texts = _tried(side, self.scope, lambda f: token_texts(f, self.scope))
         except ProblemError:
@@ -307,11 +340,12 @@ class _Sorting:
                 known = sp.Symbol(name)
                 if known in value.free_symbols and self.scope.scalar(name) == known:
                     continue
-                if applied == "^2":
-                    value = sp.sqrt(value)
-                elif applied:
-                    value = _FUNCTIONS_OF_NAME[applied](value)
-                self.scope = replace(self.scope, scalars={**self.scope.scalars, name: value})
+                undone = _UNDOING[applied]
+                rounded = replace(self.scope, scalars={**self.scope.scalars, **self.rounded}, decimals=f"{name} ")
+                with_decimals = _tried(other, rounded, lambda f, s=rounded: read_value(f, s, latex=True))  # type: ignore[misc]
+                if decimals_in([with_decimals]):
+                    self.rounded[name] = undone(with_decimals)
+                self.scope = replace(self.scope, scalars={**self.scope.scalars, name: undone(value)})
             self.defined.append(name)
             self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
             return True
@@ -348,20 +382,6 @@ class _Sorting:
                 line.reading = new
 
 
-def scope_of_answers(reference: Reference) -> Scope:
-    """The names that an answer may use: without letters of the derivation that are declared names but for their case.
-
-    `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
-    """
-    lower = {n.lower() for n in reference.declared}
-    hidden = {n for n in reference.letters if n.lower() in lower and n not in reference.declared}
-    if not hidden:
-        return reference.scope
-    scalars = {n: v for n, v in reference.scope.scalars.items() if n not in hidden}
-    coordinates = tuple(q for q in reference.scope.slots.coordinates if q.name not in hidden)
-    return replace(reference.scope, scalars=scalars, slots=replace(reference.scope.slots, coordinates=coordinates))
-
-
 def _is_name(text: str) -> bool:
     return bool(text) and (text[0].isalpha()) and text.replace("_", "").isalnum()
 
@@ -381,6 +401,29 @@ def _sides(fragment: Fragment) -> tuple[Fragment, Fragment] | None:
         draft.keep(first, last)
         made.append(draft.finished(latex=is_latex(fragment)))
     return made[0], made[1]
+
+
+def _given(line: _Line) -> Fragment:
+    return (
+        line.fragment
+        if line.whole or line.reading is None
+        else GivenEquation.of_reading_at(line.reading, line.fragment)
+    )
+
+
+_ENERGY = r"(?:[LTVUEH]|\\?L|ℒ|𝓛|\\(?:mathcal|mathscr|mathfrak|cal)\s*\{?\s*[LTVU]\s*\}?)"
+_QUOTED = re.compile(
+    rf"(?:[d∂]|\\partial|\\mathrm\s*\{{\s*d\s*\}}|\bdiff\(|\bD\[|\bDerivative\(|\\p?dv\s*\{{)"
+    rf"\s*\(?\{{?\s*(?P<name>{_ENERGY})(?:\(t\)|\[t\])?\s*\}}?\)?\s*(?:/|,|\}}\s*\{{|\{{)"
+)
+
+
+def _quotes_the_method(line: _Line, scope: Scope) -> bool:
+    """Whether an unreadable line has derivatives of a Lagrangian, or an energy, that is not given anywhere."""
+    if line.reading is None or line.reading.error is None:
+        return False
+    names = [m["name"][-2:].strip("{} ")[-1:] for m in _QUOTED.finditer(line.text)]
+    return bool(names) and all(scope.scalar("L" if n in "ℒ𝓛" else n) is None for n in names)
 
 
 def _is_approximation(line: _Line) -> bool:
@@ -404,13 +447,21 @@ def _undeclared(line: _Line) -> list[str]:
 # Reading
 
 
-def read_as_written(fragment: Fragment, scope: Scope, text: str = "") -> Reading:
-    """One equation of an answer in whatever notation it is; if none can be read, the error of the first."""
+def read_as_written(
+    fragment: Fragment, scope: Scope, text: str = "", rounded: Mapping[str, sp.Expr] | None = None
+) -> Reading:
+    """One equation of an answer in whatever notation it is; if none can be read, the error of the first.
+
+    rounded  the names that are defined with decimals, in which these are symbols
+    """
     first: Reading | None = None
     for candidate in _notations(fragment, scope):
         reading = read_answer(candidate, scope)
         if reading.error is None:
             shown = replace(reading, text=text or fragment.text.strip())
+            if rounded and not isinstance(candidate, GivenEquation):
+                wider = replace(scope, scalars={**scope.scalars, **rounded}, decimals="")
+                shown = replace(shown, source=(candidate, wider))
             return replace(shown, other=_other(candidate, scope, shown))
         first = first or reading
     assert first is not None

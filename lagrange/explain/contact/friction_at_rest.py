@@ -10,6 +10,7 @@ from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
 from lagrange.explain.words import capital, constraints_called, joined, plural, spoken, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.equilibrium.friction.belts import BeltLaw
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest, RoughContact
 from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
@@ -21,7 +22,7 @@ ZERO = sp.S.Zero
 def explain_rest(rest: AtRest, newton: Newton) -> Step:
     """The equations of balance, the forces, the conditions."""
     suffix = suffix_of(rest.name)
-    body: list[Block] = [*_contacts(rest.contacts, newton)]
+    body: list[Block] = [*_contacts(rest.contacts, newton), *_belts(rest.belts)]
     if rest.balance:
         body.append(prose("At rest the forces balance for every coordinate:"))
         body.append(
@@ -70,6 +71,14 @@ def _contacts(contacts: Sequence[RoughContact], newton: Newton) -> Iterator[Bloc
         called = constraints_called(r.name for r in pressing)
         words = plural(len(pressing), " is one-sided: ", " are one-sided: ")
         yield prose(capital(called), words, *forces, ".")
+
+
+def _belts(belts: Sequence[BeltLaw]) -> Iterator[Block]:
+    """The tensions of each belt, and their bound."""
+    for b in belts:
+        yield prose(f"{capital(spoken(b.name))} is a belt on a rough drum, in contact over the angle ",
+                    math(b.belt.angle), ". It does not slip towards its tight side as long as ",
+                    math(b.tight, b.growth * b.slack, relation="≤"), ".")  # fmt: skip
 
 
 def _magnitude(c: RoughContact) -> sp.Expr:
@@ -132,9 +141,13 @@ def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton, name: 
         words = "With friction at its limit in every contact at once, the forces balance for no direction of slip."
         return Step(Rule.FRICTION_AT_REST, title_in("Impending motion", name), (prose(words, detail=Detail.BRIEF),))
     suffix = suffix_of(name)
-    contacts = motions[0].contacts
-    slips = "slip impends in every contact at once" if len(contacts) > 1 else "slip impends"
+    contacts, belts = motions[0].contacts, motions[0].belts
+    slips = "slip impends in every contact at once" if len(contacts) + len(belts) > 1 else "slip impends"
     body: list[Block] = [prose(f"If {slips}, friction has its greatest value, against the direction of the slip.")]
+    body += [
+        prose(f"Then the tensions of the belt {spoken(b.name)} satisfy ", math(b.tight, b.growth * b.slack), ".")
+        for b in belts
+    ]
     open_ = [c.name for c in contacts if c.friction.toward is None and c.friction.slip is None]
     if open_:
         body.append(prose(f"For {joined(map(spoken, open_))} the direction is not given: both are tried."))
@@ -144,17 +157,18 @@ def explain_impending(motions: Sequence[ImpendingMotion], newton: Newton, name: 
 
 
 def _one_direction(m: ImpendingMotion, newton: Newton, suffix: str) -> Iterator[Block]:
-    slips = series(
-        (f"at {spoken(c.name)} along ", math(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts
-    )
-    yield prose("With slip ", *slips, " the equations of balance give")
-    pressed = [(r.force, m.pressed[r.name]) for r in newton.reactions]
-    yield display(*(Equation(pair) for pair in pressed))
-    work = m.equilibrium.work
-    coordinates = m.equilibrium.configuration.slots.coordinates
-    yield prose("so that, with the friction among the applied forces, the conditions of equilibrium are")
-    yield display(*(Equation((c.expression, ZERO)) for c in m.equilibrium.conditions))
-    assert len(work.forces) == len(coordinates)
+    conditions = (*(c.expression for c in m.equilibrium.conditions), *m.equilibrium.laws)
+    if newton.reactions:
+        slips = series(
+            (f"at {spoken(c.name)} along ", math(c.tangents[0] * sp.Integer(-m.senses[c.name]))) for c in m.contacts
+        )
+        yield prose(*(("With slip ", *slips, " the") if m.contacts else ("The",)), " equations of balance give")
+        yield display(*(Equation((r.force, m.pressed[r.name])) for r in newton.reactions))
+        among = ", with the friction among the applied forces," if m.contacts else ""
+        yield prose(f"so that{among} the conditions of equilibrium are")
+    else:
+        yield prose("The conditions of equilibrium are")
+    yield display(*(Equation((e, ZERO)) for e in conditions))
     for n, b in enumerate(m.equilibrium.branches, start=1):
         number = f"-{n}" if len(m.equilibrium.branches) > 1 else ""
         lines = [

@@ -75,6 +75,7 @@ def _derived(
         *_reduced(equilibrium),
         *_conclusion(equilibrium),
         *_results(equilibrium, radicands),
+        *_spring_forces(equilibrium),
         *_stability(equilibrium, stability),
     ]
 
@@ -277,6 +278,19 @@ def outside_ranges(equilibrium: Equilibrium) -> Iterator[Block]:
     if equilibrium.configuration.ranges and any(len(b.points) < 2 and r.lhs.has(sp.cos, sp.sin, sp.tan)
            for b in equilibrium.branches for r in b.relations):  # fmt: skip
         yield prose("Only the angles within the range are meant.", detail=Detail.BRIEF)
+
+
+def _spring_forces(equilibrium: Equilibrium) -> Iterator[Block]:
+    """With what force each spring pulls, or pushes, at the equilibria."""
+    suffix = suffix_of(equilibrium.configuration.name)
+    for name in dict.fromkeys(name for pulls in equilibrium.pulls for name in pulls):
+        forces: dict[sp.Expr, list[Part]] = {}
+        for n, pulls in enumerate(equilibrium.pulls, start=1):
+            if name in pulls and pulls[name].count_ops() <= LONGEST:
+                forces.setdefault(pulls[name], []).append(Ref(f"equilibrium{suffix}-{n}"))
+        if forces:
+            sizes = series((math(f), " at ", *listed(places)) for f, places in forces.items())
+            yield prose(f"The {link_called(name, 'spring')} pulls its ends together with the force ", *sizes, ".")
 
 
 def _poles(equilibrium: Equilibrium) -> Iterator[Block]:

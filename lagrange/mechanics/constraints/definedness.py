@@ -19,7 +19,17 @@ from lagrange.core.symbols import Slots, partial
 from lagrange.core.vectors import Vector
 from lagrange.document.math_writer import text
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
-from lagrange.problem.model import AppliedForce, AppliedMoment, Damper, Force, Friction, Potential, Problem, Spring
+from lagrange.problem.model import (
+    AppliedForce,
+    AppliedMoment,
+    Belt,
+    Damper,
+    Force,
+    Friction,
+    Potential,
+    Problem,
+    Spring,
+)
 
 _MAY_DIVIDE = (sp.tan, sp.cot, sp.sec, sp.csc, sp.log, sp.atan2)
 _HELP = "correct the divisor, or describe the system with other coordinates or constraints"
@@ -126,6 +136,8 @@ def _of_force(f: Force, slots: Slots) -> tuple[sp.Expr, ...]:
             vectors = [v for v in (f.surface_velocity, f.at, f.toward) if v is not None]
             static = () if f.static is None else (f.static,)
             return (f.coefficient, *static, *(c for v in vectors for c in _components(v)))
+        case Belt():
+            return (f.coefficient, f.angle, f.tight, f.slack)
 
 
 def _vanishing_divisor(expressions: Iterable[sp.Expr], surface: Surface) -> sp.Expr | None:

@@ -33,6 +33,7 @@ from lagrange.core.symbols import partial, t
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.constraints.rigid_bodies import relative_to_triad
@@ -396,6 +397,17 @@ def with_accelerations(point: Point, system: System) -> Point | None:
     rows = affine_rows(point, (*system.equations, *system.accelerated_constraints), unknowns)
     accelerations = point.solution([r[:-1] for r in rows], [point.arithmetic.reduce(-r[-1]) for r in rows])
     return None if accelerations is None else point.with_values(dict(zip(unknowns, accelerations, strict=True)))
+
+
+def check_substitutions(choices: Sequence[GeneralizedCoordinates]) -> list[Check]:
+    """The constraints that `generalized_coordinates` has verified to hold, as checks."""
+    checks = []
+    for c in choices:
+        if c.satisfied:
+            listed = ", ".join(name.replace("_", " ") for name in c.satisfied)
+            how = "exact, at random states"
+            checks.append(Check(f"satisfied identically: {listed}", True, how, c.configuration.name))
+    return checks
 
 
 def check_choice(original: EquationsOfMotion, motion: EquationsOfMotion) -> Check:

@@ -13,14 +13,14 @@ little on their number. A result that differs from point to point is "undecided"
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from enum import Enum, auto
 from typing import Any, TypeVar
 
 import sympy as sp
 
 from lagrange.algebra.exact.linear_algebra import NumberRow, RowSpace
-from lagrange.algebra.exact.zero_test import Point, agreed
+from lagrange.algebra.exact.zero_test import NoPointError, Point, UnsupportedError, agreed
 from lagrange.core.records import record
 from lagrange.mechanics.constraints.constrained_system import is_pfaffian
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -82,6 +82,25 @@ def compare(answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol]
         (*answer, *system.equations, *system.accelerated_constraints),
         settles=lambda comparison: Standing.CONTRADICTS in comparison.standings,
     )
+
+
+def compare_really(
+    answer: Sequence[sp.Expr], system: System, free: Sequence[sp.Symbol], values: Mapping[sp.Symbol, sp.Float]
+) -> EquationComparison | None:
+    """The same at states with real values, where some symbols have values of eighty digits. None: undecided."""
+    configuration = system.configuration
+    symbols = symbols_of((*answer, *system.equations, *system.accelerated_constraints))
+
+    def at(point: Point) -> EquationComparison:
+        moving = state(point, configuration, symbols)
+        given = {s: point.arithmetic.float(v) for s, v in values.items()}
+        return _compared(moving.with_values(given), answer, system, free)
+
+    try:
+        first, second = configuration.states.sampled(at, 2, real=True)
+    except (NoPointError, UnsupportedError):
+        return None
+    return first if first == second else None
 
 
 def agreed_in_motion(

@@ -30,7 +30,7 @@ from typing import Any, TypeVar
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import NoPointError, Point, UnsupportedError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, Point, Surface, UnsupportedError
 from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.terms import is_acceleration
@@ -226,6 +226,31 @@ def check_inertia(result: EquationsOfMotion, span: Span | None = None) -> None:
     )
     help_ = "give a mass to what moves with it, or remove the coordinate; with `find: equilibrium` no mass is needed"
     raise ProblemError(Diagnostic("no-inertia", message, span, help=help_))
+
+
+def excluding(motion: EquationsOfMotion) -> tuple[sp.Expr, ...]:
+    """The conditions of the final equations that matter: where one vanishes, motion is no longer determined.
+
+    With B the matrix of the accelerations in the equations and in the differentiated constraints,
+    det B = p_1^n_1 p_2^n_2 ... D, where the p are what was divided by, and D, the determinant of the mass matrix
+    restricted to the virtual displacements times that of A Aᵀ, does not vanish. So p is harmless if B is regular at a
+    point with p = 0. Whether it is is decided exactly; undecided conditions are kept.
+    """
+    configuration = motion.configuration
+    accelerations = configuration.slots.accelerations
+    inertia = [[e.expression.diff(a) for a in accelerations] for e in motion.equations]
+    matrix = [*inertia, *(list(r.coefficients) for r in configuration.rows)]
+    if motion.closed is not None or any(r.nonlinear is not None for r in configuration.rows):
+        return motion.conditions
+
+    def is_harmless(pivot: sp.Expr) -> bool:
+        there = Surface([*configuration.finite_constraints, pivot], configuration.slots.coordinates)
+        try:
+            return there.rank(matrix) == len(accelerations)
+        except DivisionByZeroError:
+            return False
+
+    return tuple(p for p in motion.conditions if not is_harmless(p))
 
 
 M = TypeVar("M", bound=EquationsOfMotion)

@@ -23,8 +23,9 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, partial, t
 from lagrange.core.vectors import Components, Vector
-from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint
+from lagrange.mechanics.constraints.kinematics import Configuration, Load, MassPoint, Torque
 from lagrange.mechanics.constraints.rigid_bodies import Rotation
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 
 
 @record
@@ -52,7 +53,9 @@ def lagrange_equations(configuration: Configuration) -> Lagrangian:
     left = []
     for q, v in zip(slots.coordinates, slots.velocities, strict=True):
         force = sp.Add(*(share_of_load(f, v, configuration) for f in varying)) - partial(potential, q)
-        force += share_of_moments(configuration, v) + _of_springs(configuration, q) + _of_dampers(configuration, v)
+        force += share_of_moments(configuration, v)
+        force += sp.Add(*(share_of_spring(s, q) for s in configuration.springs))
+        force += sp.Add(*(share_of_damper(d, v, slots) for d in configuration.dampers))
         quasi = sp.Add(*(quasi_term(r, q, v, slots) for r in configuration.rotations if r.given))
         left.append(slots.time_derivative(partial(kinetic, v)) - partial(kinetic, q) - force - quasi)
     return Lagrangian(kinetic, potential, tuple(left))
@@ -136,32 +139,30 @@ def _rate_at(load: Load, configuration: Configuration) -> Vector:
 
 
 def share_of_moments(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
-    """M·∂ω/∂q_k'."""
-    spins = {r.name: angular_velocity(r, configuration.slots) for r in configuration.rotations}
-    return sp.Add(
-        *(m.vector.fixed().dot(spins[m.on].map(lambda c: partial(c, velocity))) for m in configuration.torques)
-    )
+    """Σ M·∂ω/∂q_k'."""
+    return sp.Add(*(share_of_torque(m, velocity, configuration) for m in configuration.torques))
 
 
-def _of_springs(configuration: Configuration, coordinate: sp.Symbol) -> sp.Expr:
+def share_of_torque(torque: Torque, velocity: sp.Symbol, configuration: Configuration) -> sp.Expr:
+    """M·∂ω/∂q_k' of one moment."""
+    [turning] = (r for r in configuration.rotations if r.name == torque.on)
+    spin = angular_velocity(turning, configuration.slots)
+    return torque.vector.fixed().dot(spin.map(lambda c: partial(c, velocity)))
+
+
+def share_of_spring(spring: StretchedSpring, coordinate: sp.Symbol) -> sp.Expr:
     """−k (d − l) (r/d)·∂r/∂q_k, r being the vector between the ends."""
-    terms = []
-    for s in configuration.springs:
-        apart = s.apart.fixed()
-        pulled = apart.dot(apart.map(lambda c: partial(c, coordinate)))
-        terms.append(-s.stiffness * pulled * (1 if s.length == 0 else 1 - s.length / s.distance))
-    return sp.Add(*terms)
+    apart = spring.apart.fixed()
+    pulled = apart.dot(apart.map(lambda c: partial(c, coordinate)))
+    stretched = sp.S.One if spring.length == 0 else 1 - spring.length / spring.distance
+    return -spring.stiffness * pulled * stretched
 
 
-def _of_dampers(configuration: Configuration, velocity: sp.Symbol) -> sp.Expr:
+def share_of_damper(damper: DamperForce, velocity: sp.Symbol, slots: Slots) -> sp.Expr:
     """−∂/∂q_k' of Rayleigh's function c d'²/2, d' = r·r'/d."""
-    terms = []
-    for d in configuration.dampers:
-        apart = d.apart.fixed()
-        closing = apart.dot(apart.time_derivative(configuration.slots))
-        squared = apart.dot(apart)
-        terms.append(-d.coefficient * closing * partial(closing, velocity) / squared)
-    return sp.Add(*terms)
+    apart = damper.apart.fixed()
+    closing = apart.dot(apart.time_derivative(slots))
+    return -damper.coefficient * closing * partial(closing, velocity) / apart.dot(apart)
 
 
 def applied_power(configuration: Configuration) -> sp.Expr:

@@ -246,6 +246,40 @@ class Newton:
         return {r.name: r.multiplier for r in self.reactions}
 
     @property
+    def in_tensions(self) -> Newton:
+        """The same with the tensions of rods and strings as unknowns, in place of their multipliers."""
+        with_symbol = {r.multiplier: replace(r, named=True) for r in self.reactions if r.tension and r.symbol}
+        if not with_symbol:
+            return self
+        reactions = {r.name: with_symbol.get(r.multiplier, r) for r in self.reactions}
+        per_tension = {r.multiplier: r.symbol * r.per_force for r in with_symbol.values() if r.symbol is not None}
+
+        def rewritten(c: LawComponent) -> LawComponent:
+            terms = (textbook_form(e.xreplace(per_tension)) for e in sp.Add.make_args(c.reaction))
+            return replace(c, reaction=sp.Add(*terms))
+
+        def acting(pairs: tuple[tuple[Reaction, Vector], ...]) -> tuple[tuple[Reaction, Vector], ...]:
+            shares = ((reactions[r.name], g * (reactions[r.name].per_force / r.per_force)) for r, g in pairs)
+            return tuple((r, g.map(tidy_quotient)) for r, g in shares)
+
+        bodies = (
+            None
+            if self.bodies is None
+            else tuple(
+                replace(
+                    b,
+                    reactions=acting(b.reactions),
+                    moments=acting(b.moments),
+                    components=tuple(map(rewritten, b.components)),
+                    turning=tuple(map(rewritten, b.turning)),
+                )
+                for b in self.bodies
+            )
+        )
+        idle = {q: e.xreplace(per_tension) for q, e in self.idle.items()}
+        return replace(self, reactions=tuple(reactions.values()), bodies=bodies, idle=idle)
+
+    @property
     def equations(self) -> tuple[tuple[sp.Expr, sp.Expr], ...] | None:
         """Left and right sides; None if there are no free bodies."""
         if self.bodies is None:

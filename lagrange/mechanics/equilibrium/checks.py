@@ -16,7 +16,7 @@ name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from itertools import combinations
 from typing import assert_never
@@ -39,7 +39,7 @@ from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
-from lagrange.problem.model import AppliedForce, AppliedMoment, Damper, Friction, Potential, Problem, Spring
+from lagrange.problem.model import AppliedForce, AppliedMoment, Belt, Damper, Friction, Potential, Problem, Spring
 
 
 def check_statics(problem: Problem, configuration: Configuration) -> None:
@@ -71,6 +71,8 @@ def _forces(problem: Problem) -> Iterable[Diagnostic]:
                 continue
             case Friction():
                 continue  # refused before, by `solve`
+            case Belt():
+                parts = (f.angle, f.tight, f.slack)
             case unreachable:
                 assert_never(unreachable)
         symbols = sorted({s for p in parts for s in p.free_symbols}, key=str)
@@ -149,6 +151,15 @@ def _same_forces(resting: Equilibrium) -> bool | None:
 def _holds_there(resting: Equilibrium, original: Equilibrium) -> bool | None:
     """Whether the forces in the file's coordinates are balanced at every point of a choice."""
     return all_hold(balance_in(original, resting, p) for b in resting.branches if not b.special for p in b.points)
+
+
+def check_impending(equilibria: Sequence[Equilibrium]) -> list[Check]:
+    """The checks of the equilibria with friction at its limit, those of all directions of slip together."""
+    groups: dict[str, list[Check]] = {}
+    for e in equilibria:
+        for check in check_equilibrium(e, e):
+            groups.setdefault(check.name, []).append(check)
+    return [replace(group[0], passed=all_hold(c.passed for c in group)) for group in groups.values()]
 
 
 def check_linearization(linear: Linearization) -> list[Check]:

@@ -18,7 +18,7 @@ Reference: Lagrange 1788, part 1; Lanczos, The Variational Principles of Mechani
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -107,6 +107,8 @@ class Equilibrium:
     idle         for each branch the coordinates on which the position does not depend there (`chart_poles`)
     poles        such branches of a choice at which the forces do not balance in the file's coordinates, left out above
     outside      branches that lie outside of the ranges of the coordinates, left out above
+    pulls        for each branch the forces of the springs there, by name (`spring_forces`)
+    laws         further conditions on the unknown forces, each zero, that are no virtual work: friction at its limit
     """
 
     configuration: Configuration
@@ -124,11 +126,18 @@ class Equilibrium:
     idle: tuple[tuple[sp.Symbol, ...], ...] = ()
     poles: tuple[Branch, ...] = ()
     outside: tuple[Branch, ...] = ()
+    pulls: tuple[Mapping[str, sp.Expr], ...] = ()
+    laws: tuple[sp.Expr, ...] = ()
+
+    @property
+    def required(self) -> tuple[sp.Expr, ...]:
+        """Expressions that are zero: the conditions and the laws."""
+        return (*(c.expression for c in self.conditions), *self.laws)
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:
-        """Expressions that are zero: the conditions and the finite constraints."""
-        return (*(c.expression for c in self.conditions), *self.configuration.finite_constraints)
+        """Expressions that are zero: the conditions, the laws and the finite constraints."""
+        return (*self.required, *self.configuration.finite_constraints)
 
     @property
     def binding(self) -> tuple[Row, ...]:
@@ -195,7 +204,7 @@ def is_balanced(e: Equilibrium, at: Callable[[sp.Expr], sp.Expr]) -> bool | None
     Finite constraints must hold. Raises the errors of `at`.
     """
     rows = e.binding
-    verdicts: list[bool | None] = [is_zero(at(f)) for f in e.configuration.finite_constraints]
+    verdicts: list[bool | None] = [is_zero(at(f)) for f in (*e.configuration.finite_constraints, *e.laws)]
     if not rows:
         verdicts += [is_zero(at(c.expression)) for c in e.conditions]
     else:
@@ -250,11 +259,13 @@ def equilibrium(
     elimination: Elimination,
     unknown_forces: tuple[sp.Symbol, ...] = (),
     work: VirtualWork | None = None,
+    laws: Sequence[sp.Expr] = (),
 ) -> Equilibrium:
     """The equilibria of a configuration, in closed form as far as possible.
 
     unknown_forces  the symbols to be found in addition to the coordinates
     work            of the forces at rest, if that is not the work of the applied forces
+    laws            further conditions on the unknown forces, each zero
     """
     work = work or virtual_work(configuration)
     coordinates = configuration.slots.coordinates
@@ -267,7 +278,7 @@ def equilibrium(
         for k, q in zip(elimination.independent, forces_on_independent, strict=True)
         if (condition := _condition(work, coordinates[k], q)).expression != 0
     )
-    used = {s for c in conditions for s in c.expression.free_symbols}
+    used = {s for expression in (*(c.expression for c in conditions), *laws) for s in expression.free_symbols}
     forces = tuple(f for f in unknown_forces if f in used)
     blank = Equilibrium(
         configuration,
@@ -280,6 +291,7 @@ def equilibrium(
         False,
         solutions((), ()),
         (),
+        laws=tuple(laws),
     )
     return _for_forces(blank) or _for_all(blank)
 
@@ -300,9 +312,9 @@ def _condition(work: VirtualWork, coordinate: sp.Symbol, force: Element) -> Cond
 
 def _for_forces(e: Equilibrium) -> Equilibrium | None:
     """The equilibrium with the unknown forces as functions of any position; None if they cannot be found so."""
-    if not e.forces or len(e.forces) < len(e.conditions):
+    if not e.forces or len(e.forces) < len(e.required):
         return None
-    solution = solutions([c.expression for c in e.conditions], e.forces)
+    solution = solutions(e.required, e.forces)
     generic = tuple(b for b in solution.branches if not b.special)
     if not generic or not solution.solved:
         return None
@@ -313,9 +325,9 @@ def _for_all(e: Equilibrium) -> Equilibrium:
     """The equilibrium with all positions, and the forces belonging to them."""
     multipliers = tuple(row.multiplier for row in e.binding)
     if multipliers:
-        equations = [*e.balance(multipliers), *e.configuration.finite_constraints]
+        equations = [*e.balance(multipliers), *e.laws, *e.configuration.finite_constraints]
     else:
-        equations = [c.expression for c in e.conditions]
+        equations = [*e.required]
     coordinates = e.configuration.slots.coordinates
     unknowns = (*coordinates, *e.forces, *multipliers)
 

@@ -59,10 +59,10 @@ def numerical_equilibria(e: Equilibrium, second: SecondVariation | None, values:
     if e.given or all(not b.left for b in e.branches):
         return None
     unknowns = (*e.configuration.slots.coordinates, *e.forces)
-    stated = [c.expression for c in e.conditions]
+    stated = [*e.required]
     if e.binding:
         unknowns = (*unknowns, *e.multipliers)
-        stated = [*e.balance(e.multipliers), *e.configuration.finite_constraints]
+        stated = [*e.balance(e.multipliers), *e.laws, *e.configuration.finite_constraints]
     equations = [values.put_in(x) for x in stated]
     used = {s for x in equations for s in x.free_symbols}
     if len(unknowns) > MOST_UNKNOWNS or len(equations) != len(unknowns) or used != {*unknowns}:

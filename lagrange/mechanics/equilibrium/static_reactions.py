@@ -74,6 +74,11 @@ class Points:
             except NotAlgebraicError:
                 yield None
 
+    def values_at(self, expressions: Sequence[sp.Expr]) -> Iterator[list[sp.Expr]]:
+        """Several expressions at each of the points. Raises NotAlgebraicError, DivisionByZeroError."""
+        for point in self.values:
+            yield [self.at(point, e) for e in expressions]
+
     def is_zero(self, expression: sp.Expr) -> bool | None:
         """Whether an expression is zero at all points, or at none; None: neither, or undecided."""
         try:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
@@ -78,34 +79,6 @@ def _fits(number: sp.Expr, radicand: sp.Expr) -> bool:
     """Whether a fraction goes under a root without leaving a larger number there."""
     inner = radicand.as_coeff_Mul()[0]
     return bool(number.q > 1 and inner != 1 and (number**2 * inner).q < number.q**2)
-
-
-def without_leading_minus(e: sp.Expr) -> sp.Expr:
-    """A product with a minus sign before it and a sum in it, without the sign: (R − h)/R for −(h − R)/R."""
-    if e.is_Add:
-        return sp.Add(*(without_leading_minus(a) for a in e.args))
-    if not e.is_Mul:
-        return e
-    factors = [_turned(f) for f in e.args]
-    if not e.could_extract_minus_sign():
-        return sp.Mul(*factors)
-    for n, f in enumerate(factors):
-        base, exponent = f.as_base_exp()
-        if base.is_Add and exponent.is_Integer and exponent % 2 and _negative(base) >= _negative(-base):
-            rest = [*factors[:n], *factors[n + 1 :]]
-            return sp.Mul(sp.S.NegativeOne, *rest) * sp.Pow(sp.Add(*(-a for a in base.args)), exponent)
-    return sp.Mul(*factors)
-
-
-def _negative(e: sp.Expr) -> int:
-    return sum(a.could_extract_minus_sign() for a in sp.Add.make_args(sp.expand_mul(e)))
-
-
-def _turned(f: sp.Expr) -> sp.Expr:
-    base, exponent = f.as_base_exp()
-    if base.is_Mul and exponent.is_Rational:
-        return sp.Pow(without_leading_minus(base), exponent)
-    return f
 
 
 def joined(conditions: Iterable[SignCondition]) -> tuple[SignCondition, ...]:

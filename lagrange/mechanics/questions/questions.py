@@ -19,6 +19,7 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import more_than_zero, sign_of
 from lagrange.algebra.closed_forms.solution_sets import shortest_form
@@ -35,7 +36,6 @@ from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import (
     joined,
     under_one_root,
-    without_leading_minus,
     without_roots_below,
     without_roots_in_logarithms,
 )

@@ -220,3 +220,20 @@ def test_what_is_so_on_one_side_only_is_not_agreed(expression: sp.Expr) -> None:
     """A half or a quarter of all points have it otherwise, and a few points may miss them all."""
     for _ in range(300):
         assert agreed(Surface(), lambda p: p.is_zero(expression), [expression]) is not True
+
+
+def test_components_of_a_surface() -> None:
+    """On x² = y² a divisor that is zero on x = y exists on x = −y, and what holds on one line only does not hold."""
+    for seed in range(40):
+        surface = Surface([x**2 - y**2], [x, y], fields=Fields(seed))
+        assert surface.is_zero((x + y) * u / (x - y)) is True, "the points with x = y are left out"
+        assert agreed(surface, lambda p: p.is_zero(x - y), [x - y], lambda zero: not zero) is False
+        assert agreed(surface, lambda p: p.is_zero(x**2 - y**2), [x**2 - y**2]) is True
+
+
+def test_a_linkage_that_folds() -> None:
+    """In a parallelogram on a side of 3, α = γ is one component; the other one, crossed, has sin(α − γ) ≠ 0."""
+    bars = [cos(theta) + 3 * cos(phi) - cos(psi) - 3, sin(theta) + 3 * sin(phi) - sin(psi)]
+    for seed in range(20):
+        surface = Surface(bars, [theta, phi, psi], fields=Fields(seed))
+        assert surface.is_zero(sin(theta - phi) / sin(theta - psi)) is False

@@ -317,7 +317,7 @@ def test_merge_joins_the_terms_of_equal_parameters() -> None:
 ANGLES = [theta, phi, theta - phi, 2 * theta, omega * t, psi / 2]
 atoms = [f(w) for f in (sin, cos) for w in ANGLES] + [x, y, m, l, dot(theta), X, sp.Integer(-2), sp.Rational(1, 3)]
 rational = [1 / (l**2 + y**2), sqrt(l**2 + y**2), 1 / (m + M * sin(theta) ** 2), tan(phi), 1 / x, 1 / sin(2 * theta)]
-quick = settings(deadline=None, max_examples=examples(80))
+quick = settings(deadline=None, max_examples=examples(40))
 
 
 def sums(factors: list[sp.Expr]) -> st.SearchStrategy[sp.Expr]:

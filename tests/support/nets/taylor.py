@@ -37,6 +37,13 @@ class Space:
         ]
         self.left, self.right, self.into = (np.array(column) for column in zip(*pairs, strict=True))
         self.units = [self.place[unit(k, size)] for k in range(size)] if order else []
+        self.slopes = [self._slope(k) for k in range(size)]
+
+    def _slope(self, k: int) -> tuple[Array, Array, Array]:
+        """∂/∂u_k of a series: which coefficients are multiplied by what, and where the products stand."""
+        terms = [(n, e) for n, e in enumerate(self.exponents) if e[k]]
+        lower = [self.place[tuple(x - (j == k) for j, x in enumerate(e))] for _, e in terms]
+        return np.array([n for n, _ in terms], int), np.array([e[k] for _, e in terms]), np.array(lower, int)
 
 
 def unit(k: int, size: int) -> Exponents:
@@ -78,11 +85,9 @@ class Taylor:
 
     def derivative(self, k: int) -> Taylor:
         """∂/∂u_k; the terms of the highest order are lost, and stand as zero."""
+        terms, factors, places = self.at.slopes[k]
         result = np.zeros_like(self.coefficients)
-        for n, e in enumerate(self.at.exponents):
-            if e[k]:
-                lower = tuple(x - (j == k) for j, x in enumerate(e))
-                result[self.at.place[lower]] = e[k] * self.coefficients[n]
+        result[places] = factors * self.coefficients[terms]
         return Taylor(self.at, result)
 
     def of(self, derivatives: Sequence[float]) -> Taylor:

@@ -1,16 +1,17 @@
 """Conditions of rest as they are written: tan α ≤ μ_s, and not m g sin α − μ_s m g cos α ≤ 0.
 
-Factors of known sign are divided out. A condition that is linear in one coefficient of friction is solved for it;
-otherwise terms with a minus sign are taken to the left. If all terms have the same degree in sin θ and cos θ, they are
-divided by cos θ and written in tan θ.
+Factors of known sign are divided out. A condition that is linear in an unknown force, or in one coefficient of
+friction, or in a load, is solved for it; otherwise terms with a minus sign are taken to the left. If all terms have the
+same degree in sin θ and cos θ, they are divided by cos θ and written in tan θ.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.core.records import record
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 
@@ -33,7 +34,7 @@ def bounded_by(
     size = friction[0] if len(friction) == 1 else sp.sqrt(shortest(sp.Add(*(f**2 for f in friction))))
     sense = signs.of(size)
     if sense == 0:
-        return not_negative(pressed, (), signs) if signed else []
+        return not_negative(pressed, Wanted(), signs) if signed else []
     size = size * sense if sense is not None else sp.Abs(size)
     if sign in (1, -1):
         return [RestCondition(_ratio(size, pressed * sign, signs), coefficient)]
@@ -60,24 +61,74 @@ def _ratio(size: sp.Expr, pressed: sp.Expr, signs: Signs) -> sp.Expr:
     return sp.Abs(number) * sp.Mul(*outside) * sp.Abs(_in_tangents(sp.Mul(*inside)))
 
 
-def not_negative(slack: sp.Expr, coefficients: Iterable[sp.Expr], signs: Signs) -> list[RestCondition]:
+@record
+class Wanted:
+    """What conditions are solved for: unknown forces first, then coefficients of friction, then loads."""
+
+    forces: tuple[sp.Expr, ...] = ()
+    coefficients: tuple[sp.Expr, ...] = ()
+    loads: tuple[sp.Expr, ...] = ()
+
+
+def not_negative(slack: sp.Expr, wanted: Wanted, signs: Signs) -> list[RestCondition]:
     """slack ≥ 0, as it is written; nothing if it always holds."""
     reduced = _without_signed_factors(shortest(slack), signs)
     if reduced is None or signs.of(reduced) in (0, 1):
         return []
-    symbols = [c for c in coefficients if c.is_Symbol and c in reduced.free_symbols]
-    if len(symbols) == 1:
-        [mu] = symbols
-        expanded = sp.expand(reduced)
-        rate = expanded.coeff(mu, 1)
-        rest = expanded - rate * mu
-        if mu not in rest.free_symbols and signs.of(rate) in (1, -1):
-            bound = _in_tangents(shortest(-rest / rate))
-            return [RestCondition(bound, mu) if signs.of(rate) == 1 else RestCondition(mu, bound)]
+    collected = None
+    for group in (wanted.forces, wanted.coefficients, wanted.loads):
+        symbols = [c for c in dict.fromkeys(group) if c.is_Symbol and c in reduced.free_symbols]
+        solved = _solved_for(symbols[0], reduced, signs) if len(symbols) == 1 else None
+        if solved is not None:
+            return [solved]
+        if len(symbols) == 1 and group is wanted.forces:
+            collected = _collected(symbols[0], _homogeneous(sp.expand(reduced), signs))
+    if collected is not None:
+        return [collected]
     terms = sp.Add.make_args(_homogeneous(sp.expand(reduced), signs))
     minus = [t for t in terms if t.could_extract_minus_sign()]
     left, right = sp.Add(*(-t for t in minus)), sp.Add(*(t for t in terms if t not in minus))
     return [RestCondition(sp.factor(left), sp.factor(right))]
+
+
+def _solved_for(symbol: sp.Expr, reduced: sp.Expr, signs: Signs) -> RestCondition | None:
+    """A condition that is linear in a symbol, with a rate of known sign, solved for it; None if it is not."""
+    rate, rest = _linear(symbol, reduced)
+    sense = signs.of(rate)
+    if symbol in rest.free_symbols or sense not in (1, -1):
+        return None
+    bound = without_leading_minus(_in_tangents(shortest(-rest / rate)))
+    return RestCondition(bound, symbol) if sense == 1 else RestCondition(symbol, bound)
+
+
+def _linear(symbol: sp.Expr, e: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """The coefficient of a symbol and the rest, which still has it where the expression is not linear."""
+    expanded = sp.expand(e)
+    rate = expanded.coeff(symbol, 1)
+    return rate, sp.expand(expanded - rate * symbol)
+
+
+def _collected(symbol: sp.Expr, e: sp.Expr) -> RestCondition | None:
+    """e ≥ 0 as A P ≤ B or B ≤ A P, the sign of A being unknown; None if it is not linear."""
+    rate, rest = _linear(symbol, e)
+    if symbol in rest.free_symbols:
+        return None
+    if rest.could_extract_minus_sign():
+        return RestCondition(sp.factor(-rest), sp.factor(rate) * symbol)
+    return RestCondition(sp.factor(-rate) * symbol, sp.factor(rest))
+
+
+def without_weaker(conditions: Sequence[RestCondition], signs: Signs) -> tuple[RestCondition, ...]:
+    """The conditions without bounds on a symbol that another bound on it implies."""
+    kept = list(dict.fromkeys(conditions))
+    for weak in tuple(kept):
+        for c in kept:
+            below = c.right == weak.right and c.right.is_Symbol and signs.of(shortest(c.left - weak.left)) == 1
+            above = c.left == weak.left and c.left.is_Symbol and signs.of(shortest(weak.right - c.right)) == 1
+            if c is not weak and (below or above):
+                kept.remove(weak)
+                break
+    return tuple(kept)
 
 
 def _without_signed_factors(slack: sp.Expr, signs: Signs) -> sp.Expr | None:

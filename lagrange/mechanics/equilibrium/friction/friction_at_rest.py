@@ -9,7 +9,10 @@ r_i being the point that touches, relative to what it touches. Rest is possible 
 μ_i |N_i| and N_j ≥ 0 for one-sided constraints have a solution. The equations are solved first. If they determine
 everything, the bounds are the conditions; otherwise the system is statically indeterminate, all distributions of the
 forces that satisfy the bounds are admitted, and the unknowns that remain are eliminated (`linear_inequalities`). An
-equation without unknowns is a condition as well.
+equation without unknowns is a condition as well. Belts add their tensions to the bounds (`belts`).
+
+The unknown forces of the file are solved for last. Those that the equations leave open stay in the conditions, which
+say how large they must be.
 
 In space F has two components; there it must be determined. Where |N| occurs and the sign of N is not known, both are
 tried.
@@ -42,7 +45,14 @@ from lagrange.mechanics.dynamics.friction import (
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
-from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, bounded_by, not_negative
+from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
+    RestCondition,
+    Wanted,
+    bounded_by,
+    not_negative,
+    without_weaker,
+)
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     Inequality,
     NotEliminatedError,
@@ -51,6 +61,7 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     solvable,
 )
 from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
+from lagrange.mechanics.equilibrium.loads import loads
 from lagrange.problem.model import Friction, Problem
 
 
@@ -91,7 +102,7 @@ class AtRest:
     """Where a system with rough contacts can be at rest, in one set of coordinates.
 
     balance      the equations, each zero, by coordinate of the file
-    forces       every unknown, in terms of those that the equations leave open
+    forces       every unknown, in terms of those that the equations leave open, and of unknown forces of the file
     open         these
     equations    conditions that are equations, each zero
     cases        the conditions: all those of one of the cases hold; none: rest is impossible
@@ -102,6 +113,7 @@ class AtRest:
 
     configuration: Configuration
     contacts: tuple[RoughContact, ...]
+    belts: tuple[BeltLaw, ...]
     balance: Mapping[sp.Symbol, sp.Expr]
     forces: Mapping[sp.Symbol, sp.Expr]
     open: tuple[sp.Symbol, ...]
@@ -214,15 +226,17 @@ def at_rest(
     Raises NotCoveredError if that cannot be decided, ProblemError if a contact is not as the file says.
     """
     contacts = rough_contacts(problem, newton, original, configuration)
-    system = _System(newton, contacts, original, configuration, work)
+    belts = belt_laws(problem, newton, configuration)
+    system = _System(newton, contacts, original, configuration, work, problem.unknowns, _sought(problem, belts))
+    wanted = Wanted(_sought(problem, belts), tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
     angles = {p.symbol for p in problem.parameters}
     positions = angles | {*configuration.slots.coordinates}
     for most, acute in product((0, MOST_CASES), (angles, positions)):
-        for order in islice(permutations(system.unknowns[system.fixed :]), MOST_ORDERS):
+        for order in islice(permutations(system.pressing), MOST_ORDERS):
             signs = Signs(acute)
             try:
                 solved = system.solved(signs, order)
-                cases = _cases(solved, contacts, newton, signs, most)
+                cases = _cases(solved, contacts, belts, newton, wanted, signs, most)
             except NotEliminatedError:
                 if not solved.open:
                     break
@@ -230,6 +244,7 @@ def at_rest(
             return AtRest(
                 configuration,
                 contacts,
+                belts,
                 {q: e for q, e in zip(original.slots.coordinates, system.balance, strict=True) if e != 0},
                 solved.forces,
                 solved.open,
@@ -239,7 +254,20 @@ def at_rest(
                 solved.presupposed,
                 _verified(solved, contacts, newton, original, configuration),
             )
-    raise NotCoveredError("friction at rest in contacts whose forces have no known signs", contacts[0].friction.span)
+    span = contacts[0].friction.span if contacts else belts[0].belt.span
+    raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
+
+
+def _sought(problem: Problem, belts: Sequence[BeltLaw]) -> tuple[sp.Symbol, ...]:
+    """The unknown forces that the conditions may be about, tensions of belts first, so that others remain open.
+
+    A tension is eliminated like a reaction if that at the other side of its belt is given.
+    """
+    unknown = {*problem.unknowns}
+    sides = [({*b.tight.free_symbols} & unknown, {*b.slack.free_symbols} & unknown) for b in belts]
+    inner = {s for tight, slack in sides if not (tight and slack) for s in tight | slack}
+    tensions = [s for side in (0, 1) for pair in sides for s in sorted(pair[side], key=str)]
+    return tuple(dict.fromkeys(s for s in (*tensions, *problem.unknowns) if s not in inner))
 
 
 @record
@@ -263,6 +291,8 @@ class _System:
         original: Configuration,
         configuration: Configuration,
         work: VirtualWork,
+        unknown: Sequence[sp.Symbol],
+        sought: Sequence[sp.Symbol],
     ) -> None:
         write = configuration.rewritten
         columns: dict[sp.Symbol, list[sp.Expr]] = {}
@@ -273,15 +303,19 @@ class _System:
                 normal = c.reaction.on(c.friction.on)
                 assert normal is not None
                 extra.append(dict(zip(c.components, map(write, normal.fixed().components), strict=True)))
-        two_sided = [r for r in newton.reactions if r.constraint.side is None]
-        for r in (*two_sided, *(r for r in newton.reactions if r.constraint.side is not None)):
+        for r in newton.reactions:
             form = without_root(r.row, original.slots).coefficients
             columns[r.force] = [shortest(write(a * r.per_force)) for a in form]
+        linear = [f for f in unknown if all(q.diff(f, 2) == 0 for q in work.forces)]
+        forces = {f: [shortest(write(q.diff(f))) for q in work.forces] for f in linear}
+        forces = {f: column for f, column in forces.items() if any(a != 0 for a in column)}
+        columns |= forces
         self.unknowns = tuple(columns)
-        self.fixed = len(columns) - sum(r.constraint.side is not None for r in newton.reactions)
+        self.sought = tuple(f for f in sought if f in forces)
+        self.pressing = tuple(r.force for r in newton.reactions if r.constraint.side is not None)
         self.surface: Surface = configuration.surface
         count = len(original.slots.coordinates)
-        right = [shortest(write(-q)) for q in work.forces]
+        right = [shortest(write(-q.xreplace(dict.fromkeys(forces, sp.S.Zero)))) for q in work.forces]
         self.rows = [[*(columns[u][k] for u in self.unknowns), right[k]] for k in range(count)]
         self.balance = [
             sp.Add(*(a * u for a, u in zip(row, self.unknowns, strict=False)), -row[-1]) for row in self.rows
@@ -290,7 +324,8 @@ class _System:
 
     def solved(self, signs: Signs, last: Sequence[sp.Symbol]) -> _Solved:
         """The unknowns by elimination, `last` after the others, so that these remain open."""
-        places = [*range(self.fixed), *(self.unknowns.index(u) for u in last)]
+        first = [u for u in self.unknowns if u not in self.pressing and u not in self.sought]
+        places = [self.unknowns.index(u) for u in (*first, *last, *self.sought)]
         work = [list(row) for row in self.rows]
         pivots: dict[int, int] = {}
         presupposed: list[sp.Expr] = []
@@ -312,12 +347,16 @@ class _System:
                     factor = row[column]
                     work[n] = [shortest(a - factor * b) for a, b in zip(row, work[chosen], strict=True)]
             pivots[column] = chosen
-        open_ = [k for k in range(len(self.unknowns)) if k not in pivots]
+        given = [k for k, u in enumerate(self.unknowns) if k not in pivots and u in self.sought]
+        open_ = [k for k in range(len(self.unknowns)) if k not in pivots and k not in given]
         linear, forces = {}, {}
         for k, unknown in enumerate(self.unknowns):
+            if k in given:
+                continue
             if k in pivots:
                 row = work[pivots[k]]
-                linear[unknown] = Inequality(tuple(-row[o] for o in open_), row[-1])
+                constant = sp.Add(row[-1], *(-row[g] * self.unknowns[g] for g in given))
+                linear[unknown] = Inequality(tuple(-row[o] for o in open_), shortest(constant))
             else:
                 linear[unknown] = Inequality(tuple(sp.Integer(o == k) for o in open_), sp.S.Zero)
             terms = zip(linear[unknown].coefficients, open_, strict=True)
@@ -337,14 +376,19 @@ def _factors_that_may_vanish(pivot: sp.Expr, signs: Signs) -> list[sp.Expr]:
 
 
 def _cases(
-    solved: _Solved, contacts: Sequence[RoughContact], newton: Newton, signs: Signs, most: int
+    solved: _Solved,
+    contacts: Sequence[RoughContact],
+    belts: Sequence[BeltLaw],
+    newton: Newton,
+    wanted: Wanted,
+    signs: Signs,
+    most: int,
 ) -> tuple[tuple[RestCondition, ...], ...]:
     """The conditions, case by case."""
-    coefficients = tuple(dict.fromkeys(c.coefficient for c in contacts))
     if any(signs.of(e) in (1, -1) for e in solved.equations):
         return ()
     if not solved.open:
-        conditions = _determined(solved, contacts, newton, signs)
+        conditions = _determined(solved, contacts, belts, newton, wanted, signs)
         return () if conditions is None else (conditions,)
     if any(len(c.components) > 1 for c in contacts):
         raise NotEliminatedError
@@ -353,10 +397,10 @@ def _cases(
     for chosen in product((1, -1), repeat=len(open_signs)):
         settled = dict(zip((c.name for c in open_signs), chosen, strict=True))
         signed = [replace(c, sign=settled.get(c.name, c.sign)) for c in contacts]
-        inequalities = [*_one_sided(solved, newton), *_in_cones(solved, signed)]
+        inequalities = [*_one_sided(solved, newton), *_in_cones(solved, signed), *_on_drums(solved, belts)]
         for case in solvable(inequalities, signs, most):
-            conditions = tuple(c for slack in case.slacks for c in not_negative(slack, coefficients, signs))
-            cases.append(_without_repetitions(conditions))
+            conditions = tuple(c for slack in case.slacks for c in not_negative(slack, wanted, signs))
+            cases.append(without_weaker(conditions, signs))
     return tuple(dict.fromkeys(cases))
 
 
@@ -392,12 +436,33 @@ def _in_cones(solved: _Solved, contacts: Sequence[RoughContact]) -> list[Inequal
     return found
 
 
+def _on_drums(solved: _Solved, belts: Sequence[BeltLaw]) -> list[Inequality]:
+    """T_2 e^(μ β) − T_1 ≥ 0 and T_1 ≥ 0 for each belt."""
+    return [_in_open(solved, e) for b in belts for e in (b.reserve, b.tight)]
+
+
+def _in_open(solved: _Solved, e: sp.Expr) -> Inequality:
+    """e ≥ 0, e being linear in the unknowns, in terms of those that are open. Raises NotEliminatedError."""
+    known = [u for u in solved.linear if u in e.free_symbols]
+    rates = {u: sp.expand(e).diff(u) for u in known}
+    if any(not r.free_symbols.isdisjoint(known) for r in rates.values()):
+        raise NotEliminatedError
+    rest = Inequality((sp.S.Zero,) * len(solved.open), e.xreplace(dict.fromkeys(known, sp.S.Zero)))
+    for u, rate in rates.items():
+        rest = _sum(rest, _scaled(rate, solved.linear[u]))
+    return rest
+
+
 def _determined(
-    solved: _Solved, contacts: Sequence[RoughContact], newton: Newton, signs: Signs
+    solved: _Solved,
+    contacts: Sequence[RoughContact],
+    belts: Sequence[BeltLaw],
+    newton: Newton,
+    wanted: Wanted,
+    signs: Signs,
 ) -> tuple[RestCondition, ...] | None:
     """The bounds themselves; None if one of them never holds."""
     conditions: list[RestCondition] = []
-    coefficients = tuple(dict.fromkeys(c.coefficient for c in contacts))
     rough = {c.reaction.name for c in contacts}
     for r in newton.reactions:
         if r.constraint.side is None or r.name in rough:
@@ -407,20 +472,28 @@ def _determined(
         if sign == -1:
             return None
         if sign is None:
-            conditions += not_negative(slack, coefficients, signs)
+            conditions += not_negative(slack, wanted, signs)
             signs = signs.assuming(slack)
     for c in contacts:
         pressed = shortest(c.normal * solved.forces[c.reaction.force] * (1 if c.sign is None else c.sign))
         friction = tuple(shortest(solved.forces[f]) for f in c.components)
+        if (
+            len(friction) == 1
+            and c.sign is not None
+            and not (friction[0] + pressed).free_symbols.isdisjoint(wanted.forces)
+        ):
+            for side in (1, -1):
+                conditions += not_negative(c.coefficient * pressed + side * friction[0], wanted, signs)
+            continue
         found = bounded_by(friction, pressed, c.coefficient, c.sign is not None, signs)
         if found is None:
             return None
         conditions += found
-    return _without_repetitions(conditions)
-
-
-def _without_repetitions(conditions: Sequence[RestCondition]) -> tuple[RestCondition, ...]:
-    return tuple(dict.fromkeys(conditions))
+    for reserve in _on_drums(solved, belts):
+        if signs.of(reserve.constant) == -1:
+            return None
+        conditions += not_negative(reserve.constant, wanted, signs)
+    return without_weaker(conditions, signs)
 
 
 def _verified(

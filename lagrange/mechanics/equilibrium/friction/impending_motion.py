@@ -7,7 +7,8 @@ dependent coordinates. Put into F, they make friction a force that depends on th
 equilibrium of applied forces, found by the principle of virtual work. At an equilibrium all equations of balance hold,
 so that the reactions found there are those of the system.
 
-Where the file gives no direction, both are tried. Several contacts are all taken to slip at once.
+Where the file gives no direction, both are tried. Several contacts are all taken to slip at once. Belts slip with them:
+their tensions satisfy T_1 = T_2 e^(μ β), one more condition on the forces.
 """
 
 from __future__ import annotations
@@ -32,7 +33,8 @@ from lagrange.mechanics.dynamics.free_bodies import without_root
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
-from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, not_negative
+from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
+from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, Wanted, not_negative
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact, rough_contacts
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
@@ -42,12 +44,14 @@ from lagrange.problem.model import Friction, Problem
 class ImpendingMotion:
     """Equilibrium with friction at its limit, for one direction of slip in each contact.
 
+    belts        each slips towards its tight side
     senses       by friction: +1 if it acts along its tangent, −1 if against it
     pressed      by constraint: the force in which its reaction is written
     equilibrium  with the friction as applied forces
     """
 
     contacts: tuple[RoughContact, ...]
+    belts: tuple[BeltLaw, ...]
     senses: Mapping[str, int]
     pressed: Mapping[str, sp.Expr]
     equilibrium: Equilibrium
@@ -81,6 +85,7 @@ def impending_motions(
             "impending motion with redundant constraints, which share their reactions in no known way"
         )
     contacts = rough_contacts(problem, newton, statics.original, configuration)
+    belts = belt_laws(problem, newton, configuration)
     spatial = [c for c in contacts if len(c.components) > 1]
     if spatial:
         raise NotCoveredError("impending motion in space, in a direction that is not given,", spatial[0].friction.span)
@@ -91,7 +96,7 @@ def impending_motions(
     for chosen in product((1, -1), repeat=len(open_)):
         senses = given | dict(zip(open_, chosen, strict=True))
         for signed in _signed(contacts):
-            motion = _at_limit(problem, newton, statics, configuration, elimination, signed, senses, signs)
+            motion = _at_limit(problem, newton, statics, configuration, elimination, signed, belts, senses, signs)
             if motion is not None:
                 found.append(motion)
     return tuple(found)
@@ -129,6 +134,7 @@ def _at_limit(
     configuration: Configuration,
     elimination: Elimination,
     contacts: Sequence[RoughContact],
+    belts: Sequence[BeltLaw],
     senses: Mapping[str, int],
     signs: Signs,
 ) -> ImpendingMotion | None:
@@ -147,9 +153,10 @@ def _at_limit(
             row.append(shortest(entry))
         rows.append(row)
         right.append(shortest(write(-statics.work.forces[k])))
-    solved = solved_linear(rows, right, configuration.surface, shortest)
+    solved = solved_linear(rows, right, configuration.surface, shortest) if rows else []
     if solved is None or None in solved:
-        raise NotCoveredError("impending motion whose normal forces are not determined,", contacts[0].friction.span)
+        span = contacts[0].friction.span if contacts else belts[0].belt.span
+        raise NotCoveredError("impending motion whose normal forces are not determined,", span)
     pressed = {u: shortest(v) for u, v in zip(unknowns, solved, strict=True) if v is not None}
     loads = []
     for contact, share in shares.values():
@@ -160,7 +167,8 @@ def _at_limit(
                 Load(contact.name, contact.opposite, -vector, point_on(configuration, contact.opposite, contact.place))
             )
     loaded = replace(configuration, loads=(*configuration.loads, *loads))
-    resting = _possible(equilibrium(loaded, elimination, problem.unknowns), contacts, signs)
+    laws = [shortest(b.reserve.xreplace(pressed)) for b in belts]
+    resting = _possible(equilibrium(loaded, elimination, problem.unknowns, laws=laws), contacts, signs)
     if not resting.branches or _is_pulled_off(newton, pressed, signs):
         return None
     for c in contacts:
@@ -171,7 +179,7 @@ def _at_limit(
             what = f"impending motion without the sign of the reaction of `{c.reaction.name}` (give `contact`),"
             raise NotCoveredError(what, c.friction.span)
     by_name = {r.name: pressed[r.force] for r in newton.reactions}
-    return ImpendingMotion(tuple(contacts), dict(senses), by_name, resting)
+    return ImpendingMotion(tuple(contacts), tuple(belts), dict(senses), by_name, resting)
 
 
 def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Signs) -> Equilibrium:
@@ -181,13 +189,13 @@ def _possible(resting: Equilibrium, contacts: Sequence[RoughContact], signs: Sig
         for n, b in enumerate(resting.branches)
         if not (b.special and any(signs.of(r.residual) in (1, -1) for r in b.relations))
     ]
-    known = {c.coefficient for c in contacts}
+    known = Wanted(coefficients=tuple(c.coefficient for c in contacts))
     branches = tuple(_limits_solved(resting.branches[n], resting, known, signs) for n in kept)
     idle = tuple(resting.idle[n] for n in kept if n < len(resting.idle))
     return replace(resting, branches=branches, idle=idle)
 
 
-def _limits_solved(b: Branch, resting: Equilibrium, coefficients: set[sp.Expr], signs: Signs) -> Branch:
+def _limits_solved(b: Branch, resting: Equilibrium, wanted: Wanted, signs: Signs) -> Branch:
     """The branch with its relations between parameters solved for a coefficient of friction: tan α = μ."""
     if not b.special:
         return b
@@ -195,7 +203,7 @@ def _limits_solved(b: Branch, resting: Equilibrium, coefficients: set[sp.Expr], 
     for r in b.relations:
         written: tuple[RestCondition, ...] = ()
         if r.residual.free_symbols.isdisjoint(resting.solution.unknowns):
-            written = tuple(not_negative(r.residual, coefficients, signs))
+            written = tuple(not_negative(r.residual, wanted, signs))
         relations += [replace(r, lhs=c.left, rhs=c.right) for c in written] or [r]
     return replace(b, relations=tuple(relations))
 

@@ -1,0 +1,68 @@
+"""The outer limits of one command: `--timeout` and `--memory`.
+
+What solving may cost is counted in operations (`lagrange.core.effort`), so that every machine prints the same. Beside
+it stand these, for whoever runs files of strangers: an alarm after so many seconds, which gives up the running stage,
+and a limit of the address space, where the system has them. What is known by then is still explained, in
+a quarter of the time.
+"""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType
+
+from lagrange.core.effort import GivenUpError, allowed_for
+from lagsolve.limits import SHARE_FOR_EXPLAINING
+
+try:
+    import resource
+except ImportError:  # Windows
+    resource = None  # type: ignore[assignment]
+
+
+@contextmanager
+def bounded(seconds: float | None, megabytes: int | None) -> Iterator[None]:
+    """Limits for what is done within the block; None: no limit. Alarms are for the main thread only.
+
+    Raises GaveUpError where not even what is known can be shown.
+    """
+    with _memory(megabytes), allowed_for("reading or printing", float("inf")), _time(seconds):
+        yield
+
+
+@contextmanager
+def _time(seconds: float | None) -> Iterator[None]:
+    if seconds is None or not hasattr(signal, "SIGALRM") or threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def stop(_: int, __: FrameType | None) -> None:
+        signal.setitimer(signal.ITIMER_REAL, max(1, seconds * SHARE_FOR_EXPLAINING))
+        raise GivenUpError(f"after {seconds:g} s")
+
+    before = signal.signal(signal.SIGALRM, stop)
+    remaining = signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_REAL, *remaining)  # an alarm of whoever calls
+
+
+@contextmanager
+def _memory(megabytes: int | None) -> Iterator[None]:
+    if megabytes is None or resource is None:
+        yield
+        return
+    before = resource.getrlimit(resource.RLIMIT_AS)
+    limit = megabytes << 20
+    hard = before[1]
+    resource.setrlimit(resource.RLIMIT_AS, (limit if hard == resource.RLIM_INFINITY else min(limit, hard), hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_AS, before)

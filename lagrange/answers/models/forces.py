@@ -1,0 +1,277 @@
+"""Mistakes in the applied forces: gravity, springs, dampers, friction, given forces and potentials."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import permutations
+
+import sympy as sp
+
+from lagrange.algebra.fourier.textbook_form import textbook_form
+from lagrange.answers.models.mechanics import Force, Kind, Mechanics, weight_shares
+from lagrange.answers.models.variation import Variation, called, written
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
+from lagrange.mechanics.dynamics.friction import FrictionForce
+from lagrange.mechanics.dynamics.lagrangian import share_of_damper, share_of_load, share_of_spring
+
+_NAMES = {
+    Kind.WEIGHT: "the weight of",
+    Kind.FORCE: "the force",
+    Kind.MOMENT: "the moment",
+    Kind.POTENTIAL: "the force of the potential",
+    Kind.SPRING: "the spring",
+    Kind.DAMPER: "the damper",
+    Kind.FRICTION: "the friction",
+}
+
+
+def name_of(force: Force) -> str:
+    """A force in a sentence: the spring `middle`."""
+    return f"{_NAMES[force.kind]} {called(force.on[0] if force.kind is Kind.WEIGHT else force.name)}"
+
+
+def gravity_reversed(m: Mechanics) -> Iterator[Variation]:
+    """Gravity acts the other way: the sign of V, or a height counted downwards."""
+    weights = m.of_kind(Kind.WEIGHT)
+    if weights:
+        reversed_ = m.scaled(weights, sp.S.NegativeOne)
+        yield Variation(
+            "for gravity that acts the other way: the sign of the weight's potential",
+            "the sign of the weight",
+            reversed_,
+        )
+
+
+def gravity_left_out(m: Mechanics) -> Iterator[Variation]:
+    """Gravity is left out."""
+    weights = m.of_kind(Kind.WEIGHT)
+    if weights:
+        yield Variation("without gravity", "the forces: there is a weight", m.scaled(weights, sp.S.Zero))
+
+
+def friction_reversed(m: Mechanics) -> Iterator[Variation]:
+    """Friction acts the other way: with the motion."""
+    yield from _all_and_each(
+        m, m.of_kind(Kind.FRICTION), sp.S.NegativeOne, "for {} acting the other way", "the sign of {}"
+    )
+
+
+def friction_left_out(m: Mechanics) -> Iterator[Variation]:
+    """Friction is left out."""
+    yield from _all_and_each(m, m.of_kind(Kind.FRICTION), sp.S.Zero, "without {}", "the forces: is {} there")
+
+
+def potential_reversed(m: Mechanics) -> Iterator[Variation]:
+    """L = T + V."""
+    forces = [f for f in m.forces if f.conservative]
+    if forces:
+        clause = "for L = T + V: the sign of the potential energy is wrong"
+        yield Variation(clause, "the sign of the potential energy", m.scaled(forces, sp.S.NegativeOne))
+
+
+def force_left_out(m: Mechanics) -> Iterator[Variation]:
+    """One force is left out, or all of one kind."""
+    yield from _each_kind(m, sp.S.Zero, "without {}", "the forces: is {} there")
+
+
+def force_reversed(m: Mechanics) -> Iterator[Variation]:
+    """One force has the wrong sign, or all of one kind."""
+    yield from _each_kind(m, sp.S.NegativeOne, "for {} acting the other way", "the sign of {}")
+
+
+def force_doubled(m: Mechanics) -> Iterator[Variation]:
+    """A force twice or half as large: the energy of a spring without its ½, or with one too many."""
+    yield from _each_kind(m, sp.Integer(2), "for {} twice as large", "the factor of {}")
+    yield from _each_kind(m, sp.Rational(1, 2), "for {} half as large", "the factor of {}")
+
+
+def _each_kind(m: Mechanics, factor: sp.Expr, clause: str, place: str) -> Iterator[Variation]:
+    for kind in Kind:
+        if kind not in (Kind.QUASI, Kind.FRICTION):
+            yield from _all_and_each(m, m.of_kind(kind), factor, clause, place)
+
+
+def _all_and_each(
+    m: Mechanics, forces: Sequence[Force], factor: sp.Expr, clause: str, place: str
+) -> Iterator[Variation]:
+    for f in forces:
+        name = name_of(f)
+        yield Variation(clause.format(name), place.format(name), m.scaled([f], factor))
+    if len(forces) > 1:
+        name = ", ".join(map(name_of, forces))
+        yield Variation(clause.format(name), place.format(name), m.scaled(forces, factor))
+
+
+def spring_by_length(m: Mechanics) -> Iterator[Variation]:
+    """A spring pulls with k d and not with k (d − l)."""
+    springs = [s for s in m.configuration.springs if s.length != 0]
+    for group in (*([s] for s in springs), *([springs] if len(springs) > 1 else ())):
+        names = [s.name for s in group]
+        listed = ", ".join(map(called, names))
+        clause = f"for a force of the spring {listed} proportional to its length and not to its extension"
+        shares = {s.name: _spring_shares(replace(s, length=sp.S.Zero), m) for s in group}
+        yield Variation(clause, f"the extension of the spring {listed}", _with_shares(m, Kind.SPRING, shares))
+
+
+def angle_from_elsewhere(m: Mechanics) -> Iterator[Variation]:
+    """The weight's potential as if an angle were measured from another direction."""
+    loads = [f for f in m.configuration.loads if f.name == "weight"]
+    points = {p.name: p.position.fixed() for p in m.configuration.points}
+    waves = {w.args[0] for f in loads for c in points[f.on].components for w in c.atoms(sp.sin, sp.cos)}
+    waves |= {w.args[0] for f in loads for c in f.vector.fixed().components for w in c.atoms(sp.sin, sp.cos)}
+    angles = sorted((a for a in waves if a.is_Symbol), key=str)
+    quarter = sp.pi / 2
+    for q in angles:
+        for meant, how in (
+            (quarter - q, "from the perpendicular direction (sine and cosine)"),
+            (q + quarter, "from the perpendicular direction (sine and cosine, with a sign)"),
+            (q - quarter, "from the perpendicular direction (sine and cosine, with a sign)"),
+            (sp.pi - q, "from the opposite direction"),
+            (-q, "the other way"),
+        ):
+            shares = {}
+            for f in loads:
+                rule = {q: meant}
+                vector = f.vector.fixed().xreplace(rule)
+                moved = replace(f, vector=vector)
+                shares[f.on] = weight_shares(moved, points[f.on].xreplace(rule), m.slots)
+            clause = f"for a weight whose potential has {q} measured {how}"
+            changed = m.force(lambda f, s=shares: replace(f, shares=s[f.on[0]]) if f.kind is Kind.WEIGHT else f)  # type: ignore[misc]
+            yield Variation(clause, f"how {q} enters the potential energy", changed)
+
+
+def in_the_wrong_equation(m: Mechanics) -> Iterator[Variation]:
+    """Generalized forces in one another's equations."""
+    n = len(m.slots.coordinates)
+    given = [f for f in m.forces if not f.conservative and f.kind is not Kind.QUASI]
+    if not given or n > 4:
+        return
+    for order in permutations(range(n)):
+        if sum(a != b for a, b in enumerate(order)) == 2:
+            places = [str(m.slots.coordinates[k]) for k, j in enumerate(order) if k != j]
+            for group in (given, *([f] for f in given if len(given) > 1)):
+                names = ", ".join(map(name_of, group))
+                clause = f"with {names} in the wrong equation: those of {' and '.join(places)} are exchanged"
+                place = f"the equation in which {names} belongs"
+                moved = m.force(
+                    lambda f, g=group, o=order: replace(f, shares=tuple(f.shares[k] for k in o)) if f in g else f  # type: ignore[misc]
+                )
+                yield Variation(clause, place, moved)
+
+
+def on_one_end(m: Mechanics) -> Iterator[Variation]:
+    """A spring or damper that acts on one of its ends only: action without reaction."""
+    points = {p.name: p.position.fixed() for p in m.configuration.points}
+    for link in m.configuration.links:
+        ends = [e for e in link.ends if isinstance(e, str)]
+        if len(ends) < 2:
+            continue
+        kind = Kind.SPRING if isinstance(link, StretchedSpring) else Kind.DAMPER
+        apart = link.apart.fixed()
+        for n, end in enumerate(ends):
+            sign = 1 if n == 0 else -1
+            shares = tuple(
+                sign * _pull(link, m) * apart.dot(points[end].map(lambda c, q=q: sp.diff(c, q)))  # type: ignore[misc]
+                for q in m.slots.coordinates
+            )
+            clause = f"with {_NAMES[kind]} {called(link.name)} acting on {called(end)} only, and not on its other end"
+            yield Variation(
+                clause, f"both ends of {_NAMES[kind]} {called(link.name)}", _with_shares(m, kind, {link.name: shares})
+            )
+
+
+def _pull(link: StretchedSpring | DamperForce, m: Mechanics) -> sp.Expr:
+    """The force on the first end over the vector from the second to it."""
+    apart = link.apart.fixed()
+    if isinstance(link, StretchedSpring):
+        return -link.stiffness * (1 if link.length == 0 else 1 - link.length / link.distance)
+    return -link.coefficient * apart.dot(apart.time_derivative(m.slots)) / apart.dot(apart)
+
+
+def against_the_ground(m: Mechanics) -> Iterator[Variation]:
+    """A spring or damper between two moving points, as if it were fixed to the ground at one end, or one at each."""
+    points = {p.name: p.position.fixed() for p in m.configuration.points}
+    for link in m.configuration.links:
+        ends = [e for e in link.ends if isinstance(e, str)]
+        kind = Kind.SPRING if isinstance(link, StretchedSpring) else Kind.DAMPER
+        name = f"{_NAMES[kind]} {called(link.name)}"
+        place = f"{name}: it depends on the motion of one end relative to the other"
+        alone = [_grounded(link, points[e], m) for e in ends]
+        if len(ends) < 2:
+            continue
+        for end, shares in zip(ends, alone, strict=True):
+            clause = f"for {name} acting between {called(end)} and the ground"
+            yield Variation(clause, place, _with_shares(m, kind, {link.name: shares}))
+        both = tuple(a + b for a, b in zip(*alone, strict=True))
+        yield Variation(
+            f"for {name} acting between the ground and each of its ends",
+            place,
+            _with_shares(m, kind, {link.name: both}),
+        )
+
+
+def _grounded(link: StretchedSpring | DamperForce, position: Vector, m: Mechanics) -> tuple[sp.Expr, ...]:
+    if isinstance(link, StretchedSpring):
+        return _spring_shares(replace(link, apart=position, length=sp.S.Zero), m)
+    alone = replace(link, apart=position)
+    return tuple(share_of_damper(alone, v, m.slots) for v in m.slots.velocities)
+
+
+def other_normal_force(m: Mechanics) -> Iterator[Variation]:
+    """Friction μ N with N = m g, with the component of the weight alone, or with N at rest."""
+    for f in m.frictions:
+        for normal, why in _normal_forces(f, m):
+            shares = [sp.S.Zero] * len(m.slots.coordinates)
+            for load in f.loads(normal):
+                own = [share_of_load(load, v, m.configuration) for v in m.slots.velocities]
+                shares = [a + b for a, b in zip(shares, own, strict=True)]
+            clause = f"for friction with the normal force {written(normal, m.slots)}{why}"
+            others = [g for g in m.of_kind(Kind.FRICTION) if g.name != f.friction.name]
+            ons = [g.on for g in m.of_kind(Kind.FRICTION) if g.name == f.friction.name]
+            if not ons:
+                continue
+            own_force = Force(Kind.FRICTION, f.friction.name, tuple(shares), False, ons[0])
+            rest = tuple(g for g in m.forces if g.kind is not Kind.FRICTION)
+            place = "the normal force in the friction"
+            yield Variation(clause, place, replace(m, forces=(*rest, *others, own_force)))
+    if len(m.frictions) > 1:
+        yield from _all_normal_forces(m)
+
+
+def _all_normal_forces(m: Mechanics) -> Iterator[Variation]:
+    """The same for all friction forces together."""
+    rest = tuple(g for g in m.forces if g.kind is not Kind.FRICTION)
+    for kinds in zip(*(list(_normal_forces(f, m)) for f in m.frictions), strict=False):
+        forces = []
+        for f, (normal, _) in zip(m.frictions, kinds, strict=True):
+            for load in f.loads(normal):
+                own = tuple(share_of_load(load, v, m.configuration) for v in m.slots.velocities)
+                forces.append(Force(Kind.FRICTION, load.name, own, False, (load.on,)))
+        clause = f"for friction with the normal force {written(kinds[0][0], m.slots)}{kinds[0][1]}"
+        yield Variation(clause, "the normal force in the friction", replace(m, forces=(*rest, *forces)))
+
+
+def _normal_forces(f: FrictionForce, m: Mechanics) -> Iterator[tuple[sp.Expr, str]]:
+    configuration = m.configuration
+    weight = next((w for w in configuration.loads if w.name == "weight" and w.on == f.friction.on), None)
+    if weight is None:
+        return
+    direction = f.reaction.per_unit(f.friction.on)
+    if direction is not None:
+        unit = direction.fixed().map(configuration.rewritten)
+        size = unit.dot(unit)
+        along = weight.vector.fixed().dot(unit) / sp.sqrt(textbook_form(size))
+        for sign in (-1, 1):
+            yield textbook_form(sign * along), ", the weight's component alone"
+    force = weight.vector.fixed()
+    yield sp.sqrt(sp.Add(*(c**2 for c in force.components))), ", the whole weight"
+
+
+def _spring_shares(spring: StretchedSpring, m: Mechanics) -> tuple[sp.Expr, ...]:
+    return tuple(share_of_spring(spring, q) for q in m.slots.coordinates)
+
+
+def _with_shares(m: Mechanics, kind: Kind, shares: dict[str, tuple[sp.Expr, ...]]) -> Mechanics:
+    return m.force(lambda f: replace(f, shares=shares[f.name]) if f.kind is kind and f.name in shares else f)

@@ -1,0 +1,352 @@
+"""The search for a model that explains a wrong answer.
+
+First the answer as a whole: do all its equations follow from one changed system? Then each wrong equation by itself:
+is it an equation of a changed system, up to a factor; or is there a group of terms in a derived equation E_k, of one
+physical origin, whose change makes it right? Of a group g (a weight, a spring, the velocity terms, what a product of
+velocities contributes) the factor need not be guessed. If
+
+    a  ≡  Σ_j s_j E_j + x g      modulo the constraints,
+
+g has the factor 1 + x/s_k in the answer: 0 where it is missing, −1 where it has the wrong sign.
+
+Variations are made lazily, in the order of the table, and kept with the reference, so that the next answer to the
+problem finds them there. The budget is one of work, counted in rows: every machine says the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from lagrange.algebra.exact.field_points import FieldPoint
+from lagrange.algebra.exact.linear_algebra import NumberRow, RowSpace
+from lagrange.algebra.exact.prime_field import reconstructed
+from lagrange.algebra.exact.zero_test import (
+    DivisionByZeroError,
+    InadmissibleError,
+    NoPointError,
+    Point,
+    UnsupportedError,
+)
+from lagrange.answers.limits import BRANCHING_STATES, MAX_MODEL_WORK, REAL_STATES, STATES
+from lagrange.answers.models.groups import TermGroup, term_groups
+from lagrange.answers.models.mechanics import Mechanics
+from lagrange.answers.models.states import ModelState
+from lagrange.answers.models.table import MODELS
+from lagrange.answers.models.variation import Variation
+from lagrange.answers.slips import terms_of
+from lagrange.core.records import record
+from lagrange.core.symbols import base
+from lagrange.mechanics.dynamics.comparison import System, state, symbols_of
+
+_UNUSABLE = (InadmissibleError, DivisionByZeroError, NoPointError, UnsupportedError)
+
+
+@record
+class Explanation:
+    """The change of the problem that makes a wrong answer, or one equation of it, right.
+
+    name      of the model, or of the kind of mistake in one equation
+    cause     the mistake in a few words, the same for all who made it
+    sentence  what the answer is, in words
+    place     continues "look at"
+    whole     whether it explains all equations of the answer together
+    """
+
+    name: str
+    cause: str
+    sentence: str
+    place: str
+    whole: bool
+
+
+class Models:
+    """The variations of one system, made on first use, and the states at which answers are compared with them."""
+
+    def __init__(self, system: System, values: dict[sp.Symbol, sp.Rational], mechanics: Callable[[], Mechanics | None]):
+        self.system = system
+        self.values = values
+        self._mechanics = mechanics
+        self._states: list[ModelState] = []
+
+    @cached_property
+    def mechanics(self) -> Mechanics | None:
+        """The parts of the system; None if they do not add up to its equations, so that no model applies."""
+        try:
+            mechanics = self._mechanics()
+            if mechanics is None:
+                return None
+            at = self.states(())[0]
+            rows = at.rows(mechanics)
+            right = at.space(rows)
+        except (*_UNUSABLE, ValueError):
+            return None
+        agree = all(r in right for r in at.derived) and all(r in at.right for r in rows)
+        return mechanics if agree else None
+
+    @cached_property
+    def variations(self) -> Lazily:
+        """All variations with the names of their models, in the order of the table."""
+        return Lazily(self._made())
+
+    def _made(self) -> Iterator[tuple[str, Variation]]:
+        if self.mechanics is not None:
+            for model in MODELS:
+                for variation in model.changes(self.mechanics):
+                    yield model.name, variation
+
+    @cached_property
+    def groups(self) -> tuple[TermGroup, ...]:
+        """The groups of terms of the derived equations."""
+        return tuple(term_groups(self.mechanics)) if self.mechanics is not None else ()
+
+    def states(self, equations: Sequence[sp.Expr]) -> list[ModelState]:
+        """States at which all these equations are defined; the same ones for all answers where that is possible."""
+        if self._states and all(s.row(e) is not None for s in self._states for e in equations):
+            return self._states
+        self._states = self._drawn(equations)
+        self._spaces.clear()
+        return self._states
+
+    def _drawn(self, equations: Sequence[sp.Expr]) -> list[ModelState]:
+        configuration = self.system.configuration
+        symbols = symbols_of((*equations, *self.system.equations))
+
+        def at(point: Point) -> ModelState:
+            moving = state(point, configuration, symbols)
+            numbers = {s: moving.number(int(v.p), int(v.q)) for s, v in self.values.items() if v.is_Rational}
+            if numbers:
+                moving = moving.with_values(numbers)
+            found = ModelState(moving, self.system)
+            for e in equations:
+                moving.affine([e], found.unknowns)
+            return found
+
+        surface = configuration.states
+        if not any(surface.graph.marks[surface.graph.node(e)] for e in (*equations, *self.system.equations)):
+            return surface.sampled(at, STATES)
+        return [*surface.sampled(at, BRANCHING_STATES), *surface.sampled(at, REAL_STATES, real=True)]
+
+    @cached_property
+    def _spaces(self) -> dict[int, RowSpace | None]:
+        """The row space of each variation at the first state."""
+        return {}
+
+    def space(self, number: int, variation: Variation) -> RowSpace | None:
+        """The row space of a variation at the first state; None if it has none."""
+        if number not in self._spaces:
+            self._spaces[number] = changed_space(variation, self._states[0])
+        return self._spaces[number]
+
+
+class Lazily:
+    """Items of an iterator, each made once."""
+
+    def __init__(self, items: Iterator[tuple[str, Variation]]) -> None:
+        self._items = items
+        self._made: list[tuple[str, Variation]] = []
+
+    def __iter__(self) -> Iterator[tuple[str, Variation]]:
+        number = 0
+        while True:
+            if number == len(self._made):
+                item = next(self._items, None)
+                if item is None:
+                    return
+                self._made.append(item)
+            yield self._made[number]
+            number += 1
+
+
+def changed_rows(variation: Variation, at: ModelState) -> list[NumberRow] | None:
+    """The rows of the changed equations at a state; None if they are not defined there."""
+    try:
+        if variation.mechanics is not None:
+            return at.rows(variation.mechanics)
+        if variation.values:
+            changes = {s: at.point.value(e) for s, e in variation.values.items()}
+            return ModelState(at.point.with_values(changes), at.system).derived
+        return at.derived
+    except (*_UNUSABLE, AssertionError):
+        return None
+
+
+def changed_space(variation: Variation, at: ModelState) -> RowSpace | None:
+    """The row space of the changed equations; None if they contradict one another, or are those of the problem."""
+    rows = changed_rows(variation, at)
+    if rows is None:
+        return None
+    space = at.space(rows)
+    width = len(at.unknowns)
+    impossible = [at.point.number(0)] * width + [at.point.number(1)]
+    if impossible in space:
+        return None
+    return space
+
+
+def explained(equations: Sequence[sp.Expr], wrong: Sequence[int], models: Models) -> tuple[Explanation | None, ...]:
+    """The explanation of each wrong equation of an answer; the same one for all if one explains the whole answer.
+
+    wrong  the indices of the wrong equations
+    """
+    nothing = (None,) * len(wrong)
+    try:
+        if models.mechanics is None:
+            return nothing
+        states = models.states(equations)
+        search = _Search(equations, models, states)
+        whole = search.variation(range(len(equations)), combined=True)
+        if whole is not None:
+            name, variation = whole
+            these = "these are the equations" if len(equations) > 1 else "this is the equation"
+            return (Explanation(name, variation.clause, f"{these} {variation.clause}", variation.place, True),) * len(
+                wrong
+            )
+        return tuple(search.equation(n) for n in wrong)
+    except (*_UNUSABLE, AssertionError):
+        return nothing
+
+
+class _Search:
+    """The search for an explanation of one answer."""
+
+    def __init__(self, equations: Sequence[sp.Expr], models: Models, states: Sequence[ModelState]) -> None:
+        self.equations = equations
+        self.models = models
+        self.states = states
+        self.used = {base(s) for e in equations for s in e.free_symbols}
+        self.work = MAX_MODEL_WORK
+        self.rows = [at for e in equations if (at := states[0].row(e)) is not None]
+
+    def variation(self, which: Sequence[int], *, combined: bool) -> tuple[str, Variation] | None:
+        """The first variation from which these equations follow; not `combined`: each is a multiple of one of its
+        own."""
+        if len(self.rows) < len(self.equations):
+            return None
+        work = self.work
+        for number, (name, variation) in enumerate(self.models.variations):
+            work -= self._cost
+            if work < 0:
+                return None
+            if self._fits(number, variation, which) and self._holds(variation, which, combined):
+                return name, variation
+        return None
+
+    @cached_property
+    def _cost(self) -> int:
+        return len(self.models.system.equations) * (len(self.states[0].unknowns) + 1)
+
+    def _fits(self, number: int, variation: Variation, which: Sequence[int]) -> bool:
+        """Whether the equations follow from a variation at the first state."""
+        if variation.rule:
+            if not any(s in self.used for s in variation.rule):
+                return False
+            rows = [self.states[0].row(self.equations[n].xreplace(dict(variation.rule))) for n in which]
+            return all(r is not None and r in self.states[0].right for r in rows)
+        if variation.values and not self._is_special(variation):
+            return False
+        space = self.models.space(number, variation)
+        return space is not None and all(self.rows[n] in space for n in which)
+
+    def _is_special(self, variation: Variation) -> bool:
+        """Whether the answer lacks the symbols to which values are given, and the constraints lack them as well."""
+        rows = self.models.system.configuration.rows
+        bound = {s for r in rows for e in (*r.coefficients, r.drift, r.finite or sp.S.Zero) for s in e.free_symbols}
+        own = {s for e in self.equations for s in e.free_symbols}
+        return not any(s in own or s in bound for s in variation.values) and all(
+            e.free_symbols <= own for e in variation.values.values()
+        )
+
+    def _holds(self, variation: Variation, which: Sequence[int], combined: bool) -> bool:
+        """Whether the equations follow from a variation at all states."""
+        for at in self.states:
+            rows = [at.row(self.equations[n].xreplace(dict(variation.rule))) for n in which]
+            if any(r is None for r in rows):
+                return False
+            if combined:
+                space = changed_space(variation, at)
+                if space is None or any(r not in space for r in rows if r is not None):
+                    return False
+                continue
+            own = changed_rows(variation, at)
+            if own is None or not all(any(r in at.space([e]) for e in own) for r in rows if r is not None):
+                return False
+        return True
+
+    def equation(self, n: int) -> Explanation | None:
+        """The explanation of one equation."""
+        group = self._group(n)
+        if group is not None:
+            return group
+        found = self.variation([n], combined=False)
+        if found is None:
+            return None
+        name, variation = found
+        return Explanation(name, variation.clause, f"this is an equation {variation.clause}", variation.place, False)
+
+    def _group(self, n: int) -> Explanation | None:
+        """The first group of terms whose change makes an equation right."""
+        at = self.states[0]
+        residue = at.right.residue(self.rows[n])
+        for group in self.models.groups:
+            for k, own in enumerate(group.rows(at)):
+                factor = self._factor(n, residue, own, k, at)
+                if factor is None or factor not in group.factors:
+                    continue
+                if all(self._is_right(n, group, k, factor, other) for other in self.states):
+                    slots = self.models.system.configuration.slots
+                    sentence, place = group.said(factor, slots.coordinates[k])
+                    return Explanation(group.name, sentence, sentence, place, False)
+        return None
+
+    def _factor(self, n: int, residue: NumberRow, own: NumberRow, k: int, at: ModelState) -> sp.Rational | None:
+        """The factor 1 + x/s_k that a group has in equation n, a multiple of E_k but for the group; None if it is
+        none."""
+        vanishes, reduce, inverse = (
+            at.point.arithmetic.vanishes,
+            at.point.arithmetic.reduce,
+            at.point.arithmetic.inverse,
+        )
+        left = at.right.residue(own)
+        pivot = next((i for i, x in enumerate(left) if not vanishes(x)), None)
+        if pivot is None:
+            return None
+        x = reduce(residue[pivot] * inverse(left[pivot]))
+        if not all(vanishes(reduce(a - x * b)) for a, b in zip(residue, left, strict=True)):
+            return None
+        rest = [reduce(a - x * b) for a, b in zip(self.rows[n], own, strict=True)]
+        columns = [*at.derived, *at.constraints]
+        shares = at.point.solution([list(c) for c in zip(*columns, strict=True)], rest)
+        if shares is None or vanishes(shares[k]):
+            return None
+        if any(not vanishes(s) for j, s in enumerate(shares[: len(at.derived)]) if j != k):
+            return None
+        return _rational(reduce(1 + x * inverse(shares[k])), at) if self._is_scale(shares[k], n, k, at) else None
+
+    def _is_scale(self, scale: Any, n: int, k: int, at: ModelState) -> bool:
+        """Whether a number is the ratio of a term of equation n to one of E_k."""
+        own, derived = (terms_of(e) or () for e in (self.equations[n], self.models.system.equations[k]))
+        reduce, vanishes = at.point.arithmetic.reduce, at.point.arithmetic.vanishes
+        return any(vanishes(reduce(at.point.value(a) - scale * b)) for b in map(at.point.value, derived) for a in own)
+
+    def _is_right(self, n: int, group: TermGroup, k: int, factor: sp.Rational, at: ModelState) -> bool:
+        """Whether an equation follows if a group has another factor in E_k."""
+        row, reduce = at.row(self.equations[n]), at.point.arithmetic.reduce
+        own = group.rows(at)[k]
+        c = at.point.number(int(factor.p - factor.q), int(factor.q))
+        rows = [*at.derived]
+        rows[k] = [reduce(a + c * b) for a, b in zip(rows[k], own, strict=True)]
+        return row is not None and row in at.space(rows)
+
+
+def _rational(value: Any, at: ModelState) -> sp.Rational | None:
+    """A value as a fraction of small numbers; None if it is none."""
+    if isinstance(at.point, FieldPoint):
+        fraction = reconstructed(value, at.point.p, 100)
+        return None if fraction is None else sp.Rational(fraction.numerator, fraction.denominator)
+    candidates = (0, -1, 2, sp.Rational(1, 2), -2, 3)
+    numbers = (sp.Rational(c) for c in candidates)
+    return next((c for c in numbers if at.point.arithmetic.vanishes(value - at.point.number(int(c.p), int(c.q)))), None)

@@ -1,0 +1,80 @@
+"""The models: how people get a problem wrong, each as a change of the problem.
+
+A `Model` has the name under which mistakes are counted in a class and a function that yields its `Variation`s for a
+system: every particle whose carried velocity may be missing, every spring, every pair of angles. A variation changes
+the system (`mechanics`), or states what an answer's letters would have to mean (`rule`), or the special case to which
+it is confined (`values`). Its `clause` continues "these are the equations ...", and `place` continues "look at ...".
+To teach the program another mistake, add an entry to MODELS, in the place of its likelihood: the first that explains
+an answer is named, so that small and common mistakes come before large and rare ones. Nothing else has to know of it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from lagrange.answers.models import coordinates, forces, kinetic
+from lagrange.answers.models.mechanics import Mechanics
+from lagrange.answers.models.variation import Variation
+from lagrange.core.records import record
+
+
+@record
+class Model:
+    """One kind of mistake.
+
+    name     under which it is counted: "carried velocity left out"
+    changes  what it changes in a system, the likeliest first
+    """
+
+    name: str
+    changes: Callable[[Mechanics], Iterator[Variation]]
+
+
+MEASURED_FROM_ELSEWHERE = "coordinate measured from elsewhere"
+
+MODELS = (
+    Model("gravity reversed", forces.gravity_reversed),
+    Model("friction the other way", forces.friction_reversed),
+    Model("force reversed", forces.force_reversed),
+    Model(MEASURED_FROM_ELSEWHERE, coordinates.measured_from_elsewhere),
+    Model("constraint put into T", kinetic.constraint_in_energy),
+    Model("moving frame or support taken as fixed", kinetic.frame_at_rest),
+    Model("carried velocity left out", kinetic.velocity_left_out),
+    Model("product of velocities in T left out", kinetic.product_left_out),
+    Model("rotational energy left out", kinetic.rotation_left_out),
+    Model("moment of inertia of another body", kinetic.other_inertia),
+    Model("gravity left out", forces.gravity_left_out),
+    Model("friction left out", forces.friction_left_out),
+    Model("normal force of another situation", forces.other_normal_force),
+    Model("T + V for T - V", forces.potential_reversed),
+    Model("spring with its length for its extension", forces.spring_by_length),
+    Model("force left out", forces.force_left_out),
+    Model("dT/dq left out", kinetic.gradient_left_out),
+    Model("d/dt of a product half done", kinetic.product_half_done),
+    Model("Coriolis terms", kinetic.mixed_terms),
+    Model("centrifugal terms", kinetic.squared_terms),
+    Model("dT/dq with the wrong sign", kinetic.gradient_reversed),
+    Model("angle measured from elsewhere in V", forces.angle_from_elsewhere),
+    Model("one half left out", kinetic.half_left_out),
+    Model("energy of a spring or potential without its half", forces.force_doubled),
+    Model("mass left out", kinetic.mass_left_out),
+    Model("kinetic energy of one part left out", kinetic.translation_left_out),
+    Model("sine and cosine exchanged in a position", kinetic.sine_for_cosine),
+    Model("sign of a coordinate in a position", kinetic.coordinate_reversed),
+    Model("sum for difference of angles", kinetic.sum_of_angles),
+    Model("coordinate taken as constant", kinetic.constant_coordinate),
+    Model("relative for absolute", coordinates.relative_for_absolute),
+    Model("complementary angle", coordinates.complement),
+    Model("parameters exchanged", coordinates.exchanged),
+    Model("parameter left out", coordinates.left_out),
+    Model("one parameter for another", coordinates.one_for_another),
+    Model("force in the wrong equation", forces.in_the_wrong_equation),
+    Model("force on one end only", forces.on_one_end),
+    Model("absolute for relative motion in a spring or damper", forces.against_the_ground),
+    Model("mass of another part", kinetic.mass_of_another),
+    Model("length left out of a position", kinetic.length_left_out),
+    Model("product of velocities in T with another factor", kinetic.product_scaled),
+    Model("velocity terms left out", kinetic.velocity_terms_left_out),
+    Model("factor 2", kinetic.factor_two),
+)
+"""In the order of their likelihood."""

@@ -1,0 +1,224 @@
+"""The page from the full derivation: what is put first, what is joined, what is folded.
+
+The full derivation has a step for each idea, in the order of the chapter. On the page the result comes first. Geometric
+constraints that are independent and free of time need no separate sections on form, exactness, classification and
+freedom: they share one. Displacements stand where they are used, with the work of the reactions. Of several choices of
+coordinates the first is shown; the others are folded. All other steps are those of the derivation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.document.builders import listed, math, paragraph
+from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Rule, Step
+from lagrange.explain.checks import in_one_line
+from lagrange.explain.page.constraints import explain_geometric, is_plainly_geometric
+from lagrange.explain.page.laws import explain_laws, explain_work, has_vector_laws
+from lagrange.explain.page.meaning import Stated, explain_meaning
+from lagrange.explain.page.motion import (
+    displacements_shortly,
+    in_one_step,
+    principle_shortly,
+    with_conditions,
+    with_displacements,
+    without_long_sum,
+)
+from lagrange.explain.page.result import explain_result
+from lagrange.explain.page.system import explain_system
+from lagrange.explain.reactions import explain_reactions, title_of_reactions
+from lagrange.explain.words import capital, plural, spoken
+from lagrange.mechanics.dynamics.equations import DalembertMotion
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.meaning import meaning
+from lagrange.mechanics.solution import Solution
+
+LONGEST_BESIDE = 15
+"""The most operations of equations of motion in the file's coordinates that are shown beside those of a choice."""
+LONGEST_BEFORE = 25
+"""The most operations of a reaction in the file's coordinates that is shown beside that in the chosen ones."""
+
+_ABOUT_CONSTRAINTS = (
+    Rule.CONSTRAINT,
+    Rule.PFAFFIAN_FORM,
+    Rule.INTEGRABILITY,
+    Rule.CLASSIFICATION,
+    Rule.DEGREES_OF_FREEDOM,
+)
+
+
+def page(
+    solution: Solution, steps: Iterable[Step], stated: Stated = (), *, every_choice: bool = False
+) -> Iterator[Step]:
+    """The steps of the page.
+
+    steps         of the full derivation
+    stated        the equations of motion in the form of the file's answers, if these are right
+    every_choice  whether no choice of coordinates is folded
+    """
+    first = solution.choices[0].name if solution.choices else ""
+    open_, folded = [], []
+    for step in _in_pairs(_shortened(solution, steps)):
+        if every_choice or (step.choice in ("", first) and not _is_detour(solution, step)):
+            open_.append(step)
+        elif not step.choice:
+            folded.append(replace(step, folded=(step.title,)))
+        else:
+            folded.append(replace(step, folded=_summary(solution, step.choice)))
+    yield from explain_result(solution, open_, stated)
+    yield from _with_meaning(solution, open_, stated)
+    yield from folded
+
+
+def without_names_of_choices(steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps with plain titles, where those of one choice of coordinates are shown: they need no name."""
+    steps = tuple(steps)
+    shown = {s.choice for s in steps if s.choice and not s.folded}
+    ending = f" (choice {spoken(next(iter(shown)))})" if len(shown) == 1 else None
+    return (replace(s, title=s.title.removesuffix(ending)) if ending and not s.folded else s for s in steps)
+
+
+def _in_pairs(steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps, with coordinates and the equations of motion in them under one title."""
+    waiting: Step | None = None
+    for step in steps:
+        follows = waiting is not None and step.rule is Rule.EQUATIONS_OF_MOTION and step.choice == waiting.choice
+        if waiting is not None and not follows:
+            yield waiting
+        if waiting is not None and follows:
+            yield from in_one_step(waiting, step)
+        elif step.rule is not Rule.GENERALIZED_COORDINATES:
+            yield step
+        waiting = step if step.rule is Rule.GENERALIZED_COORDINATES else None
+    if waiting is not None:
+        yield waiting
+
+
+def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> Iterator[Step]:
+    """The steps, with what the result says before questions and checks, and the conserved quantities in it."""
+    said = meaning(solution)
+    if said is None:
+        yield from steps
+        return
+    conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
+    step = explain_meaning(said, conserved, stated)
+    for s in steps:
+        if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
+            yield step
+            step = None
+        if s is not conserved:
+            yield s
+
+
+def _is_detour(solution: Solution, step: Step) -> bool:
+    """Whether these are long equations in the file's coordinates, where better coordinates follow."""
+    own, first = solution.own.motion, solution.choices[0] if solution.choices else None
+    if step.choice or step.rule is not Rule.EQUATIONS_OF_MOTION or own is None or first is None or not first.motion:
+        return False
+    return sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
+
+
+def _summary(solution: Solution, choice: str) -> tuple[Part, ...]:
+    """`Other coordinate (choice depth): y`."""
+    view = next(v for v in solution.choices if v.name == choice)
+    coordinates = view.coordinates.choice.coordinates
+    words = capital(plural(len(coordinates), "other coordinate", "other coordinates"))
+    return (f"{words} (choice {spoken(choice)}): ", *listed(math(q) for q in coordinates))
+
+
+def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps one by one, shorter where the page says them shortly."""
+    classification, law = solution.classification, solution.law
+    geometric = is_plainly_geometric(classification)
+    free = not classification.constraints and classification.scleronomic is True
+    vectors = geometric and has_vector_laws(solution)
+    newton = law.newton if law is not None else None
+    if newton is not None and law is not None and not law.all_frictions:
+        newton = newton.in_tensions
+    about: list[Step] = []
+    shown: set[str] = set()
+    for step in steps:
+        if (geometric or free) and step.rule in _ABOUT_CONSTRAINTS:
+            about.append(step)
+            if geometric and step.rule is Rule.CONSTRAINT:
+                yield explain_geometric(classification, solution.problem.slots)
+            elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
+                yield _joined(about)
+        elif step.rule is Rule.STATEMENT:
+            yield explain_system(solution, step)
+        elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
+            yield displacements_shortly(step)
+        elif vectors and step.rule is Rule.DISPLACEMENTS:
+            continue
+        elif vectors and step.rule is Rule.REACTIONS and newton is not None:
+            yield explain_laws(solution, newton)
+        elif vectors and step.rule is Rule.WORKLESS and newton is not None:
+            yield explain_work(solution, newton)
+        elif step.rule is Rule.PRINCIPLE:
+            yield principle_shortly(step, frozenset(solution.problem.slots.accelerations))
+        elif step.rule is Rule.EQUATIONS_OF_MOTION:
+            view = next(v for v in solution.views if v.name == step.choice)
+            motion = None if view.dynamics is None else view.dynamics.written
+            first = step.choice not in shown
+            shown.add(step.choice)
+            if first and motion is not None:
+                step = with_conditions(step, motion)
+            if first and isinstance(motion, DalembertMotion):
+                step = without_long_sum(step, motion)
+                step = with_displacements(step, motion) if vectors and not step.choice else step
+            yield step
+        elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
+            yield from _reactions(solution, step, newton)
+        elif step.rule is Rule.CHECKS:
+            yield in_one_line(step, solution)
+        else:
+            yield step
+
+
+def _joined(steps: Sequence[Step]) -> Step:
+    """Short steps as one, under the title of the last."""
+    words = paragraph(*(b for s in steps for b in s.body if isinstance(b, Prose)))
+    others = (b for s in steps for b in s.body if not isinstance(b, Prose))
+    return replace(steps[-1], body=(words, *others))
+
+
+def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]:
+    """Tensions in place of multipliers; in the file's coordinates and those of the first choice at once."""
+    view = next(v for v in solution.views if v.name == step.choice)
+    if view.dynamics is None or view.dynamics.reactions is None or view.equilibrium is not None:
+        yield step
+        return
+    first = solution.choices[0] if solution.choices else None
+    follows = first is not None and first.dynamics is not None and first.dynamics.reactions is not None
+    if view.is_own and follows:
+        return  # they come with those of the choice
+    own = solution.own.dynamics
+    before = view is first or view.is_own
+    made = explain_reactions(view.dynamics, newton, step.choice, first=before)
+    if made is None:
+        return
+    made = replace(made, choice=step.choice)
+    if view is first and own is not None and own.reactions is not None:
+        sizes = {
+            r.force: own.reactions.sizes.get(r.name) if r.named else own.reactions.multipliers.get(r.name)
+            for r in newton.reactions
+        }
+        made = replace(made, title=title_of_reactions(newton), body=tuple(_chained(b, sizes) for b in made.body))
+    yield made
+
+
+def _chained(block: Block, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Block:
+    """T = (in the file's coordinates) = (in the chosen ones), where the former is short."""
+    if not isinstance(block, Display) or not block.boxed:
+        return block
+    return replace(block, equations=tuple(_chain(e, sizes) for e in block.equations))
+
+
+def _chain(equation: Equation, sizes: Mapping[sp.Symbol, sp.Expr | None]) -> Equation:
+    before = sizes.get(equation.sides[0])
+    if before is None or before.count_ops() > LONGEST_BEFORE or before == equation.sides[-1]:
+        return equation
+    return replace(equation, sides=(equation.sides[0], before, *equation.sides[1:]))

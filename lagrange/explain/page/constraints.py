@@ -1,0 +1,124 @@
+"""Geometric constraints in one section: the relations, their differentials, exactness, classification, freedom.
+
+Where every constraint is a finite relation between the coordinates, free of time, independent of the others and valid
+in both directions, each of these is a line. Wherever one of them is something to be found out, the full derivation's
+sections are kept.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.forms.integrability import PartialsComparison
+from lagrange.core.symbols import Slots
+from lagrange.document.builders import display, listed, paragraph, prose
+from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.constraint_systems import explain_losses
+from lagrange.explain.constraints import equal, telling_pair
+from lagrange.explain.words import counted, plural, spoken
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.constrained_system import Row
+from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
+from lagrange.mechanics.constraints.displacements import possible_displacement
+
+
+def is_plainly_geometric(classification: Classification) -> bool:
+    """Whether all constraints are geometric, independent, two-sided and free of time, and so are the positions."""
+    constraints = classification.constraints
+    plain = all(
+        c.row.finite is not None and not c.contains_time and c.constraint.side is None and c.constraint.given is None
+        for c in constraints
+    )
+    whole = not classification.redundancies and classification.rank == len(constraints)
+    return bool(constraints) and plain and whole and classification.scleronomic is True
+
+
+def common_number(row: Row) -> sp.Integer:
+    """The whole number that all coefficients of a form contain: 2 in 2x dx + 2y dy."""
+    content, _ = sp.expand(sp.Add(*(a * sp.Dummy() for a in row.form))).primitive()
+    return content if content.is_Integer and content > 1 else sp.S.One
+
+
+def halved(row: Row) -> Row:
+    """The form without that number."""
+    number = common_number(row)
+    return replace(row, coefficients=tuple(a / number for a in row.coefficients), drift=row.drift / number)
+
+
+def explain_geometric(classification: Classification, slots: Slots) -> Step:
+    """The constraints, their differentials, and what follows."""
+    constraints = classification.constraints
+    relations = (
+        Equation(
+            (c.constraint.lhs, c.constraint.rhs),
+            label=f"constraint-{c.row.name}",
+            condition=(f"({spoken(c.row.name)}{f': {c.constraint.note}' if c.constraint.note else ''})",),
+        )
+        for c in constraints
+    )
+    lines = (
+        Equation((possible_displacement(halved(c.row), slots), sp.S.Zero), label=f"form-{c.row.name}")
+        for c in constraints
+    )
+    kind = plural(len(constraints), "a ", "")
+    body: list[Block] = [
+        display(*relations),
+        prose(
+            "Neither velocities nor time appear: ", kind, Emphasis("geometric"),
+            plural(len(constraints), " constraint. Its differential", " constraints. Their differentials"),
+            _divided([common_number(c.row) for c in constraints]), ":",
+        ),
+        display(*lines),
+        paragraph(*_conclusions(classification)),
+    ]  # fmt: skip
+    return Step(Rule.CONSTRAINT, plural(len(constraints), "The constraint", "Constraints"), tuple(body))
+
+
+def _divided(contents: Sequence[sp.Integer]) -> str:
+    """`, halved`."""
+    if all(c == 1 for c in contents):
+        return ""
+    if set(contents) == {sp.Integer(2)}:
+        return ", halved"
+    return ", without common factors"
+
+
+def _conclusions(classification: Classification) -> list[Prose]:
+    """Exact, holonomic, scleronomic; the number of degrees of freedom; where a form vanishes."""
+    constraints = classification.constraints
+    freedom = classification.degrees_of_freedom
+    are_exact = plural(len(constraints), " is ", " are ")
+    being = plural(len(constraints), "being the differential of ", "being the differentials of ")
+    exact: list[Part] = [*listed(Ref(f"form-{c.row.name}") for c in constraints), are_exact, Emphasis("exact")]
+    pair = _pair(constraints)
+    exact += [", ", being, *listed(Ref(f"constraint-{c.row.name}") for c in constraints)]
+    exact += [" (", equal(pair), ")"] if pair is not None else []
+    left = f"{classification.coordinates} − {classification.rank} = "
+    sentences = [
+        prose(*exact, ". So the system is ", Emphasis("holonomic"), ", and ", Emphasis("scleronomic"), "."),
+        prose(f"It has {left}", Emphasis(f"{counted(freedom, 'degree')} of freedom"), "."),
+    ]
+    if freedom == 0:
+        sentences.append(prose("The constraints alone determine the position."))
+    return [*sentences, *(s for s in explain_losses(classification) if not _is_excluded(classification))]
+
+
+def _is_excluded(classification: Classification) -> bool:
+    """Whether the constraints exclude every place where a form would vanish."""
+    return all(loss.excluded for loss in classification.losses)
+
+
+def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | None:
+    """The mixed partial derivatives of the only constraint, where they are short; None if there are more."""
+    if len(constraints) != 1:
+        return None
+    [c] = constraints
+    pair = telling_pair(c)
+    if pair is None or 0 in pair.coefficients:
+        return None
+    content = common_number(c.row)
+    (a, b), (left, right) = pair.coefficients, pair.derivatives
+    return replace(pair, coefficients=(a / content, b / content), derivatives=(left / content, right / content))

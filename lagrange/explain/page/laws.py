@@ -1,0 +1,193 @@
+"""Newton's law and the work of the reactions, for geometric constraints: the law itself, then what is known of R.
+
+The law m r'' = F + R comes as it is, in vectors; the count of equations shows that one statement about R is missing for
+each degree of freedom; the direction of R is that statement. A virtual displacement is introduced where it is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from lagrange.core.symbols import DotProduct, VectorSymbol
+from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
+from lagrange.document.derivation import Block, Equation, Part, Ref, Rule, Step
+from lagrange.explain.newton import law_of, nature
+from lagrange.explain.page.constraints import halved
+from lagrange.explain.page.system import are_short
+from lagrange.explain.words import capital, constraints_called, counted, joined, plural, the
+from lagrange.mechanics.constraints.displacements import virtual_displacement
+from lagrange.mechanics.dynamics.equations import DalembertMotion
+from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
+from lagrange.mechanics.solution import Solution
+
+ZERO = sp.S.Zero
+SHORT_NAME = 2
+"""The most characters of a point whose name is written beside another, as in AB."""
+
+
+def has_vector_laws(solution: Solution) -> bool:
+    """Whether Newton's law for particles, without friction, is all that is needed."""
+    own, law = solution.own, solution.law
+    if law is None or own.dynamics is None or not solution.works or own.equilibrium is not None:
+        return False
+    particles = law.newton.bodies is not None and not own.configuration.rotations and not law.newton.idle
+    without_friction = not law.all_frictions and not solution.problem.unknowns
+    workless = all(w.vanishes for w in solution.works)
+    return particles and without_friction and workless and isinstance(own.dynamics.written, DalembertMotion)
+
+
+def explain_laws(solution: Solution, newton: Newton) -> Step:
+    """The law in vectors, what is missing, the direction of the reactions, and the components."""
+    bodies = newton.bodies or ()
+    lines = (Equation(law_of(b), label=f"law-{b.name}") for b in bodies)
+    components = [
+        Equation((c.inertia, c.right), label=f"newton-{b.name}-{n}")
+        for b in bodies
+        for n, c in enumerate(b.components, start=1)
+    ]
+    vectors = [line for b in bodies if (line := _reaction_line(b)) is not None]
+    body: list[Block] = [
+        prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
+        display(*lines),
+        *_missing(solution, newton),
+        *_directions(newton.reactions),
+        display(*vectors, *(paired(components) if are_short(components) else components)),
+    ]
+    return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+
+
+def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
+    """Along which lines rods pull, in one sentence; otherwise a sentence for each constraint."""
+    if not all(r.rod is not None and r.tension is not None and r.named for r in reactions):
+        return [paragraph(*(s for r in reactions for s in nature(r)), prose("So"))]
+    lines = series((_along(r), " by ", constraints_called([r.name])) for r in reactions)
+    tensions = listed(math(r.force) for r in reactions)
+    if len(reactions) == 1:
+        [r] = reactions
+        assert r.rod is not None
+        beginning: tuple[Part, ...] = (
+            f"{capital(constraints_called([r.name]))} keeps {_along(r)} at the length ", math(r.rod.length),
+            ", and its reaction acts along it. With the tension ",
+        )  # fmt: skip
+        return [prose(*beginning, *tensions, ", positive where it pulls,")]
+    return [prose("Each constraint keeps a length, ", *lines, ", and its reaction acts along it. With the tensions ",
+                  *tensions, ", positive where they pull,")]  # fmt: skip
+
+
+def _along(reaction: Reaction) -> str:
+    """`OP`, or `the distance between the ball and the block`."""
+    assert reaction.rod is not None
+    first, second = reaction.rod.ends
+    centre = reaction.rod.centre
+    if not second and (centre is None or not centre.is_zero):
+        return f"the distance of {the(first)} from a given point"
+    other = second or "O"
+    if len(first) <= SHORT_NAME and len(other) <= SHORT_NAME:
+        return f"{other}{first}" if not second else f"{first}{other}"
+    return f"the distance between {the(other) if second else 'O'} and {the(first)}"
+
+
+def _named(bodies: tuple[FreeBody, ...]) -> tuple[Part, ...]:
+    """`With the applied force F and the reaction R of the rod, `."""
+    applied = any(not b.applied.is_zero for b in bodies)
+    one = len(bodies) == 1
+    suffix = f"_{bodies[0].name}" if one else ""
+    force = (plural(len(bodies), "the applied force ", "the applied forces "), math(VectorSymbol(f"F{suffix}")))
+    reaction = (plural(len(bodies), "the reaction ", "the reactions "), math(VectorSymbol(f"R{suffix}")))
+    return ("With ", *((*force, " and ") if applied else ()), *reaction, ", ")
+
+
+def _missing(solution: Solution, newton: Newton) -> Iterator[Block]:
+    """Unknowns against equations while the directions of the reactions are not known."""
+    before, configuration = newton.before, solution.own.configuration
+    if before is None or before.missing <= 0:
+        return
+    coordinates = len(configuration.slots.coordinates)
+    laws = sum(len(b.laws) for b in newton.bodies or ())
+    freedom = solution.classification.degrees_of_freedom
+    as_many = ", as many as there are degrees of freedom" if before.missing == freedom else ""
+    missing = f"{before.missing} {plural(before.missing, 'is', 'are')} missing{as_many}"
+    constraints = before.equations - laws
+    bound = "the constraint" if constraints == 1 else f"the {constraints} constraints"
+    yield prose(
+        f"{counted(laws, 'component').capitalize()} and {bound} are {before.equations} equations for {before.unknowns} "
+        f"unknowns ({counted(coordinates, 'coordinate')}, {counted(before.unknowns - coordinates, 'component')} of "
+        f"reactions): {missing}. The {plural(len(newton.reactions), 'direction', 'directions')} of the "
+        f"{plural(len(newton.reactions), 'reaction', 'reactions')} must be known."
+    )
+
+
+def _reaction_line(body: FreeBody) -> Equation | None:
+    """R = −(T/l) r where rods pull: along the vectors between their ends; in components otherwise."""
+    if not body.reactions:
+        return None
+    name = VectorSymbol(f"R_{body.name}")
+    if all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
+        pulls = sp.Add(*(_pull(r, body.name) for r, _ in body.reactions))
+        return Equation((name, pulls), label=f"reaction-{body.name}")
+    total = body.reactions[0][1] * body.reactions[0][0].force
+    for r, along in body.reactions[1:]:
+        total = total + along * r.force
+    return Equation((name, total), label=f"reaction-{body.name}")
+
+
+def _pull(reaction: Reaction, particle: str) -> sp.Expr:
+    """The tension, times the vector from the particle to the other end, over the length."""
+    rod = reaction.rod
+    assert rod is not None
+    first, second = rod.ends
+    there = VectorSymbol(f"r_{first if particle == second else second}") if second else ZERO
+    if not second and rod.centre is not None and not rod.centre.is_zero:
+        there = rod.centre.as_sum()
+    return reaction.force / rod.length * (there - VectorSymbol(f"r_{particle}"))
+
+
+def explain_work(solution: Solution, newton: Newton) -> Step:
+    """Virtual displacements, the work of the reactions in them, and that it vanishes."""
+    configuration = solution.own.configuration
+    slots = configuration.slots
+    same = newton is solution.law.newton if solution.law is not None else True
+    works = solution.works if same else works_of_reactions(newton, configuration, solution.own.elimination)
+    rows = configuration.rows
+    forms = [virtual_displacement(halved(r), slots) for r in rows]
+    total = sp.Add(*(w.reaction.force * _factored(w.virtual) for w in works))
+    on = [p.name for p in configuration.points if any(w.reaction.on(p.name) is not None for w in works)]
+    left = sp.Add(*(DotProduct(VectorSymbol(f"R_{n}"), VectorSymbol(f"delta(r_{n})")) for n in on))
+    zero = listed(Ref(f"virtual-{r.name}") for r in rows)
+    one = len(rows) == 1
+    body: list[Block] = [
+        prose(
+            "Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
+            f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,",
+        ),
+        display(*(Equation((f, ZERO), label=f"virtual-{r.name}") for f, r in zip(forms, rows, strict=True))),
+        prose("In them the ", plural(len(works), "reaction does no work:", "reactions together do no work:")),
+        display(Equation((left, total, ZERO), label="virtual-work", condition=("by ", *zero) if one else ())),
+        *_single(works, () if one else zero),
+    ]  # fmt: skip
+    return Step(
+        Rule.WORKLESS,
+        plural(len(works), "The reaction does no virtual work", "The reactions do no virtual work"),
+        tuple(body),
+    )
+
+
+def _factored(work: sp.Expr) -> sp.Expr:
+    """A virtual work with its common factor in front."""
+    return sp.factor_terms(work)
+
+
+def _single(works: Sequence[WorkOfReaction], zero: tuple[Part, ...]) -> Iterator[Block]:
+    """By what each term vanishes; that only the sum does where one reaction works on several particles."""
+    several = [w for w in works if len(w.working) > 1]
+    by: tuple[Part, ...] = ("Each term is zero, by ", *zero, ".") if zero else ()
+    if not several:
+        yield from ([prose(*by)] if by else [])
+        return
+    names = joined(map(the, dict.fromkeys(n for w in several for n in w.working)))
+    called = constraints_called(w.reaction.name for w in several)
+    does = plural(len(several), "does", "do")
+    words = f"On {names} taken separately {called} {does} work: what one loses, another gains."
+    yield prose(*by, " " if by else "", words)

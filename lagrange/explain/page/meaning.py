@@ -1,0 +1,173 @@
+"""What the result says, in a few paragraphs, each with its catchword: energy, rest, small motion, limits, units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import sympy as sp
+
+from lagrange.core.symbols import CONSTANT
+from lagrange.document.builders import display, listed, math, prose, series
+from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, Step
+from lagrange.explain.conservation import conserved_called, proof_of
+from lagrange.explain.statement import raised
+from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity
+from lagrange.mechanics.equilibrium.linear_stability import Ground
+from lagrange.mechanics.equilibrium.linearization import SmallOscillations
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.meaning import Limit, Meaning
+
+MOST_MULTIPLIERS = 2
+"""The most equations of motion whose multiples are named where they add up to the rate of a quantity."""
+LONGEST_LINE = 24
+"""The most operations of a conserved quantity that is written in its sentence."""
+
+
+Stated = tuple[tuple[sp.Expr, ...], ...]
+"""Equations, each as its sides."""
+
+
+def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = ()) -> Step | None:
+    """The step; None where there is nothing to say.
+
+    conserved  the step of the full derivation on the conserved quantities
+    stated     the equations of motion in another form, known to be right
+    """
+    choice = meaning.view.name
+    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved)]
+    body += _rest(meaning)
+    body += (_limit(limit) for limit in meaning.limits)
+    body += _units(meaning)
+    body += _caution(meaning)
+    return Step(Rule.MEANING, "What it says", tuple(body), choice) if body else None
+
+
+def operations(stated: Stated) -> int:
+    """How many operations it takes to write equations with everything on one side."""
+    return sum(int((left - right).count_ops()) for left, *_, right in stated)
+
+
+def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
+    """The equations in the form of the answers, where that is the shorter one."""
+    motion = meaning.view.motion
+    if motion is None or not stated:
+        return
+    if operations(stated) < sum(int(e.expression.count_ops()) for e in motion.final):
+        yield prose(Emphasis("In short"), ",")
+        yield display(*(Equation(sides) for sides in stated), boxed=True)
+
+
+_CALLED = {
+    ConservedQuantity.MOMENTUM: "Momentum",
+    ConservedQuantity.ANGULAR_MOMENTUM: "Angular momentum",
+    ConservedQuantity.ENERGY: "Energy",
+    ConservedQuantity.JACOBI: "Jacobi's integral",
+}
+
+
+def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block]:
+    """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
+    if step is None or conserved is None:
+        return
+    proofs = [proof_of(conserved, i) for i in conserved.integrals]
+    short = all(i.expression.count_ops() <= LONGEST_LINE for i in conserved.integrals)
+    plain = conserved.energy is None and not conserved.bound and not conserved.undecided
+    if not (short and plain and all(proofs)):
+        yield from step.body
+        return
+    for integral, proof in zip(conserved.integrals, proofs, strict=True):
+        if sum(m != 0 for m in integral.multipliers) > MOST_MULTIPLIERS:
+            proof = ("a combination of the equations of motion",)
+        called = conserved_called(integral, conserved.motion.configuration)
+        name = Emphasis(_CALLED[called])
+        quantity = math(integral.expression, CONSTANT)
+        yield prose(name, ": ", *proof, " integrates to ", quantity, ".")
+
+
+def _rest(meaning: Meaning) -> Iterator[Block]:
+    """`At rest: θ = 0, stable; θ = π, unstable. Small motion about the first: period 2π √(l/g).`"""
+    if meaning.small is None:
+        return
+    small = meaning.small
+    places: list[tuple[Part, ...]] = []
+    periods: list[Block] = []
+    for branch, at in zip(small.branches, small.at, strict=True):
+        if branch.left or branch.conditions or len(branch.relations) != 1 or at is None:
+            return  # the places are not as simple as a line
+        place = math(branch.relations[0].lhs, branch.relations[0].rhs)
+        verdict = _verdict(at)
+        if verdict is None:
+            return
+        places.append((place, f", {verdict}"))
+        period = _period(at)
+        if period is not None:
+            equation = math(at.equations[0], sp.S.Zero)
+            [xi] = small.displacements
+            q = _coordinate(meaning)
+            near = math(q, branch.relations[0].rhs + xi) if branch.relations[0].lhs == q else place
+            motion = (": ", near, ", ", equation, ", with the period ")
+            periods.append(prose(Emphasis("Small motion"), *motion, math(period), "."))
+    if places:
+        yield prose(Emphasis("At rest"), ": ", *_joined(places), ".")
+    yield from periods
+
+
+def _joined(items: Sequence[tuple[Part, ...]]) -> tuple[Part, ...]:
+    parts: list[Part] = []
+    for n, item in enumerate(items):
+        parts += ["; " if n else "", *item]
+    return tuple(parts)
+
+
+def _coordinate(meaning: Meaning) -> sp.Symbol:
+    [q] = meaning.view.configuration.slots.coordinates
+    return q
+
+
+def _verdict(at: SmallOscillations) -> str | None:
+    """`stable`, `unstable`; None where more has to be said."""
+    verdict = at.judgement.stability.verdict
+    if at.judgement.stability.presupposed or at.judgement.stability.conditions:
+        return None
+    if verdict is StabilityVerdict.STABLE and at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ):
+        return "asymptotically stable" if at.judgement.asymptotic else "stable"
+    return "unstable" if verdict is StabilityVerdict.UNSTABLE else None
+
+
+def _period(at: SmallOscillations) -> sp.Expr | None:
+    """2π/ω, where the motion is an oscillation with a positive ω²."""
+    if not at.oscillates or at.judgement.stability.verdict is not StabilityVerdict.STABLE or len(at.frequencies) != 1:
+        return None
+    square = at.frequencies[0].square
+    if square is None or not square.is_positive:
+        return None
+    root = sp.Pow(1 / square, sp.S.Half, evaluate=False)
+    return sp.Mul(2 * sp.pi, root, evaluate=False)
+
+
+def _limit(limit: Limit) -> Block:
+    """`g → 0: l θ'' = 0, and T = m l θ'².`"""
+    where = math(limit.parameter, limit.to, relation="=" if limit.to.is_Symbol else "→")
+    equations = listed(math(e, sp.S.Zero) for e in limit.equations)
+    forces: tuple[Part, ...] = ()
+    if limit.reactions:
+        forces = (", with ", *listed(math(s, e) for s, e in limit.reactions.items()))
+    return prose(Emphasis("Limit"), " ", where, ": ", *equations, *forces, ".")
+
+
+def _units(meaning: Meaning) -> Iterator[Block]:
+    if meaning.terms is None:
+        return
+    first, other, unit = meaning.terms
+    yield prose(Emphasis("Units"), ": in the equation of motion every term is in ", f"{raised(unit)}: ", math(other),
+                " like ", math(first), ".")  # fmt: skip
+
+
+def _caution(meaning: Meaning) -> Iterator[Block]:
+    """The slip of taking a reaction at rest for the reaction."""
+    if not meaning.parts:
+        return
+    clauses = series(
+        (math(p.force), " is not ", math(p.at_rest), ": the motion adds ", math(p.added)) for p in meaning.parts[:1]
+    )
+    yield prose(Emphasis("Caution"), ": ", *clauses, ".")

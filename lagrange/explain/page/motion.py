@@ -1,0 +1,150 @@
+"""The equations of motion as a page derives them: kinematics in one display, coordinates and equations in one step."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.core.symbols import variation
+from lagrange.core.vectors import Vector
+from lagrange.document.builders import display, listed, math, paired, prose
+from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Step
+from lagrange.explain.displacements import LONGEST, conditions, solved_displacements
+from lagrange.explain.motion import WRITTEN_OUT
+from lagrange.explain.page.system import are_short
+from lagrange.explain.words import plural, suffix_of
+from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
+
+LONGEST_SUM = 60
+"""The most operations of the principle in independent displacements that is shown before the equations themselves."""
+
+
+def displacements_shortly(step: Step) -> Step:
+    """The displacements without those of points that are merely δx i + δy j."""
+    body = list(step.body)
+    for n, block in enumerate(body):
+        if n and isinstance(block, Display) and all(_is_plain(e) for e in block.equations):
+            body[n - 1 : n + 1] = []
+            break
+    return replace(step, body=tuple(body)) if body else step
+
+
+def _is_plain(equation: Equation) -> bool:
+    value = equation.sides[-1]
+    named = (equation.label or "").startswith("delta")
+    return named and isinstance(value, Vector) and all(c == 0 or c.is_Function for c in value.components)
+
+
+def principle_shortly(step: Step, coordinates: frozenset[object]) -> Step:
+    """The principle without accelerations that are merely ẍ i + ÿ j."""
+    body = list(step.body)
+    for n, block in enumerate(body):
+        if n and isinstance(block, Display) and all(_is_evident(e, coordinates) for e in block.equations):
+            body[n - 1 : n + 1] = []
+            at = body.index(prose(WRITTEN_OUT))
+            before, after = body[at - 1], body[at + 1]
+            if isinstance(before, Display) and isinstance(after, Display):
+                body[at - 1 : at + 2] = [display(*before.equations, *after.equations)]
+            break
+    return replace(step, body=tuple(body))
+
+
+def _is_evident(equation: Equation, accelerations: frozenset[object]) -> bool:
+    value = equation.sides[-1]
+    named = (equation.label or "").startswith("acceleration")
+    return named and isinstance(value, Vector) and all(c == 0 or c in accelerations for c in value.components)
+
+
+def with_displacements(step: Step, motion: DalembertMotion) -> Step:
+    """The equations in the file's coordinates, after the dependent displacements, where no step before has them."""
+    rows, slots = motion.configuration.rows, motion.configuration.slots
+    solved = motion.elimination.solved(slots)
+    if not rows or not solved:
+        return step
+    if any(value.count_ops() > LONGEST for value in solved.values()):
+        return replace(step, body=(*solved_displacements(motion.elimination, motion.configuration), *step.body))
+    pivots = conditions(motion.elimination)
+    where: tuple[Part, ...] = (" where ", *pivots) if pivots else ()
+    by = ("By ", *listed(Ref(f"virtual-{r.name}") for r in rows))
+    follows = step.body[1] if len(step.body) > 1 else None
+    is_whole = isinstance(follows, Display) and (follows.equations[0].label or "").startswith("reduced")
+    after: tuple[Part, ...] = ("and ", Ref("written-out"), " becomes") if is_whole else ("remain.",)
+    if len(solved) == 1 and is_whole:
+        [(d, e)] = solved.items()
+        return replace(step, body=(prose(*by, ", ", math(d, e), *where, ", ", *after), *step.body[1:]))
+    lines = display(*(Equation((d, e)) for d, e in solved.items()))
+    rest = (prose(*after), *step.body[1:]) if is_whole else step.body
+    return replace(step, body=(prose(*by, *(",", *where, ",") if where else ","), lines, *rest))
+
+
+def without_long_sum(step: Step, motion: DalembertMotion) -> Step:
+    """The equations without a long sum over all displacements before them, whose brackets they are."""
+    body = list(step.body)
+    for n, block in enumerate(body):
+        if not isinstance(block, Display) or not (block.equations[0].label or "").startswith("reduced"):
+            continue
+        if motion.reduced.count_ops() > LONGEST_SUM:
+            coordinates = motion.configuration.slots.coordinates
+            solved = listed(math(variation(coordinates[d])) for d in motion.elimination.dependent)
+            suffix = suffix_of(motion.configuration.name)
+            body[n - 1 : n + 1] = [prose("Substitute for ", *solved, " in ", Ref(f"written-out{suffix}"), ".")]
+        break
+    return replace(step, body=tuple(body))
+
+
+def with_conditions(step: Step, motion: EquationsOfMotion) -> Step:
+    """The boxed equations with what must not vanish for them to determine the motion."""
+    excluded = excluding(motion)
+    if not excluded:
+        return step
+    where = ("where ", *listed(math(e, sp.S.Zero, relation="≠") for e in excluded))
+    return replace(step, body=tuple(_conditional(b, where) for b in step.body))
+
+
+def _conditional(block: Block, where: tuple[Part, ...]) -> Block:
+    """A boxed display of equations of motion with a condition after the last of them."""
+    if not isinstance(block, Display) or not block.boxed:
+        return block
+    places = [n for n, e in enumerate(block.equations) if (e.label or "").startswith("motion")]
+    if not places:
+        return block
+    equations = list(block.equations)
+    equations[places[-1]] = replace(equations[places[-1]], condition=where)
+    return replace(block, equations=tuple(equations))
+
+
+def in_one_step(coordinates: Step, equations: Step) -> tuple[Step, Step]:
+    """Generalized coordinates and the equations in them under one title."""
+    first, _, choice = coordinates.title.partition(" (")
+    second, _, _ = equations.title.partition(" (")
+    title = f"{first} and {second[:1].lower()}{second[1:]}{f' ({choice}' if choice else ''}"
+    body = tuple(
+        replace(b, equations=paired(b.equations)) if isinstance(b, Display) and are_short(b.equations) else b
+        for b in coordinates.body
+    )
+    return replace(coordinates, title=title, body=body), replace(
+        equations, title="", body=tuple(_merged(equations.body))
+    )
+
+
+_KINEMATICS = ("acceleration", "delta")
+
+
+def _merged(body: Sequence[Block]) -> list[Block]:
+    """The accelerations and virtual displacements of points in one display."""
+    places = [n for n, b in enumerate(body) if isinstance(b, Display) and _is_kinematic(b)]
+    if len(places) != 2 or places[1] != places[0] + 2:
+        return [*body]
+    first, second = (body[n] for n in places)
+    assert isinstance(first, Display)
+    assert isinstance(second, Display)
+    lines = (*first.equations, *second.equations)
+    whose = plural(len(first.equations), "The acceleration and the virtual displacement are", "The accelerations and "
+                   "the virtual displacements are")  # fmt: skip
+    return [*body[: places[0] - 1], prose(whose), display(*lines), *body[places[1] + 1 :]]
+
+
+def _is_kinematic(block: Display) -> bool:
+    return all((e.label or "").startswith(_KINEMATICS) for e in block.equations)

@@ -1,0 +1,80 @@
+"""The system as a page introduces it: symbols in a sentence, positions and forces together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from lagrange.core.vectors import Vector
+from lagrange.document.builders import display, math, paired, paragraph, prose, series
+from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
+from lagrange.explain.words import plural, the
+from lagrange.mechanics.solution import Solution
+from lagrange.problem.model import Assumption
+
+SHORT = 6
+"""The most operations of a side of an equation beside which another has room."""
+MOST_SYMBOLS = 10
+"""The most symbols that a sentence introduces; more are easier to find in a table."""
+
+
+def explain_system(solution: Solution, step: Step) -> Step:
+    """The statement with its symbols in a sentence, and with positions and forces in one display."""
+    body = step.body
+    n = next((n for n, b in enumerate(body) if isinstance(b, Table)), None)
+    if n is not None and len(body[n].rows) <= MOST_SYMBOLS:  # type: ignore[union-attr]
+        sentence, covered = _symbols(solution)
+        rest = body[n + 1 + covered :]
+        before = list(body[:n])
+        if len(before) > 1 and isinstance(before[-1], Prose) and isinstance(before[-2], Prose):
+            before[-2:] = [paragraph(before[-2], before[-1], sentence)]
+        else:
+            before.append(sentence)
+        body = (*before, *rest)
+    return replace(step, body=_together(solution, body))
+
+
+def _symbols(solution: Solution) -> tuple[Prose, int]:
+    """`Coordinates: x (distance to the right of O). Parameters, all positive: ...`, and how many paragraphs that is."""
+    problem = solution.problem
+    clauses: list[Part] = []
+    for kind, members in (("coordinate", problem.coordinates), ("parameter", problem.parameters)):
+        if not any(m.meaning or m.unit for m in members):
+            continue
+        named = ((math(m.symbol), f" ({m.meaning})" if m.meaning else "") for m in members)
+        parameters = [m for m in problem.parameters if m.range is None]
+        positive = kind == "parameter" and all(p.assume is Assumption.POSITIVE for p in parameters)
+        some = f", {'both' if len(members) == 2 else 'all'} positive" if len(members) > 1 else ", positive"
+        clauses += [" " if clauses else "", f"{plural(len(members), kind, kind + 's').capitalize()}: "]
+        clauses += [*series(named, ", "), some if positive and parameters == [*members] else "", "."]
+    free = [p for p in problem.parameters if p.range is None]
+    plain = bool(free) and len(free) == len(problem.parameters) and all(p.assume is Assumption.POSITIVE for p in free)
+    stated = plain and (len(free) > 1) and any(m.meaning or m.unit for m in problem.parameters)
+    return prose(*clauses), int(stated)
+
+
+def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Positions and applied forces of particles in one display."""
+    configuration = solution.own.configuration
+    points = configuration.points
+    if configuration.rotations or not points or any(f.elsewhere for f in configuration.loads):
+        return body
+    labels = {f"position-{p.name}" for p in points} | {f"force-{p.name}" for p in points}
+    lines = [e for b in body for e in getattr(b, "equations", ()) if e.label in labels]
+    at = [n for n, b in enumerate(body) if any(e.label in labels for e in getattr(b, "equations", ()))]
+    if not at or at != list(range(at[0], at[-1] + 1, 2)):  # each display has its sentence before it
+        return body
+    weights = all(f.name == "weight" for f in configuration.loads) and bool(configuration.loads)
+    forces = any((e.label or "").startswith("force") for e in lines)
+    also = (" and weight" if len(points) == 1 else " and weights") if weights else " and applied force"
+    masses = ((the(p.name), *((", of mass ", math(p.mass), ",") if p.mass != 0 else ())) for p in points)
+    what = plural(len(points), "The position", "The positions") + (also if forces else "")
+    lead = prose(what, " of ", *series(masses), " are" if forces or len(points) > 1 else " is")
+    shown = paired(lines) if len(points) == 1 and are_short(lines) else lines
+    return (*body[: at[0] - 1], lead, display(*shown), *body[at[-1] + 1 :])
+
+
+def are_short(equations: Sequence[Equation]) -> bool:
+    """Whether two of them have room in a line."""
+    components = (s.as_sum() if isinstance(s, Vector) else s for e in equations for s in e.sides)
+    return all(c.count_ops() <= SHORT for c in components)

@@ -1,0 +1,39 @@
+"""What a problem may ask for: what is refused before anything is solved, and which choices of coordinates are meant."""
+
+from __future__ import annotations
+
+from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError, suggestion
+from lagrange.problem.model import Belt, Choice, Find, Friction, Problem
+
+
+def chosen_coordinates(problem: Problem, name: str | None) -> list[Choice]:
+    """The choices of generalized coordinates: all, or the one with a name. Raises ProblemError if there is none."""
+    if name is None:
+        return list(problem.choices)
+    chosen = [c for c in problem.choices if c.name == name]
+    if not chosen:
+        names = [c.name for c in problem.choices]
+        help_ = suggestion(name, names, "choices")
+        raise ProblemError(Diagnostic("no-such-choice", f"the problem has no choice `{name}`", help=help_))
+    return chosen
+
+
+def refuse_what_is_not_covered(problem: Problem) -> None:
+    """Raise NotCoveredError or ProblemError if what a problem asks for is not available for such a system."""
+    for force in (f for f in problem.forces if isinstance(f, Friction)):
+        if {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find} and force.static is None:
+            what = f"equilibrium with dry friction, `{force.name}`, which at rest is any force up to a limit,"
+            raise NotCoveredError(what, force.span)
+        if Find.LINEARIZATION in problem.find:
+            raise NotCoveredError(f"small oscillations with dry friction, `{force.name}`,", force.span)
+    belts = [f for f in problem.forces if isinstance(f, Belt)]
+    if belts and {Find.MOTION, Find.LINEARIZATION} & {*problem.find}:
+        raise NotCoveredError(f"a belt on a rough drum, `{belts[0].name}`, in motion", belts[0].span)
+    if Find.IMPENDING in problem.find and not any(isinstance(f, Friction | Belt) for f in problem.forces):
+        message = "impending motion is asked for, and no friction is given"
+        help_ = "give friction with a static coefficient: `rub: {friction: mu, static: mu_s, constraint: floor, on: P}`"
+        raise ProblemError(Diagnostic("impending-without-friction", message, help=help_))
+    if problem.equations:
+        raise NotCoveredError("a reference system given by `equations`: it can only be checked against; solving it")
+    if Find.LINEARIZATION in problem.find and problem.unknowns:
+        raise NotCoveredError("small oscillations with unknown forces, which have no law,")

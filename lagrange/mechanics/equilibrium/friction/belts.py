@@ -1,0 +1,55 @@
+"""Belts and ropes on rough drums.
+
+A belt in contact over the angle β is at rest on the drum as long as the friction along it suffices: with dT = μ dN and
+dN = T dφ at the limit, the tensions satisfy
+
+    T_1 ≤ T_2 e^(μ β) ,     T_1 ≥ 0 ,
+
+T_1 being that of the side towards which it would slip. At the limit the two sides are equal. What the tensions act on
+is said by other forces of the file, or by constraints that they keep.
+
+Reference: Euler, 1769; Eytelwein, 1808.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.problem.model import Belt, Problem
+
+
+@record
+class BeltLaw:
+    """The tensions of a belt in terms of parameters, unknown forces and reactions; `growth` is e^(μ β)."""
+
+    belt: Belt
+    tight: sp.Expr
+    slack: sp.Expr
+    growth: sp.Expr
+
+    @property
+    def name(self) -> str:
+        """The name of the belt."""
+        return self.belt.name
+
+    @property
+    def reserve(self) -> sp.Expr:
+        """T_2 e^(μ β) − T_1: not negative at rest, zero at the limit."""
+        return self.growth * self.slack - self.tight
+
+
+def belt_laws(problem: Problem, newton: Newton, configuration: Configuration) -> tuple[BeltLaw, ...]:
+    """The belts of a problem, in the coordinates of a configuration."""
+    forces = {r.constraint.reaction: r.force for r in newton.reactions}
+
+    def written(e: sp.Expr) -> sp.Expr:
+        return configuration.rewritten(e).xreplace(forces)
+
+    belts = (f for f in problem.forces if isinstance(f, Belt))
+    return tuple(
+        BeltLaw(b, written(b.tight), written(b.slack), sp.exp(configuration.rewritten(b.coefficient * b.angle)))
+        for b in belts
+    )

@@ -1,0 +1,45 @@
+"""The forces of springs at the equilibria: k (d − l) at every point of a branch, positive where the spring pulls.
+
+A branch such as cos θ = a is a set of points. The force is stated where it is the same at all of them, which is decided
+exactly; otherwise the branch says too little.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.solution_sets import Branch, shortest_form
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+
+
+def spring_forces(e: Equilibrium) -> tuple[Mapping[str, sp.Expr], ...]:
+    """The force of each spring at each branch, by its name; of those that have one value there."""
+    springs = e.configuration.springs
+    if e.given or not springs:
+        return ()
+    return tuple({s.name: f for s in springs if (f := _force(s, b, e)) is not None} for b in e.branches)
+
+
+def _force(spring: StretchedSpring, b: Branch, e: Equilibrium) -> sp.Expr | None:
+    """k (d − l) at all points of a branch; None if it is not the same, or cannot be written out."""
+    if b.left or b.special or not b.points:
+        return None
+    try:
+        values = [_without_squares(e.solution.at(p, spring.pull)) for p in b.points]
+        first, *others = values
+        if any(v.has(sp.zoo, sp.nan, sp.oo) for v in values) or not all(is_zero(v - first) for v in others):
+            return None
+    except (NotAlgebraicError, DivisionByZeroError):
+        return None
+    return shortest_form(first)
+
+
+def _without_squares(e: sp.Expr) -> sp.Expr:
+    """√(x² + 2 x y + y²) as |x + y|."""
+    roots = [p for p in e.atoms(sp.Pow) if p.exp == sp.S.Half and p.base.is_Add]
+    return e.xreplace({p: sp.sqrt(sp.factor(p.base)) for p in roots})

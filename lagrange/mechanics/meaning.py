@@ -1,0 +1,232 @@
+"""What a result says: rest and small motion, limits, the part of a reaction that rest explains, the units of a term.
+
+*Limits.* An equation of motion E(q, q', q'', p) = 0 is polynomial in its parameters once denominators are cleared. At
+p = 0 it stays the equation of the system if its accelerations are still determined, that is, if the matrix ∂E/∂q'' is
+regular there. For p -> oo the same is asked of the leading coefficients in p, and equal parameters are substituted.
+Only limits that leave less to read are kept. Of a reaction the limit at p = 0 is its value there, where it has one.
+
+*At rest and in motion.* A reaction R(q, q') that does not vanish at q' = 0 is R(q, 0) + (R(q, q') - R(q, 0)): the value
+that statics gives, and what the motion adds. To take the first for the whole is the commonest slip.
+
+*Units.* The dimension of each term of an equation, where the file gives all units; they must be the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
+from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.records import record
+from lagrange.core.symbols import Unspecified, t
+from lagrange.core.units import NO_DIMENSION, written
+from lagrange.mechanics.equilibrium.linearization import Linearization, linearization
+from lagrange.mechanics.solution import InCoordinates, Solution
+from lagrange.values.dimensions import dimension, dimension_of_unit
+
+MOST_OPERATIONS = 60
+"""Of equations whose limits are sought."""
+LONGEST_LIMIT = 18
+"""The most operations of an equation in a limit that is worth showing."""
+MOST_LIMITS = 2
+"""The most limits of one problem."""
+LONGEST_PART = 10
+"""The most operations of the parts of a reaction."""
+
+
+@record
+class Limit:
+    """The equations of motion where a parameter vanishes, grows, or equals another; `to` is 0, oo or the other.
+
+    reactions  the values of the reactions there, by symbol; none for a growing parameter
+    """
+
+    parameter: sp.Symbol
+    to: sp.Expr
+    equations: tuple[sp.Expr, ...]
+    reactions: Mapping[sp.Symbol, sp.Expr]
+
+
+@record
+class Parts:
+    """A reaction as it is at rest in the same position, and what the motion adds."""
+
+    force: sp.Symbol
+    at_rest: sp.Expr
+    added: sp.Expr
+
+
+@record
+class Meaning:
+    """What the result says in one set of coordinates.
+
+    small  rest and small motion of one degree of freedom
+    terms  two terms of the first equation of motion, and the unit that all of its terms have
+    """
+
+    view: InCoordinates
+    small: Linearization | None
+    limits: tuple[Limit, ...]
+    parts: tuple[Parts, ...]
+    terms: tuple[sp.Expr, sp.Expr, str] | None
+
+
+def meaning(solution: Solution) -> Meaning | None:
+    """What the result says in the first choice of coordinates, or the file's own; None without equations of motion."""
+    view = solution.choices[0] if solution.choices else solution.own
+    if view.motion is None or view.dynamics is None:
+        return None
+    reactions = _reactions(solution, view)
+    return Meaning(
+        view,
+        _small(solution, view),
+        tuple(_limits(solution, view, reactions)),
+        tuple(_parts(view, reactions)),
+        _units(solution, view),
+    )
+
+
+def _reactions(solution: Solution, view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
+    """The single forces and other multipliers, by symbol."""
+    known = None if view.dynamics is None else view.dynamics.reactions
+    if known is None or solution.law is None:
+        return {}
+    values = {r.symbol_of_force: known.sizes.get(r.name) for r in solution.law.newton.reactions if r.symbol_of_force}
+    return {s: v for s, v in values.items() if s is not None and v is not None}
+
+
+# -- rest and small motion -------------------------------------------------------------------------------------------
+
+
+def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
+    motion = view.motion
+    stated = view.linearization is not None or view.equilibrium is not None
+    if stated or motion is None or view.signs or motion.configuration.rows or len(motion.equations) != 1:
+        return None
+    [equation] = motion.expressions
+    if equation.has(Unspecified) or equation.count_ops() > MOST_OPERATIONS:
+        return None
+    problem = solution.problem
+    taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
+    try:
+        found = linearization(motion, taken)
+    except NotCoveredError:
+        return None
+    return found if found.complete and found.branches else None
+
+
+# -- limits ------------------------------------------------------------------------------------------------------------
+
+
+def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Limit]:
+    motion = view.motion
+    assert motion is not None
+    equations = tuple(e.expression for e in motion.final)
+    if motion.completing or sum(e.count_ops() for e in equations) > MOST_OPERATIONS or _has_functions(equations):
+        return
+    free = {p.symbol for p in solution.problem.parameters if p.value is None and p.symbol.is_positive}
+    symbols = sorted(free & {s for e in equations for s in e.free_symbols}, key=str)
+    found: list[tuple[sp.Expr, ...]] = []
+    for parameter, to in _candidates(symbols, len(equations) > 1):
+        limit = _limit(equations, parameter, to, view)
+        if limit is None or limit in found or len(found) >= MOST_LIMITS:
+            continue
+        values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
+        shown = {s: e for s, e in values.items() if e is not None and e.count_ops() <= LONGEST_LIMIT}
+        yield Limit(parameter, to, limit, shown if len(shown) == len(values) else {})
+        found.append(limit)
+
+
+def _has_functions(equations: Sequence[sp.Expr]) -> bool:
+    return any(e.has(Unspecified) for e in equations)
+
+
+def _candidates(symbols: Sequence[sp.Symbol], coupled: bool) -> Iterator[tuple[sp.Symbol, sp.Expr]]:
+    """Each parameter to zero; those of one letter equal; each to infinity."""
+    yield from ((s, sp.S.Zero) for s in symbols)
+    for n, a in enumerate(symbols):
+        for b in symbols[n + 1 :]:
+            if a.name.rstrip("0123456789_") == b.name.rstrip("0123456789_"):
+                yield b, a
+    if coupled:  # of a single equation it would leave no more than its leading term
+        yield from ((s, sp.oo) for s in symbols)
+
+
+def _limit(
+    equations: Sequence[sp.Expr], parameter: sp.Symbol, to: sp.Expr, view: InCoordinates
+) -> tuple[sp.Expr, ...] | None:
+    """The equations in the limit; None where they do not become much simpler, or do not determine the motion."""
+    accelerations = view.configuration.slots.accelerations
+    there = [_leading(e, parameter) if to == sp.oo else e.subs(parameter, to) for e in equations]
+    if any(e is None or e == 0 for e in there):
+        return None
+    shorter = [textbook_form(e) for e in there if e is not None]
+    shorter = [textbook_form(common_factor(e).divide(e)) for e in shorter]
+    before, after = (sum(int(e.count_ops()) for e in es) for es in (equations, shorter))
+    if 3 * after > 2 * before or any(e.count_ops() > LONGEST_LIMIT for e in shorter):
+        return None
+    try:
+        regular = Surface().rank([[e.diff(a) for a in accelerations] for e in shorter]) == len(accelerations)
+    except DivisionByZeroError:
+        return None
+    return tuple(shorter) if regular else None
+
+
+def _leading(e: sp.Expr, parameter: sp.Symbol) -> sp.Expr | None:
+    """The coefficient of the highest power of a parameter; None where the expression is no polynomial in it."""
+    polynomial = sp.expand(e).as_poly(parameter)
+    if polynomial is None or polynomial.degree() == 0:
+        return e if polynomial is not None else None
+    return polynomial.LC()
+
+
+def _at(e: sp.Expr, parameter: sp.Symbol, to: sp.Expr) -> sp.Expr | None:
+    value = e.subs(parameter, to)
+    return None if value.has(sp.nan, sp.zoo, sp.oo) else textbook_form(value)
+
+
+# -- parts and units -----------------------------------------------------------------------------------------------
+
+
+def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Iterator[Parts]:
+    configuration = view.configuration
+    at_rest = dict.fromkeys(configuration.slots.velocities, sp.S.Zero)
+    driven = any(not p.position.frozen_derivative(configuration.slots).is_zero for p in configuration.points)
+    if driven or any(r.drift != 0 for r in configuration.rows):
+        return  # at rest is nothing there
+    for force, value in reactions.items():
+        if (
+            t in value.free_symbols
+            or _has_functions([value])
+            or any(a in value.free_symbols for a in view.configuration.slots.accelerations)
+        ):
+            continue
+        static = textbook_form(value.xreplace(at_rest))
+        added = textbook_form(value - static)
+        if static != 0 and added != 0 and max(static.count_ops(), added.count_ops()) <= LONGEST_PART:
+            yield Parts(force, static, added)
+
+
+def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:
+    problem, motion = solution.problem, view.motion
+    assert motion is not None
+    terms = sp.Add.make_args(sp.expand(motion.final[0].expression))
+    units = {q.symbol: q.unit for q in problem.coordinates} | {p.symbol: p.unit for p in problem.parameters}
+    known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+    angles = {q for q in view.configuration.slots.coordinates if q not in known and _is_angle(q, terms)}
+    known |= dict.fromkeys(angles, NO_DIMENSION)
+    found = {dimension(term, known) for term in terms}
+    if len(terms) < 2 or len(found) != 1 or None in found:
+        return None
+    [one] = found
+    first, *others = sorted(
+        terms, key=lambda e: (not e.free_symbols & {*view.configuration.slots.accelerations}, str(e))
+    )
+    return (first, others[-1], written(one)) if one is not None and one != NO_DIMENSION else None
+
+
+def _is_angle(q: sp.Symbol, terms: Sequence[sp.Expr]) -> bool:
+    return any(q in w.free_symbols for term in terms for w in term.atoms(sp.sin, sp.cos, sp.tan))

@@ -1,0 +1,290 @@
+"""Hamilton's function and the canonical equations, and Routh's function.
+
+With the generalized momenta p_k = ∂L/∂q_k', solved for the velocities,
+
+    H(q, p, t) = Σ p_k q_k' − L ,      q_k' = ∂H/∂p_k ,      p_k' = −∂H/∂q_k + Q_k ,
+
+where Q_k are the forces without potential. T = ½ q'ᵀ M q' + b·q' + T0 makes p = M q' + b, and
+
+    H = ½ (p − b)ᵀ M⁻¹ (p − b) − T0 + V .
+
+The quadratic form is written as books write it, as a sum of squares u²/(2d). With u = p − b and a pivot
+d = M_kk, u_k²/(2d) is split off, the other u_i become u_i − (M_ik/d) u_k, and M what is left of it. The cheapest pivots
+come first: for a top, p_ψ²/(2C) + (p_φ − p_ψ cos θ)²/(2A sin² θ).
+
+A coordinate is cyclic if H does not contain it, and no force Q acts along it: its momentum is constant. With the cyclic
+velocities eliminated,
+
+    R = L − Σ p_c q_c'      (cyclic c only)
+
+is the Lagrangian of the other coordinates, the p_c in it being constants. Reference: Whittaker, §§ 38, 109.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
+from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
+from lagrange.algebra.fourier.ring import FourierRing
+from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
+from lagrange.core.diagnostics import NotCoveredError
+from lagrange.core.records import record
+from lagrange.core.symbols import free_letter, partial, prime, t
+from lagrange.core.verdicts import all_hold
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import Check, at_random_states
+from lagrange.mechanics.dynamics.comparison import System, compare
+from lagrange.mechanics.dynamics.energies import Energies, energies
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.reactions import over_one_denominator
+
+ZERO = sp.S.Zero
+
+
+@record
+class Square:
+    """u²/(2 d), a term of the kinetic energy in terms of the momenta."""
+
+    root: sp.Expr
+    divisor: sp.Expr
+
+    @property
+    def expression(self) -> sp.Expr:
+        """u²/(2 d)."""
+        return sp.Mul(sp.Rational(1, 2), self.root**2, 1 / self.divisor)
+
+    def derivative(self, symbol: sp.Symbol) -> sp.Expr:
+        """∂/∂symbol, as (u/d) ∂u or, where d varies too, u (d ∂u − u ∂d/2)/d²."""
+        u, d = self.root, self.divisor
+        rate, change = partial(u, symbol), partial(d, symbol)
+        if change == 0:
+            return _factored(rate) * u / d if rate != 0 else ZERO
+        return over_one_denominator(u * (_factored(d * rate - u * change / 2) / d**2))
+
+
+@record
+class Hamiltonian:
+    """Hamilton's function of one set of free coordinates.
+
+    motion      the equations of motion
+    energies    T, V, p_k = ∂L/∂q_k' and Q_k
+    momenta     shape (n,): the symbols p_k
+    velocities  shape (n,): q_k' in terms of q, p, t
+    squares     of the kinetic energy
+    rest        V − T0, a function of q and t
+    applied     shape (n,): Q_k in terms of q, p, t
+    is_energy   whether H is T + V; None: undecided
+    cyclic      the coordinates whose momenta are constant, by index
+    routhian    R, if some coordinates are cyclic and others are not
+    """
+
+    motion: EquationsOfMotion
+    energies: Energies
+    momenta: tuple[sp.Symbol, ...]
+    velocities: tuple[sp.Expr, ...]
+    squares: tuple[Square, ...]
+    rest: sp.Expr
+    applied: tuple[sp.Expr, ...]
+    is_energy: bool | None
+    cyclic: tuple[int, ...]
+    routhian: sp.Expr | None
+
+    @property
+    def configuration(self) -> Configuration:
+        """The configuration."""
+        return self.motion.configuration
+
+    @property
+    def coordinates(self) -> tuple[sp.Symbol, ...]:
+        """q_k."""
+        return self.configuration.slots.coordinates
+
+    @property
+    def function(self) -> sp.Expr:
+        """H."""
+        return sp.Add(*(s.expression for s in self.squares), self.rest)
+
+    @property
+    def rates(self) -> tuple[sp.Expr, ...]:
+        """p_k' = −∂H/∂q_k + Q_k, shape (n,)."""
+        return tuple(
+            sp.Add(*(-s.derivative(q) for s in self.squares), -textbook_form(partial(self.rest, q)), force)
+            for q, force in zip(self.coordinates, self.applied, strict=True)
+        )
+
+    @property
+    def depends_on_time(self) -> bool:
+        """Whether H contains t or a prescribed motion."""
+        return bool(self.function.free_symbols & {t, *_prescribed(self.configuration)})
+
+    @property
+    def is_conservative(self) -> bool:
+        """Whether all forces have a potential."""
+        return all(force == 0 for force in self.applied)
+
+
+def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonian:
+    """Hamilton's function of a motion in free coordinates.
+
+    taken  names that momenta must not use
+
+    Raises NotCoveredError if the coordinates are not free, or the momenta cannot be solved for the velocities.
+    """
+    configuration = motion.configuration
+    if configuration.rows:
+        names = ", ".join(f"`{r.name}`" for r in configuration.rows)
+        raise NotCoveredError(
+            f"Hamilton's function in coordinates that are not free: {names} still acts on them, so it"
+        )
+    stated = energies(configuration)
+    if stated.has_quasi_coordinates:
+        raise NotCoveredError("Hamilton's function in quasi-coordinates")
+    slots = configuration.slots
+    letter = free_letter("p", "P", "p_gen", taken=taken, of=[q.name for q in slots.coordinates])
+    momenta = tuple(sp.Symbol(f"{letter}_{q.name}", real=True) for q in slots.coordinates)
+    mass = [[textbook_form(partial(p, v)) for v in slots.velocities] for p in stated.momenta]
+    at_rest = dict.fromkeys(slots.velocities, ZERO)
+    shifts = [textbook_form(p.xreplace(at_rest)) for p in stated.momenta]
+    moved = [textbook_form(p - b) for p, b in zip(momenta, shifts, strict=True)]
+    squares = completed_squares(mass, moved, configuration.states)
+    solved = solved_linear(mass, moved, configuration.states)
+    if squares is None or solved is None or None in solved:
+        raise NotCoveredError("momenta that cannot be solved for the velocities: Hamilton's function")
+    by_squares = (sp.Add(*(s.derivative(p) for s in squares)) for p in momenta)
+    by_inverse = (over_one_denominator(v) for v in solved if v is not None)
+    velocities = tuple(min(pair, key=lambda v: v.count_ops()) for pair in zip(by_squares, by_inverse, strict=True))
+    in_momenta = dict(zip(slots.velocities, velocities, strict=True))
+    rest = sp.Add(stated.potential, -textbook_form(stated.kinetic.xreplace(at_rest)))
+    applied = tuple(tidy_quotient(q.xreplace(in_momenta)) if q != 0 else ZERO for q in stated.applied)
+    contained = sp.Add(*(s.expression for s in squares), rest).free_symbols
+    cyclic = tuple(k for k, q in enumerate(slots.coordinates) if q not in contained and applied[k] == 0)
+    function = sp.Add(*(s.expression for s in squares), rest)
+    by_momenta = dict(zip(momenta, stated.momenta, strict=True))
+    energy = stated.kinetic + stated.potential
+    return Hamiltonian(
+        motion,
+        stated,
+        momenta,
+        velocities,
+        squares,
+        rest,
+        applied,
+        is_energy=configuration.states.is_zero(function.xreplace(by_momenta) - energy),
+        cyclic=cyclic,
+        routhian=_routhian(stated, momenta, mass, moved, cyclic) if 0 < len(cyclic) < len(momenta) else None,
+    )
+
+
+def completed_squares(
+    mass: Sequence[Sequence[sp.Expr]], roots: Sequence[sp.Expr], surface: Surface
+) -> tuple[Square, ...] | None:
+    """The quadratic form ½ uᵀ M⁻¹ u as a sum of squares, for a symmetric M; None if M is singular, or undecided.
+
+    roots  shape (n,): u
+    """
+    left = [*range(len(roots))]
+    m, u = [list(row) for row in mass], [*roots]
+    squares = []
+    while left:
+
+        def cost(k: int) -> tuple[int, int]:
+            return sum(m[k][i] != 0 for i in left), int(m[k][k].count_ops())
+
+        k = min(left, key=cost)
+        if not m[k][k].is_positive and surface.is_zero(m[k][k]) is not False:
+            return None
+        left.remove(k)
+        squares.append((k, Square(u[k], _factored(m[k][k]))))
+        for i in left:
+            if m[i][k] != 0:
+                share = tidy_quotient(m[i][k] / m[k][k])
+                u[i] = u[i] - share * u[k]
+                for j in left:
+                    m[i][j] = tidy_quotient(m[i][j] - share * m[k][j])
+    return tuple(s for _, s in sorted(squares, key=lambda pair: pair[0]))
+
+
+def _routhian(
+    stated: Energies,
+    momenta: Sequence[sp.Symbol],
+    mass: Sequence[Sequence[sp.Expr]],
+    moved: Sequence[sp.Expr],
+    cyclic: Sequence[int],
+) -> sp.Expr | None:
+    """R: L without the cyclic velocities, less ½ wᵀ M_cc⁻¹ w with w = p_c − b_c − Σ M_ck q_k' over the others."""
+    configuration = stated.configuration
+    velocities = configuration.slots.velocities
+    others = [k for k in range(len(momenta)) if k not in cyclic]
+    roots = [moved[c] - sp.Add(*(mass[c][k] * velocities[k] for k in others)) for c in cyclic]
+    squares = completed_squares([[mass[c][d] for d in cyclic] for c in cyclic], roots, configuration.states)
+    if squares is None:
+        return None
+    without = stated.kinetic.xreplace({velocities[c]: ZERO for c in cyclic})
+    return sp.Add(textbook_form(without), -stated.potential, *(-s.expression for s in squares))
+
+
+def check_hamiltonian(found: Hamiltonian) -> list[Check]:
+    """By Lagrange's p_k = ∂L/∂q_k': ∂H/∂p_k is q_k', the canonical equations are those of motion, R is L − Σ p_c q_c'.
+
+    None of this uses M⁻¹ or the squares.
+    """
+    configuration, stated = found.configuration, found.energies
+    slots, states, name = configuration.slots, configuration.states, configuration.name
+    how = at_random_states(configuration)
+    by_momenta = dict(zip(found.momenta, stated.momenta, strict=True))
+    H = found.function
+    differences = [
+        side.xreplace(by_momenta) - v
+        for v, p, printed in zip(slots.velocities, found.momenta, found.velocities, strict=True)
+        for side in (partial(H, p), printed)
+    ]
+    canonical = [
+        slots.time_derivative(p) + partial(H, q).xreplace(by_momenta) - force
+        for q, p, force in zip(slots.coordinates, stated.momenta, stated.applied, strict=True)
+    ]
+    printed = [
+        slots.time_derivative(p) - rate.xreplace(by_momenta)
+        for p, rate in zip(stated.momenta, found.rates, strict=True)
+    ]
+    system = System(configuration, found.motion.expressions)
+    checks = [
+        Check("∂H/∂p_k are the velocities", _all_vanish(differences, states), how, name),
+        Check(
+            "Hamilton's equations are the equations of motion",
+            _all_agree((canonical, printed), system),
+            how,
+            name,
+        ),
+    ]
+    if found.routhian is not None:
+        work = sp.Add(*(stated.momenta[c] * slots.velocities[c] for c in found.cyclic))
+        lagrangian = stated.kinetic - stated.potential - work
+        holds = _all_vanish([found.routhian.xreplace(by_momenta) - lagrangian], states)
+        checks.append(Check("Routh's function is L − Σ p q' of the cyclic coordinates", holds, how, name))
+    return checks
+
+
+def _all_vanish(expressions: Sequence[sp.Expr], surface: Surface) -> bool | None:
+    return all_hold(surface.is_zero(e) for e in expressions)
+
+
+def _all_agree(systems: Sequence[Sequence[sp.Expr]], system: System) -> bool | None:
+    try:
+        comparisons = [compare(equations, system) for equations in systems]
+    except DivisionByZeroError:
+        return None
+    return None if None in comparisons else all(c is not None and c.agree for c in comparisons)
+
+
+def _factored(expression: sp.Expr) -> sp.Expr:
+    """One product, where it is a sum with common factors: m l² (M + m sin² θ)."""
+    ring = FourierRing()
+    element = ring.from_sympy(expression)
+    return ZERO if ring.is_zero(element) else Textbook(ring).product(element).to_sympy()
+
+
+def _prescribed(configuration: Configuration) -> list[sp.Symbol]:
+    return [prime(u, order) if order else u for u in configuration.slots.prescribed for order in range(3)]

@@ -1,0 +1,28 @@
+"""The outer limits of a command."""
+
+from __future__ import annotations
+
+import signal
+
+import pytest
+from click.testing import CliRunner
+
+from lagsolve.main import main
+
+pytestmark = pytest.mark.skipif(not hasattr(signal, "SIGALRM"), reason="the system has no alarms")
+
+
+@pytest.mark.parametrize("arguments", [("ex18",), ("check", "ex18")])
+def test_a_time_that_is_too_short(arguments: tuple[str, ...]) -> None:
+    """Whatever stage it is in: exit status 3, and the place, in place of an exception."""
+    handler = signal.getsignal(signal.SIGALRM)
+    result = CliRunner().invoke(main, (*arguments, "--timeout", "0.001"))
+    assert result.exit_code == 3
+    assert "given up at: " in result.output
+    assert "after 0.001 s" in result.output
+    assert signal.getsignal(signal.SIGALRM) is handler
+
+
+def test_a_time_that_is_long_enough() -> None:
+    bounded = CliRunner().invoke(main, ("ex11", "--timeout", "3600", "--memory", "65536"))
+    assert (bounded.exit_code, bounded.output) == (0, CliRunner().invoke(main, ("ex11",)).output)

@@ -1,0 +1,101 @@
+"""What a result says, against numbers and hand calculations."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import pytest
+import sympy as sp
+
+from lagrange.core.diagnostics import Source
+from lagrange.mechanics.meaning import Meaning, meaning
+from lagrange.mechanics.solution import solve
+from lagrange.problem.loader import load, read_problem
+from tests.support.shared import SHIPPED
+
+SPRING = """
+title: Mass on a spring and a rod
+parameters: {m: positive, M: positive, l: positive, g: positive}
+coordinates: [s, theta]
+particles:
+  A: {mass: M, position: s*i}
+  B: {mass: m, position: "[s + l*sin(theta), -l*cos(theta)]"}
+gravity: -g*j
+"""
+
+
+@cache
+def of(name: str) -> Meaning:
+    found = meaning(solve(load(str(SHIPPED[name]))))
+    assert found is not None
+    return found
+
+
+def symbols(m: Meaning) -> dict[str, sp.Symbol]:
+    return {s.name: s for e in m.view.motion.final for s in e.expression.free_symbols}  # type: ignore[union-attr]
+
+
+def test_limits_hold_in_numbers() -> None:
+    """The accelerations at a small value of the parameter are those of the limit, to first order."""
+    for name in ("ex11-ideal-pendulum", "ex10-double-pendulum", "ex18-double-pendulum"):
+        m = of(name)
+        assert m.limits, name
+        motion = m.view.motion
+        assert motion is not None
+        accelerations = m.view.configuration.slots.accelerations
+        every = sorted({s for e in motion.expressions for s in e.free_symbols} - {*accelerations}, key=str)
+        for limit in m.limits:
+            there = {s: sp.Rational(7 + 3 * n, 10 + n) for n, s in enumerate(every)}
+            near = sp.Rational(10**8) if limit.to == sp.oo else there.get(limit.to, 0) + sp.Rational(1, 10**8)
+            exact = [e.xreplace({**there, limit.parameter: near}) for e in motion.expressions]
+            limiting = [e.xreplace(there) for e in limit.equations]
+            a, b = (sp.linsolve(es, *accelerations) for es in (exact, limiting))
+            for x, y in zip(next(iter(a)), next(iter(b)), strict=True):
+                assert abs(float(x - y)) < 1e-5, (name, limit.parameter)
+
+
+def test_a_mass_that_grows_leaves_the_upper_pendulum_alone() -> None:
+    m = of("ex18-double-pendulum")
+    growing = [x for x in m.limits if x.to == sp.oo or x.to == 0]
+    assert growing
+    assert all(x.parameter.name in {"g", "l1", "l2", "m1", "m2"} for x in growing)
+
+
+def test_a_parameter_without_which_nothing_moves_has_no_limit() -> None:
+    """At l = 0 the pendulum's equation is g sin θ = 0, which determines no motion."""
+    assert {x.parameter.name for x in of("ex11-ideal-pendulum").limits} == {"g"}
+
+
+def test_the_tension_is_split_into_rest_and_motion() -> None:
+    m = of("ex11-ideal-pendulum")
+    [parts] = m.parts
+    s = symbols(m)
+    mass = next(x for x in parts.at_rest.free_symbols if x.name == "m")
+    rate = next(x for x in parts.added.free_symbols if x.name == "theta'")
+    assert sp.expand(parts.at_rest - mass * s["g"] * sp.cos(s["theta"])) == 0
+    assert sp.expand(parts.added - mass * s["l"] * rate**2) == 0
+
+
+def test_a_moving_constraint_is_never_at_rest() -> None:
+    assert not of("ex17-spherical-pendulum").parts
+
+
+def test_units_are_those_of_every_term() -> None:
+    terms = of("ex11-ideal-pendulum").terms
+    assert terms is not None
+    assert terms[2] == "m/s^2"
+
+
+@pytest.mark.parametrize("name", ["ex11-ideal-pendulum"])
+def test_small_motion_has_the_period_of_the_pendulum(name: str) -> None:
+    small = of(name).small
+    assert small is not None
+    squares = [at.frequencies[0].square for at in small.at if at is not None]
+    s = symbols(of(name))
+    assert s["g"] / s["l"] in squares
+
+
+def test_several_degrees_of_freedom_get_no_small_motion() -> None:
+    found = meaning(solve(read_problem(Source("spring", SPRING))))
+    assert found is not None
+    assert found.small is None
