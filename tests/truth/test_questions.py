@@ -132,6 +132,19 @@ def pressed(s: State, _: float) -> float:
     return ladder(s, 0)[1] * cos(s[0]) - s[1] ** 2 * sin(s[0])
 
 
+BOWLED = {"m": 5.0, "R": 0.1, "mu": 0.2, "g": 9.8, "v": 7.0}
+BOWLED_AT = [0.0, 0.0, 7.0, 0.0]
+
+
+def bowled(s: State, _: float) -> State:
+    """While it slips, friction slows it down and turns it clockwise."""
+    return [s[2], s[3], -0.2 * 9.8, -0.2 * 9.8 * 0.1 / (0.4 * 0.1**2)]
+
+
+def no_slip(s: State, _: float) -> float:
+    return s[2] + 0.1 * s[3]
+
+
 CASES = [
     Case("leaving-a-sphere", "leaves", {"R": 1.3, "g": 9.8, "m": 2.0}, circle(9.8, 1.3), [SMALL, 0.0],
          lambda s, _: 9.8 * cos(s[0]) - 1.3 * s[1] ** 2, lambda s, _: s[0]),
@@ -221,6 +234,9 @@ CASES = [
          lambda s, _: s[0] - 2 * pi, lambda s, _: s[1]),
     Case("over-the-top", "at_the_side", {"m": 1.0, "l": 1.0, "g": 9.8, "v": 5.0}, hanging(9.8, 1.0), [0.0, 5.0],
          lambda s, _: s[0] - pi / 2, lambda s, _: s[1]),
+    Case("bowling-ball", "rolls", BOWLED, bowled, BOWLED_AT, no_slip, lambda _, t: t),
+    Case("bowling-ball", "speed", BOWLED, bowled, BOWLED_AT, no_slip, lambda s, _: s[2]),
+    Case("bowling-ball", "distance", BOWLED, bowled, BOWLED_AT, no_slip, lambda s, _: s[0]),
 ]  # fmt: skip
 
 
