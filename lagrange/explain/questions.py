@@ -9,7 +9,9 @@ import sympy as sp
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Math, Part, Ref, Rule, Step
-from lagrange.explain.words import plural, sign_conditions, spoken, suffix_of
+from lagrange.explain.words import plural, sign_conditions, spoken, suffix_of, title_in
+from lagrange.mechanics.questions.forms import under_one_root
+from lagrange.mechanics.questions.from_start import FromStart
 from lagrange.mechanics.questions.results import (
     AnswerBranch,
     Asked,
@@ -32,9 +34,41 @@ def explain_questions(solution: Solution) -> Iterator[Step]:
         yield Step(Rule.QUESTION, f"Question: {spoken(asked.question.name)}", body)
 
 
+def explain_from_start(start: FromStart) -> Step:
+    """The motion from the initial state, where nothing is asked."""
+    return Step(Rule.QUESTION, title_in("Motion from the initial state", start.choice), tuple(_start(start)))
+
+
+def _start(start: FromStart) -> Iterator[Block]:
+    at_start = listed(math(v.symbol, v.value) for v in start.initial)
+    if len(start.motions) > 1:
+        yield prose("The equations of motion integrate in closed form. From the state with ", *at_start, " at ",
+                    math(t, sp.S.Zero), " there are these cases, as substitution shows:")  # fmt: skip
+    elif start.motions:
+        yield prose("The equations of motion integrate in closed form. With ", *at_start, " at ", math(t, sp.S.Zero),
+                    ", as substitution shows,")  # fmt: skip
+    for n, m in enumerate(start.motions, start=1):
+        where = ("where ", *sign_conditions(m.conditions)) if m.conditions else ()
+        lines = [
+            Equation((q, under_one_root(e)), label=f"from-start-{n}-{k}", condition=where if k == 1 else ())
+            for k, (q, e) in enumerate(m.solutions.items(), start=1)
+        ]
+        yield display(*lines, boxed=True, detail=Detail.BRIEF)
+    if not start.motions and start.integrals:
+        yield prose("The equations of motion do not integrate in closed form here. With ", *at_start, " at ",
+                    math(t, sp.S.Zero), " the integrals have the values")  # fmt: skip
+        yield display(*(Equation((i.expression, i.value)) for i in start.integrals))
+    if not start.motions:
+        yield prose("Nothing else depends on the initial state: the questions of a file are under `ask`.")
+
+
 def _body(asked: Asked, conserved_shown: bool, seen: dict[tuple[str, sp.Expr], str]) -> Iterator[Block]:
     """The step; `seen` has the labels of integrals that earlier questions have shown with their values."""
     yield prose(*_asked(asked.question), detail=Detail.BRIEF)
+    if asked.opposite is not None:
+        force = math(asked.opposite)
+        yield prose("With the sense of ", force, " above there is no solution, so ", force, " is counted in the "
+                    "opposite sense here: it stands for the size of the force.")  # fmt: skip
     if asked.used:
         yield prose(_terms_of(asked))
         yield display(*(Equation((u.symbol, u.value)) for u in asked.used))
@@ -201,6 +235,11 @@ def _answer(asked: Asked) -> Iterator[Block]:
     yield display(*lines, boxed=True, detail=Detail.BRIEF)
     if angles := [*_angles(asked)]:
         yield prose("That is ", *listed(angles), ".", detail=Detail.BRIEF)
+    if any(b.limit for b in asked.branches):
+        yield prose("There the velocity and the acceleration vanish: a motion that starts elsewhere only approaches "
+                    "this state, in the limit ", math(t, sp.oo, relation="→"), ".", detail=Detail.BRIEF)  # fmt: skip
+    if any(b.provided for b in asked.branches):
+        yield prose("This holds provided that the motion gets there, which is not decided here.", detail=Detail.BRIEF)
     if asked.mirrored:
         yield prose("The initial state is an equilibrium, from which the motion may start in either direction: "
                     "one value belongs to each.")  # fmt: skip
@@ -261,12 +300,12 @@ def _dropped(b: AnswerBranch, because: Because) -> tuple[Part, ...]:
             return ("The solution ", equation, " lies on the other side: the motion begins in the opposite direction, "
                     "and keeps it up to the first turning point.")  # fmt: skip
         case Because.SENSE:
-            return ("The solution ", equation, " has the other sense of slip, for which the equations of motion do "
+            return ("The solution ", equation, " has the opposite sense, for which this equation of motion does "
                     "not hold.")  # fmt: skip
         case Because.PAST:
             return ("The solution ", equation, " lies before ", math(t, sp.S.Zero), ".")
         case Because.LATER:
-            return ("The solution ", equation, " comes later.")
+            return ("The solution ", equation, " comes later, if at all.")
         case Because.START:
             return ("The solution ", equation, " does not begin with the initial state.")
 

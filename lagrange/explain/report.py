@@ -219,6 +219,10 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
         from lagrange.explain.questions import explain_questions
 
         yield from explain_questions(solution)
+    if solution.from_start is not None:
+        from lagrange.explain.questions import explain_from_start
+
+        yield explain_from_start(solution.from_start)
     stated = (e for a in answers if a.name == "reactions" for e in a.equations)
     remarks = [(e.text.partition(":")[0], remark) for e in stated for remark in e.remarks]
     yield explain_checks(solution, [(a.name, a.verdict.value) for a in answers], remarks)

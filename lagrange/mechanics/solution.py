@@ -64,6 +64,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
 
 
@@ -150,6 +151,7 @@ class Solution:
     law              Newton's law in the file's coordinates, if the motion or the reactions at rest are requested
     works            the work of the reactions
     asked            the answers to the questions of the file
+    from_start       the motion from the initial state, where nothing is asked
     given_up         the stage at which the work was given up, and why; later results are missing
     """
 
@@ -163,6 +165,7 @@ class Solution:
     works: tuple[WorkOfReaction, ...] = ()
     checks: tuple[Check, ...] = ()
     asked: tuple[Asked, ...] = ()
+    from_start: FromStart | None = None
     given_up: str = ""
 
     @property
@@ -257,7 +260,7 @@ def _stages(
         yield lambda s: _with_equilibrium(s, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         yield lambda s: _with_rest(s, blank, on_stage)
-    if problem.questions:
+    if problem.questions or (problem.initial and Find.MOTION in problem.find):
         yield lambda s: _with_questions(s, on_stage)
     yield _with_numbers
 
@@ -549,7 +552,8 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
 
     on_stage("questions")
     law = solution.law
-    assert law is not None  # questions need the motion
+    if law is None:  # a reference system, which has an initial state and no motion of its own
+        return solution
     frictions = {f.name for f in law.frictions}
     places = []
     for view in sorted(solution.views, key=lambda v: (v.is_own, bool(v.signs))):
@@ -560,7 +564,12 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
         if dynamics.reactions is None and law.used:
             dynamics = motion(law, view.coordinates.configuration, view.elimination)
         places.append(Place(dynamics, integrals, law))
-    asked = answers_to_questions(solution.problem, places, [v.configuration for v in solution.views])
+    configurations = [v.configuration for v in solution.views]
+    if not solution.problem.questions:
+        from lagrange.mechanics.questions.from_start import motion_from_start
+
+        return replace(solution, from_start=motion_from_start(solution.problem, places, configurations))
+    asked = answers_to_questions(solution.problem, places, configurations)
     return replace(solution, asked=asked, checks=(*solution.checks, *check_questions(asked, places)))
 
 

@@ -310,6 +310,8 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
         yield from ((moment, "kg m^2") for moment in body.inertia)
         yield from ((angle, "1") for angle in (body.angle, *body.angles) if angle is not None)
     yield from _components(problem.gravity, "m/s^2")
+    sides = [(c.lhs, c.rhs) for c in problem.constraints]
+    yield from ((left / right, "1") for left, right in sides if left != 0 and right != 0)
     for f in problem.forces:
         match f:
             case AppliedForce():

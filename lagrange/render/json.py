@@ -111,6 +111,14 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
     if solution.asked:
         found["asked"] = [_asked(a, report.values or no_values(solution.problem), write) for a in solution.asked]
+    if solution.from_start is not None:
+        found["from_start"] = [
+            {
+                "solutions": {q.name: write(e) for q, e in m.solutions.items()},
+                "conditions": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in m.conditions],
+            }
+            for m in solution.from_start.motions
+        ]
     found |= _with_friction(solution, write)
     found["checks"] = [{"name": _named(c.name, c.choice), "passed": c.passed, "how": c.how} for c in solution.checks]
     spots = [v.spot for v in solution.views]
@@ -570,7 +578,12 @@ def _asked(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     stated = [
         write(b.rhs) if b.lhs == question.quantity else f"{write(b.lhs)} = {write(b.rhs)}" for b in asked.branches
     ]
-    each = [[f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions] for b in asked.branches]
+    each = [
+        [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions]
+        + (["in the limit t → ∞"] if b.limit else [])
+        + (["provided that the motion gets there"] if b.provided else [])
+        for b in asked.branches
+    ]
     common = [c for c in each[0] if all(c in other for other in each)] if each else []
     found: dict[str, Any] = {
         "name": question.name,

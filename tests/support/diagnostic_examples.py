@@ -183,6 +183,10 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-state": ("The state at t = 0 is given by coordinates and velocities.", problem("initial: {m: 2}")),
     "initial-contradicts": ("The state at t = 0 must satisfy the constraints; leave out what follows from the rest.",
         problem(PARTICLE + ROD + "initial: {x: l, y: l, x': 0, y': 0}\nask: {tension: {quantity: lambda_rod, when: x = 0}}")),
+    "negative-radius": ("The radius of a polar, cylindrical or spherical frame is not negative.", problem(
+        "frame: {type: polar, coordinates: [r, phi]}\nparticles: {P: {mass: m, position: r*e_r}}\n"
+        "initial: {r: -l, r': 0, phi: 0, phi': 0}\nask: {what: {quantity: \"r'\", when: r = l}}",
+        coordinates="[r, phi]")),
     "nothing-asked": ("A question asks for something that has to be found.",
         problem(PARTICLE + "ask: {what: {quantity: 2}}")),
     "no-variable": ("A quantity is wanted as a function of one coordinate or of t.",

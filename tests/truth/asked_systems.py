@@ -96,18 +96,86 @@ def rolling_without_slip() -> tuple[Route, ...]:
     return (newton_euler("x y theta", [cylinder], {"contact": y - radius}, {"rolling": radius * d(theta) - d(x)}),)
 
 
+def hoop_off_a_cylinder() -> tuple[Route, ...]:
+    r, theta, phi = moving("r theta phi")
+    m, a, radius, g = constants("m a R g")
+    hoop = flat(m, (r * sin(theta), r * cos(theta)), m * a**2, -phi, force=(0, -m * g, 0))
+    rolling = a * d(phi) - (radius + a) * d(theta)
+    return (newton_euler("r theta phi", [hoop], {"contact": r - radius - a}, {"rolling": rolling}),)
+
+
+def ball_thrown_up() -> tuple[Route, ...]:
+    y = moving("y")[0]
+    m, c, g = constants("m c g")
+    return (literature("y", (m * d(y, 2) + m * g + c * sp.Abs(d(y)) * d(y),)),)
+
+
+def charge_in_crossed_fields() -> tuple[Route, ...]:
+    x, y = moving("x y")
+    m, charge, electric, magnetic = constants("m q E B")
+    along = m * d(x, 2) - charge * magnetic * d(y)
+    return (literature("x y", (along, m * d(y, 2) + charge * magnetic * d(x) - charge * electric)),)
+
+
+def wandering_energy() -> tuple[Route, ...]:
+    x, y = moving("x y")
+    m, k, c = constants("m k c")
+    kinetic = m * (d(x) ** 2 + d(y) ** 2) / 2
+    return (lagrange("x y", kinetic, k * (x**2 + y**2) / 2 + c * (x - y) ** 2 / 2),)
+
+
+def rod_cut_loose() -> tuple[Route, ...]:
+    x, y, theta = moving("x y theta")
+    m, l, b, g = constants("m l b g")
+    rod = flat(m, (x, y), m * l**2 / 12, theta, force=(0, -m * g, 0))
+    end = (x - l / 2 * cos(theta)) ** 2 + (y - l / 2 * sin(theta)) ** 2
+    return (newton_euler("x y theta", [rod], {"string": end - b**2}),)
+
+
+def ladder_leaves_the_wall() -> tuple[Route, ...]:
+    x, y, theta = moving("x y theta")
+    m, l, g = constants("m l g")
+    ladder = flat(m, (x, y), m * l**2 / 3, theta, force=(0, -m * g, 0))
+    contacts = {"wall": x - l * sin(theta), "floor": y - l * cos(theta)}
+    return (newton_euler("x y theta", [ladder], contacts),)
+
+
+def over_the_top() -> tuple[Route, ...]:
+    theta = moving("theta")[0]
+    m, l, g = constants("m l g")
+    return (lagrange("theta", m * l**2 * d(theta) ** 2 / 2, -m * g * l * cos(theta)),)
+
+
+def rear_wheel_drive() -> tuple[Route, ...]:
+    """The drive acts at the rear wheel, with the moment about the centre of the force at (−b, −h), turned with the car."""
+    x, y, phi = moving("x y phi")
+    m, inertia, b, c, h, drive, g = constants("m J b c h F g")
+    arm = -b * sin(phi) - h * cos(phi)
+    car = flat(m, (x, y), inertia, phi, force=(drive, -m * g, 0), moment=(0, 0, -arm * drive))
+    rear, front = (y + s * sin(phi) - h * cos(phi) for s in (-b, c))
+    return (newton_euler("x y phi", [car], {"rear": rear, "front": front}),)
+
+
 ASKED: dict[str, Textbook] = {
+    "ball-thrown-up": Textbook(ball_thrown_up, HOLONOMIC, 1, 0),
     "bead-slowed-on-a-ring": Textbook(bead_slowed_on_a_ring, HOLONOMIC, 1, 1),
     "boat-that-drifts": Textbook(boat_that_drifts, HOLONOMIC, 1, 0),
+    "charge-in-crossed-fields": Textbook(charge_in_crossed_fields, HOLONOMIC, 2, 0),
     "coasting-away": Textbook(radial, HOLONOMIC, 1, 0),
     "escape-from-a-planet": Textbook(radial, HOLONOMIC, 1, 0),
     "fall-through-air": Textbook(fall_through_air, HOLONOMIC, 1, 0),
+    "hoop-off-a-cylinder": Textbook(hoop_off_a_cylinder, HOLONOMIC, 1, 2),
+    "ladder-leaves-the-wall": Textbook(ladder_leaves_the_wall, HOLONOMIC, 1, 2),
     "leaving-a-sphere": Textbook(leaving_a_sphere, HOLONOMIC, 1, 1),
     "loop-the-loop": Textbook(loop_the_loop, HOLONOMIC, 1, 1),
+    "over-the-top": Textbook(over_the_top, HOLONOMIC, 1, 0),
+    "rear-wheel-drive": Textbook(rear_wheel_drive, HOLONOMIC, 1, 2),
     "released-pendulum": Textbook(released_pendulum, HOLONOMIC, 1, 1, ranges={"l": (2, 3)}),
+    "rod-cut-loose": Textbook(rod_cut_loose, HOLONOMIC, 2, 1),
     "rolling-without-slip": Textbook(rolling_without_slip, HOLONOMIC, 1, 2),
     "shaken-into-resonance": Textbook(shaken_into_resonance, HOLONOMIC, 1, 0),
     "sledge-up-a-slope": Textbook(sledge_up_a_slope, HOLONOMIC, 1, 1),
     "thrown-stone": Textbook(thrown_stone, HOLONOMIC, 2, 0),
+    "wandering-energy": Textbook(wandering_energy, HOLONOMIC, 2, 0),
     "weight-let-go-on-a-spring": Textbook(weight_let_go_on_a_spring, HOLONOMIC, 1, 0),
 }

@@ -100,6 +100,51 @@ SLOWED = -9.8 * (sin(0.4) + 0.3 * cos(0.4))
 SHAKEN = {"m": 1.5, "k": 4.0, "F": 0.7, "w": 1.1}
 TUNED = {"m": 1.0, "k": 4.0, "F": 0.7, "w": 2.0}
 
+HOOP = {"m": 2.0, "a": 0.3, "R": 1.2, "g": 9.8}
+THROWN_UP = {"m": 2.0, "c": 0.1, "g": 9.8, "v": 15.0}
+FIELDS = {"m": 2.0, "q": 1.5, "E": 1.7, "B": 1.6}
+SPRINGS = {"m": 1.5, "k": 4.0, "c": 0.9, "a": 0.1}
+LADDER = {"m": 2.0, "l": 1.5, "g": 9.8, "alpha": 0.4}
+
+
+def hoop(s: State, _: float) -> State:
+    return [s[1], 9.8 / (2 * 1.5) * sin(s[0])]
+
+
+def drag_upwards(s: State, _: float) -> State:
+    return [s[1], -9.8 - 0.05 * abs(s[1]) * s[1]]
+
+
+def crossed(s: State, _: float) -> State:
+    return [s[2], s[3], 1.2 * s[3], 1.5 * 1.7 / 2 - 1.2 * s[2]]
+
+
+def joined(s: State, _: float) -> State:
+    return [s[2], s[3], (-4 * s[0] - 0.9 * (s[0] - s[1])) / 1.5, (-4 * s[1] + 0.9 * (s[0] - s[1])) / 1.5]
+
+
+def ladder(s: State, _: float) -> State:
+    return [s[1], 3 * 9.8 / (4 * 1.5) * sin(s[0])]
+
+
+def pressed(s: State, _: float) -> float:
+    """x'' of the centre: the wall presses as long as it is positive."""
+    return ladder(s, 0)[1] * cos(s[0]) - s[1] ** 2 * sin(s[0])
+
+
+BOWLED = {"m": 5.0, "R": 0.1, "mu": 0.2, "g": 9.8, "v": 7.0}
+BOWLED_AT = [0.0, 0.0, 7.0, 0.0]
+
+
+def bowled(s: State, _: float) -> State:
+    """While it slips, friction slows it down and turns it clockwise."""
+    return [s[2], s[3], -0.2 * 9.8, -0.2 * 9.8 * 0.1 / (0.4 * 0.1**2)]
+
+
+def no_slip(s: State, _: float) -> float:
+    return s[2] + 0.1 * s[3]
+
+
 CASES = [
     Case("leaving-a-sphere", "leaves", {"R": 1.3, "g": 9.8, "m": 2.0}, circle(9.8, 1.3), [SMALL, 0.0],
          lambda s, _: 9.8 * cos(s[0]) - 1.3 * s[1] ** 2, lambda s, _: s[0]),
@@ -169,7 +214,59 @@ CASES = [
          lambda _, t: t - 3.3, lambda s, _: s[0], {"t": 3.3}),
     Case("rolling-without-slip", "speed", {"m": 1.0, "R": 1.0, "alpha": 0.4, "g": 9.8, "s": 3.0, "mu_s": 1.0},
          straight(2 / 3 * 9.8 * sin(0.4)), [0.0, 0.0], lambda s, _: s[0] - 3, lambda s, _: s[1]),
+    Case("hoop-off-a-cylinder", "leaves", HOOP, hoop, [SMALL, 0.0], lambda s, _: 9.8 * cos(s[0]) - 1.5 * s[1] ** 2, lambda s, _: s[0]),
+    Case("hoop-off-a-cylinder", "speed", HOOP, hoop, [SMALL, 0.0], lambda s, _: 9.8 * cos(s[0]) - 1.5 * s[1] ** 2,
+         lambda s, _: 1.5 * s[1]),
+    Case("hoop-off-a-cylinder", "pressure", HOOP, hoop, [SMALL, 0.0], lambda s, _: s[0] - 0.6,
+         lambda s, _: 2 * (9.8 * cos(s[0]) - 1.5 * s[1] ** 2), {"theta": 0.6}),
+    Case("ball-thrown-up", "height", THROWN_UP, drag_upwards, [0.0, 15.0], lambda s, _: s[1], lambda s, _: s[0]),
+    Case("ball-thrown-up", "rise", THROWN_UP, drag_upwards, [0.0, 15.0], lambda s, _: s[1], lambda _, t: t),
+    Case("ball-thrown-up", "back", THROWN_UP, drag_upwards, [0.0, 15.0], lambda s, _: s[0], lambda s, _: s[1]),
+    Case("charge-in-crossed-fields", "along", FIELDS, crossed, [0.0] * 4, lambda _, t: t - 2.3, lambda s, _: s[0], {"t": 2.3}),
+    Case("charge-in-crossed-fields", "across", FIELDS, crossed, [0.0] * 4, lambda _, t: t - 2.3, lambda s, _: s[1], {"t": 2.3}),
+    Case("charge-in-crossed-fields", "farthest", FIELDS, crossed, [0.0] * 4, lambda s, _: s[3], lambda s, _: s[1]),
+    Case("charge-in-crossed-fields", "drift", FIELDS, crossed, [0.0] * 4, lambda _, t: t - pi / 0.6, lambda s, _: s[0]),
+    Case("wandering-energy", "first", SPRINGS, joined, [0.1, 0.0, 0.0, 0.0], lambda _, t: t - 3.1, lambda s, _: s[0], {"t": 3.1}),
+    Case("wandering-energy", "second", SPRINGS, joined, [0.1, 0.0, 0.0, 0.0], lambda _, t: t - 3.1, lambda s, _: s[1], {"t": 3.1}),
+    Case("ladder-leaves-the-wall", "leaves", LADDER, ladder, [0.4, 0.0], pressed, lambda s, _: s[0]),
+    Case("ladder-leaves-the-wall", "height", LADDER, ladder, [0.4, 0.0], pressed, lambda s, _: 2 * 1.5 * cos(s[0])),
+    Case("over-the-top", "a_turn_later", {"m": 1.0, "l": 1.0, "g": 9.8, "v": 6.5}, hanging(9.8, 1.0), [0.0, 6.5],
+         lambda s, _: s[0] - 2 * pi, lambda s, _: s[1]),
+    Case("over-the-top", "at_the_side", {"m": 1.0, "l": 1.0, "g": 9.8, "v": 5.0}, hanging(9.8, 1.0), [0.0, 5.0],
+         lambda s, _: s[0] - pi / 2, lambda s, _: s[1]),
+    Case("bowling-ball", "rolls", BOWLED, bowled, BOWLED_AT, no_slip, lambda _, t: t),
+    Case("bowling-ball", "speed", BOWLED, bowled, BOWLED_AT, no_slip, lambda s, _: s[2]),
+    Case("bowling-ball", "distance", BOWLED, bowled, BOWLED_AT, no_slip, lambda s, _: s[0]),
 ]  # fmt: skip
+
+
+def test_a_pendulum_does_not_get_over_the_top_where_the_condition_fails() -> None:
+    solution = reported(PROBLEMS / "motion" / "over-the-top.yaml").solution
+    once_round, aside, _ = solution.asked
+    slow = {"m": 1.0, "l": 1.0, "g": 9.8, "v": 6.2}  # v² < 4 g l = 39.2
+    assert answer(once_round, slow) == []
+    assert answer(aside, slow) == [pytest.approx(sqrt(6.2**2 - 2 * 9.8))]
+    with pytest.raises(AssertionError, match="does not happen"):
+        until(hanging(9.8, 1.0), [0.0, 6.2], lambda s, _: s[0] - 2 * pi, longest=10)
+
+
+def test_the_rod_that_is_cut_loose_turns_about_the_string() -> None:
+    """By hand: m a = T − m g and I α = −T l/2 for the centre, and the end at the string is not accelerated."""
+    solution = reported(PROBLEMS / "motion" / "rod-cut-loose.yaml").solution
+    tension, turning, falling = (answer(a, {"m": 2.0, "l": 1.2, "b": 0.7, "g": 9.8})[0] for a in solution.asked)
+    assert 2.0 * falling == pytest.approx(tension - 2.0 * 9.8)
+    assert 2.0 * 1.2**2 / 12 * turning == pytest.approx(-tension * 0.6)
+    assert falling - turning * 0.6 == pytest.approx(0)
+
+
+def test_the_wheels_of_a_car_carry_its_weight_and_the_moment_of_the_drive() -> None:
+    solution = reported(PROBLEMS / "motion" / "rear-wheel-drive.yaml").solution
+    car = {"m": 1200.0, "J": 1500.0, "b": 1.4, "c": 1.2, "h": 0.5, "F": 3000.0, "g": 9.8, "mu": 0.8}
+    greatest, behind, in_front = (answer(a, car)[0] for a in solution.asked)
+    assert behind + in_front == pytest.approx(1200 * 9.8)
+    assert 1.4 * behind - 1.2 * in_front == pytest.approx(0.5 * 3000)
+    [limit] = answer(solution.asked[1], {**car, "F": greatest})
+    assert greatest == pytest.approx(0.8 * limit)
 
 
 def answer(asked: Asked, values: dict[str, float]) -> list[float]:

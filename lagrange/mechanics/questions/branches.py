@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
+from functools import lru_cache
 
 import sympy as sp
 
@@ -24,7 +25,8 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, base, prime
+from lagrange.core.symbols import Bounded, Slots, base, prime
+from lagrange.mechanics.questions.limits import MOST_SIGNS
 from lagrange.mechanics.questions.results import AnswerBranch, Because
 
 State = Mapping[sp.Symbol, sp.Expr]
@@ -47,7 +49,7 @@ class Beginning:
     free           the number of degrees of freedom
     radii          coordinates that are radii, and positive at first
     turning        the coordinate at all turning points of a motion with one degree of freedom; None: not known
-    angles         coordinates that count modulo 2π
+    own            the coordinates that are not expressed by the others
     """
 
     initial: State
@@ -56,7 +58,7 @@ class Beginning:
     free: int
     radii: tuple[sp.Symbol, ...] = ()
     turning: Callable[[], Sequence[sp.Expr] | None] = lambda: None
-    angles: frozenset[sp.Symbol] = frozenset()
+    own: tuple[sp.Symbol, ...] = ()
 
     def direction(self, q: sp.Symbol) -> int | None:
         """The sign with which q starts; 0 where it is at rest and not accelerated; None: not known."""
@@ -96,8 +98,8 @@ def first_branches(
     by       the coordinate as a function of which the quantity is wanted
     """
     dropped: list[tuple[AnswerBranch, Because]] = []
-    left = [b for b in branches if not _has_wrong_sign(b, quantity)]
-    left = [_with_radius(b, beginning) for b in left if not _has_negative_radius(b, beginning)]
+    left = [_with_sign(b, quantity) for b in branches if not _has_wrong_sign(b, quantity)]
+    left = [_with_radius(b, beginning) for b in (_without_negative_radii(b, beginning) for b in left) if b is not None]
     if by is not None:
         left, gone = _beginning_right(left, beginning, by, quantity)
         return Chosen(tuple(left), tuple((b, Because.START) for b in gone), _are_mirrored(left))
@@ -125,6 +127,15 @@ def _has_wrong_sign(b: AnswerBranch, quantity: sp.Expr) -> bool:
     if not quantity.is_nonnegative:
         return False
     return all(sign_of(v) == -1 or (v == 0 and quantity.is_positive) for v in b.values)
+
+
+def _with_sign(b: AnswerBranch, quantity: sp.Expr) -> AnswerBranch:
+    """The branch with the condition that a positive parameter is positive, where that is open."""
+    if not (quantity.is_Symbol and quantity.is_positive and len(b.values) == 1):
+        return b
+    [value] = b.values
+    is_open = sign_of_value(value, b.conditions) is None
+    return replace(b, conditions=(*b.conditions, more_than_zero(value))) if is_open else b
 
 
 def _beginning_right(
@@ -159,11 +170,12 @@ def _moving(b: AnswerBranch, q: sp.Symbol, way: int) -> tuple[State, ...]:
     return tuple(s for s in b.states if prime(q) not in s or sign_of_value(s[prime(q)], b.conditions) != -way)
 
 
-def _has_negative_radius(b: AnswerBranch, beginning: Beginning) -> bool:
-    """Whether a radius is negative in all states of a branch."""
-    return any(
-        all(q in s and sign_of_value(s[q], b.conditions) == -1 for s in b.states) and b.states for q in beginning.radii
+def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBranch | None:
+    """The part of a branch in which no radius is negative; None where there is none."""
+    kept = tuple(
+        s for s in b.states if not any(q in s and sign_of_value(s[q], b.conditions) == -1 for q in beginning.radii)
     )
+    return b if len(kept) == len(b.states) else replace(b, states=kept) if kept else None
 
 
 def _with_radius(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
@@ -227,10 +239,46 @@ def _way(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[
 
 def sign_of_value(e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
     """The sign of a value, where conditions hold; of a number by its digits, where it is not zero."""
+    return _sign_where(e, tuple(conditions))
+
+
+@lru_cache(maxsize=MOST_SIGNS)
+def _sign_where(e: sp.Expr, conditions: tuple[SignCondition, ...]) -> int | None:
     if is_zero(e) is True:
         return 0
     sign = _sign(e, conditions)
+    if sign is None and e.has(sp.acos):
+        sign = _sign_of_angle(e, conditions)
     return _sign(factored_quotient(sp.expand(e)), conditions) if sign is None else sign
+
+
+def _sign_of_angle(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
+    """The sign of c acos(u) + a: acos lies between 0 and π, and falls with u."""
+    [angle, *others] = e.atoms(sp.acos)
+    if len(others) > 1:
+        return None
+    letter = sp.Dummy(real=True)
+    linear = sp.expand(e.xreplace({angle: letter}))
+    c, rest = linear.coeff(letter, 1), linear.coeff(letter, 0)
+    if not c.is_number or c == 0 or linear != c * letter + rest:
+        return None
+    way = 1 if c > 0 else -1
+    against = sp.expand(-rest / c)  # the sign is that of acos(u) − against
+    if against.is_number:
+        if against <= 0 or against >= sp.pi:
+            return way if against <= 0 else -way
+    elif not _is_half_turn(against):
+        beyond = _sign(against - sp.pi, conditions) in (0, 1)
+        return -way if beyond else way if _sign(-against, conditions) in (0, 1) else None
+    difference = sign_of_value(angle.args[0] - sp.cos(against), conditions)
+    return None if difference is None else -way * difference
+
+
+def _is_half_turn(angle: sp.Expr) -> bool:
+    """Whether an angle lies between 0 and π."""
+    return isinstance(angle, sp.acos) or (
+        isinstance(angle, Bounded) and bool(angle.is_nonnegative) and (angle.high - sp.pi).is_nonpositive is True
+    )
 
 
 def _sign(e: sp.Expr, conditions: Sequence[SignCondition]) -> int | None:
@@ -250,6 +298,8 @@ def _by_squares(e: sp.Expr) -> int | None:
     sign = 1
     for f in sp.Mul.make_args(e):
         own = sign_of(f)
+        if own is None and isinstance(f, sp.log):  # log u has the sign of u − 1
+            own = sign_of(sp.factor(f.args[0] - 1)) if sign_of(f.args[0]) == 1 else None
         if own is None and f.is_Add and len(f.args) == 2:
             a, b = f.args
             of_a, of_b = sign_of(a), sign_of(b)
@@ -301,7 +351,10 @@ def _reached_first(
     One coordinate goes on in the direction of the start up to the first turning point; what lies behind comes later.
     """
     branches = list(branches)
-    [*coordinates] = [q for q in beginning.slots.coordinates if beginning.direction(q) in (1, -1)]
+    moving = [q for q in beginning.own if any(q in s for b in branches for s in b.states)]
+    if len(moving) == 1 and beginning.direction(moving[0]) == 0:
+        return _nearest_on_each_side(branches, moving[0], beginning)
+    coordinates = [q for q in beginning.own if beginning.direction(q) in (1, -1)]
     pairs = [(b, s) for b in branches for s in b.states]
     if len(coordinates) != 1 or len(pairs) < 2:
         return branches, []
@@ -321,13 +374,31 @@ def _reached_first(
     return [replace(b, states=(state,), values=values)], [o for o in branches if o is not b]
 
 
+def _nearest_on_each_side(
+    branches: Sequence[AnswerBranch], q: sp.Symbol, beginning: Beginning
+) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
+    """From an equilibrium the motion starts in either direction: what comes first in each of them, and the others."""
+    places = [s[q] for b in branches for s in b.states if q in s]
+    start = beginning.initial.get(q)
+    if start is None or len(places) != sum(len(b.states) for b in branches):
+        return list(branches), []
+
+    def is_later(place: sp.Expr) -> bool:
+        way = sign_of_value(place - start)
+        return way in (1, -1) and any(
+            sign_of_value(o - start) == way and sign_of_value(place - o) == way for o in places
+        )
+
+    kept = [b for b in branches if not all(is_later(s[q]) for s in b.states)]
+    return kept, [b for b in branches if b not in kept]
+
+
 def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: Beginning) -> bool:
-    """Whether no turning point lies between the start and a place; those of an angle are repeated every turn."""
+    """Whether no turning point lies between the start and a place."""
     turning = beginning.turning()
     if turning is None:
         return False
-    turns = range(-2, 3) if q in beginning.angles else range(1)
-    for p in (p + 2 * sp.pi * n for p in turning for n in turns):
+    for p in turning:
         past_start = sign_of_value(p - beginning.initial[q])
         before_end = sign_of_value(place - p)
         if past_start not in (0, -way) and before_end != -way:

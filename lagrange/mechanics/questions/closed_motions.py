@@ -8,13 +8,14 @@ Of an equation for one coordinate q alone:
 The first has a case for each sign of the discriminant c² − 4k where that is open, and where a frequency of F may be
 the natural one, resonance is a case of its own.
 
-Every solution is put back: it satisfies the equation and both initial values, exactly, or is not used. A case that
-holds for a relation between parameters is put back where the relation holds.
+Coupled linear equations are in `coupled_motions`. Every solution is put back: it satisfies the equation and both
+initial values, exactly, or is not used. A case that holds for a relation between parameters is put back where the
+relation holds.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 
 import sympy as sp
@@ -23,7 +24,8 @@ from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, sq
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified, base, prime, t
+from lagrange.core.symbols import Unspecified, prime, t
+from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
 from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_CASES, MOST_FORCING_TERMS
 from lagrange.mechanics.questions.states import Values
 
@@ -49,15 +51,23 @@ class ClosedMotion:
 def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol]) -> list[ClosedMotion]:
     """The wanted coordinates as functions of time, in each case; empty where one of them is not found."""
     cases: list[list[ClosedMotion]] = []
-    for q in sorted(wanted, key=str):
-        a = accelerations.get(prime(q, 2))
-        if a is None or q not in initial or prime(q) not in initial or a.count_ops() > LONGEST_INTEGRATED:
+    waiting = sorted(wanted, key=str)
+    while waiting:
+        q = waiting[0]
+        group = coupled_with(q, accelerations)
+        equations = [accelerations.get(prime(c, 2)) for c in group]
+        if any(a is None or a.count_ops() > LONGEST_INTEGRATED for a in equations):
             return []
-        others = {s for x in accelerations for s in (base(x), prime(base(x))) if base(s) != q}
-        found = [] if others & a.free_symbols else _of_one(q, a, initial[q], initial[prime(q)])
+        if any(s not in initial for c in group for s in (c, prime(c))):
+            return []
+        if len(group) == 1:
+            found = _of_one(q, accelerations[prime(q, 2)], initial[q], initial[prime(q)])
+        else:
+            found = _of_several(group, accelerations, initial)
         if not found:
             return []
         cases.append(found)
+        waiting = [c for c in waiting if c not in group]
     joined = []
     for combination in product(*cases):
         solutions: dict[sp.Symbol, sp.Expr] = {}
@@ -71,13 +81,22 @@ def closed_motions(accelerations: Values, initial: Values, wanted: set[sp.Symbol
 
 def _of_one(q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> list[ClosedMotion]:
     """The solutions of q'' = a, verified."""
-    v = prime(q)
-    others = {s for s in a.free_symbols if s not in (q, v) and (base(s) != s)}
-    if others or a.has(Unspecified):
+    if a.has(Unspecified):
         return []
     found = [*_linear(q, a, place, speed)] or [*_quadratic_drag(q, a, place, speed)]
     verified = [m for m in found if _is_solution(m, q, a, place, speed)]
     return verified if len(verified) == len(found) else []
+
+
+def _of_several(group: Sequence[sp.Symbol], accelerations: Values, initial: Values) -> list[ClosedMotion]:
+    """The solution of coupled linear equations, verified."""
+    found = coupled_solutions(group, accelerations, initial)
+    if not found:
+        return []
+    conditions = tuple(dict.fromkeys(c for _, more in found.values() for c in more))
+    motion = ClosedMotion({q: _tidy(e) for q, (e, _) in found.items()}, conditions)
+    holds = all(_is_solution(motion, q, accelerations[prime(q, 2)], initial[q], initial[prime(q)]) for q in group)
+    return [motion] if holds else []
 
 
 def _is_solution(motion: ClosedMotion, q: sp.Symbol, a: sp.Expr, place: sp.Expr, speed: sp.Expr) -> bool:
@@ -85,7 +104,7 @@ def _is_solution(motion: ClosedMotion, q: sp.Symbol, a: sp.Expr, place: sp.Expr,
     solution = motion.solutions[q]
     rate = solution.diff(t)
     residuals = [
-        rate.diff(t) - a.xreplace({q: solution, prime(q): rate}),
+        rate.diff(t) - motion.at_time(a),
         solution.xreplace({t: sp.S.Zero}) - place,
         rate.xreplace({t: sp.S.Zero}) - speed,
     ]

@@ -15,7 +15,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
-from lagrange.algebra.closed_forms.signs import SignCondition, not_negative
+from lagrange.algebra.closed_forms.signs import SignCondition, not_negative, sign_of
 from lagrange.algebra.closed_forms.single_equation import Relation, Values
 from lagrange.algebra.closed_forms.solution_sets import Branch, SolutionSet, shortest_form
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR, NotAlgebraicError
@@ -163,8 +163,6 @@ def _linear_squares(equations: Sequence[sp.Expr], squares: Sequence[sp.Symbol]) 
 
 
 def _is_definite(slope: sp.Expr) -> bool:
-    from lagrange.algebra.closed_forms.signs import sign_of
-
     return sign_of(slope) in (1, -1)
 
 
@@ -225,7 +223,7 @@ def _states(
                 possible = False
                 break
             conditions += [c for c in allowed if c not in conditions]
-            root = sp.S.Zero if value == 0 else square_root(value)
+            root = sp.S.Zero if value == 0 else _real_root(value, conditions)
             signed.append((v, (root, -root) if root != 0 else (root,)))
         if not possible:
             continue
@@ -240,6 +238,19 @@ def _states(
             whole = {**state, **dict(zip([v for v, _ in signed], roots, strict=True))}
             groups.setdefault(tuple(conditions), []).append(whole)
     return groups
+
+
+def _real_root(value: sp.Expr, conditions: Sequence[SignCondition]) -> sp.Expr:
+    """√ of what the conditions make positive, with factors that they make negative turned: √(a − b), not i √(b − a)."""
+    positive = [c.lhs - c.rhs for c in conditions if c.relation in (">", "≥")]
+    factors = sp.Mul.make_args(value)
+    turned = [f for f in factors if f.as_base_exp()[0].is_Add and sign_of(f.as_base_exp()[0], positive) == -1]
+    powers = [f.as_base_exp() for f in turned]
+    if not turned or not all(e.is_Integer for _, e in powers):
+        return square_root(value)
+    sign = sp.S.NegativeOne ** sp.Add(*(e for _, e in powers))
+    rest = sp.Mul(sign, *(f for f in factors if f not in turned), *((-b) ** abs(e) for b, e in powers if e > 0))
+    return square_root(rest) / sp.Mul(*(square_root((-b) ** -e) for b, e in powers if e < 0))
 
 
 def _coordinate(u: sp.Symbol, b: Branch, point: Values, solved: SolutionSet) -> sp.Expr | None:
@@ -266,6 +277,8 @@ def _coordinate(u: sp.Symbol, b: Branch, point: Values, solved: SolutionSet) -> 
         if sine == 0:
             return (sp.S.Zero if cosine == 1 else sp.pi) * share
         return (1 if sine > 0 else -1) * sp.acos(cosine) * share
+    if (side := sign_of(sine)) in (1, -1):
+        return sp.Integer(side) * sp.acos(shortest_form(cosine)) * share
     return sp.atan2(sine, cosine) * share
 
 

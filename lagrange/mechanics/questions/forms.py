@@ -8,6 +8,8 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
 
 
 def under_one_root(e: sp.Expr) -> sp.Expr:
@@ -23,6 +25,17 @@ def under_one_root(e: sp.Expr) -> sp.Expr:
     if e.is_Pow and e.base.is_Function:
         return sp.Pow(under_one_root(e.base), e.exp, evaluate=False)
     return e
+
+
+def without_roots_below(e: sp.Expr) -> sp.Expr:
+    """A short value with roots in its denominator, multiplied out without them where that is shorter."""
+    if not e.is_Mul or e.count_ops() > LONGEST_MULTIPLIED_OUT or e.is_polynomial(*e.free_symbols):
+        return e
+    below = sp.fraction(e)[1]
+    if not any(p.exp.is_Rational and not p.exp.is_Integer and p.base.is_Add for p in below.atoms(sp.Pow)):
+        return e
+    other = sp.factor_terms(sp.radsimp(sp.expand(e)))
+    return other if other.count_ops() < e.count_ops() and is_zero(other - e) is True else e
 
 
 def _product(e: sp.Expr) -> sp.Expr:
@@ -89,7 +102,9 @@ def _between(c: SignCondition) -> sp.Expr:
 
 
 def _always(c: SignCondition) -> bool:
-    """Whether a condition is |cos α| ≤ 1, or compares e^a with e^b where a − b has a sign."""
+    """Whether a condition holds for all values: |cos α| ≤ 1, 3 ≥ 2 cos α, e^a ≥ e^b where a ≥ b."""
+    if c.relation in (">", "≥") and sign_of(c.lhs - c.rhs) == 1:
+        return True
     if c.relation == "≥" and all(isinstance(e, sp.exp) or e == 1 for e in (c.lhs, c.rhs)):
         return sign_of(sp.log(c.lhs) - sp.log(c.rhs)) in (0, 1)
     return c.relation == "≤" and c.rhs == 1 and isinstance(c.lhs, sp.Abs) and isinstance(c.lhs.args[0], sp.cos | sp.sin)

@@ -26,3 +26,13 @@ MOST_SAMPLED_STATES = 4
 SMALLEST_TIME = 1e-9
 # What a finite constraint may be off zero after an integration in dependent coordinates.
 LARGEST_DRIFT = 1e-6
+# Coordinates of coupled linear equations that are solved in time.
+MOST_COUPLED = 3
+# Numbers whose difference is smaller are not told apart.
+SMALLEST_DIFFERENCE = 1e-9
+# Operations of a value whose denominator is freed of roots.
+LONGEST_MULTIPLIED_OUT = 60
+# Signs of values that are remembered: the branches of several questions are compared with the same places.
+MOST_SIGNS = 2048
+# Functions of one coordinate whose zeros are remembered.
+MOST_FUNCTIONS = 128

@@ -16,7 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from functools import cached_property
 
 import sympy as sp
 
@@ -28,29 +27,31 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions import numerical
+from lagrange.mechanics.questions.arrivals import Arrivals
 from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, dependent, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
-from lagrange.mechanics.questions.forms import joined, under_one_root, without_roots_in_logarithms
-from lagrange.mechanics.questions.integrals_of_motion import integrals
+from lagrange.mechanics.questions.forms import (
+    joined,
+    under_one_root,
+    without_roots_below,
+    without_roots_in_logarithms,
+)
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
+from lagrange.mechanics.questions.reach import Path
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, Because, How, Route, Substituted, UsedIntegral
+from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import (
     Meanings,
     Place,
-    Senses,
     Values,
-    fixed_coordinates,
     initial_state,
-    meanings,
     meanings_at,
-    with_senses,
 )
-from lagrange.mechanics.questions.times import TimeRoot, in_order, times
+from lagrange.mechanics.questions.times import TimeRoot, fades, in_order, times
 from lagrange.problem.model import Condition, Problem, Question
 
 
@@ -65,46 +66,11 @@ def answers_to_questions(
     Raises ProblemError where the initial state contradicts the constraints, where a condition never holds, and where
     nothing determines the quantity.
     """
-    settings = [_Setting(place, problem, initial_state(place, problem, configurations)) for place in places]
+    settings = [Setting(place, problem, initial_state(place, problem, configurations)) for place in places]
     return tuple(_answer(q, settings) for q in problem.questions)
 
 
-class _Setting:
-    """A place with all that questions need of it, found once.
-
-    initial   the state at t = 0, or a later one from which the motion goes on
-    senses    the signs of velocities whose modulus occurs, where they are not those of the initial state
-    turnings  how often the motion has come to rest before that
-    """
-
-    def __init__(self, place: Place, problem: Problem, initial: Values, senses: Senses | None = None) -> None:
-        self.turnings = 0 if senses is None else 1
-        self.place = place
-        self.problem = problem
-        self.initial: Values = initial
-        self.known: Meanings = with_senses(meanings(place), initial, senses)
-        self.rule = dependent(place.configuration)
-        self.integrals, self.missing = integrals(place, self.known, initial)
-
-    @cached_property
-    def slips(self) -> list[sp.Expr]:
-        """Velocities that must not be negative: those of slip in a sense that the file states, or that was taken."""
-        law = self.place.law
-        forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
-        stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
-        return [*(sense * v for v, sense in self.known.senses.items()), *stated]
-
-    @cached_property
-    def fixed(self) -> Values:
-        """The coordinates that the constraints hold where they are at t = 0, and their velocities."""
-        return fixed_coordinates(self.place, self.initial)
-
-    def turned(self, state: Values, senses: Senses) -> _Setting:
-        """The motion after a state of rest, with these senses."""
-        return _Setting(self.place, self.problem, state, senses)
-
-
-def _answer(question: Question, settings: Sequence[_Setting]) -> Asked:
+def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
     """The first answer that is found. Raises ProblemError."""
     tried: list[Asked] = []
     coordinates = tuple(dict.fromkeys(q for s in settings for q in _all_coordinates(s.place.configuration)))
@@ -114,7 +80,7 @@ def _answer(question: Question, settings: Sequence[_Setting]) -> Asked:
             continue
         if question.by is not None and question.by not in (t, *setting.place.configuration.slots.coordinates):
             continue
-        asked = _Search(question, setting).answer()
+        asked = _with_either_sense(question, setting)
         if asked.answered:
             return asked
         tried.append(asked)
@@ -123,6 +89,27 @@ def _answer(question: Question, settings: Sequence[_Setting]) -> Asked:
         help_ = "use the file's coordinates, and those of one choice"
         raise ProblemError(Diagnostic("mixed-choices", message, question.span, help=help_))
     return tried[0]
+
+
+def _with_either_sense(question: Question, setting: Setting) -> Asked:
+    """The answer; where a positive parameter would be negative, with the opposite sense of a rolling contact's force.
+
+    μ_s in F = μ_s N compares sizes, and the sense in which F is counted is that of the equation in the file.
+    """
+    try:
+        return _Search(question, setting).answer()
+    except ProblemError as error:
+        if not question.quantity.is_Symbol or not question.quantity.is_positive:
+            raise
+        for r in setting.place.law.newton.reactions:
+            if r.row.finite is None and r.symbol_of_force in _mentioned(question):
+                try:
+                    asked = _Search(question, setting, r.symbol_of_force).answer()
+                except ProblemError:
+                    continue
+                if asked.answered:
+                    return replace(asked, opposite=r.symbol_of_force)
+        raise error
 
 
 def _all_coordinates(configuration: Configuration) -> Iterator[sp.Symbol]:
@@ -138,8 +125,9 @@ def _mentioned(question: Question) -> set[sp.Symbol]:
 class _Search:
     """The search for the answer to one question in one set of coordinates."""
 
-    def __init__(self, question: Question, setting: _Setting) -> None:
+    def __init__(self, question: Question, setting: Setting, opposite: sp.Symbol | None = None) -> None:
         self.question = question
+        self.opposite = opposite
         self.setting = setting
         self.place = setting.place
         self.configuration = setting.place.configuration
@@ -153,17 +141,22 @@ class _Search:
         of_quantity = sorted(question.quantity.free_symbols & parameters, key=str)
         only_parameters = question.quantity.free_symbols <= parameters
         self.parameter = of_quantity[0] if only_parameters else None
-        self.rule = dependent(self.configuration, _mentioned(question), question.by)
+        slots = self.configuration.slots.coordinates
+        occurring = [q for q in slots if any(q in e.free_symbols for e in (self.quantity, *self.when))]
+        rather_not = {*_mentioned(question), *occurring, *map(prime, occurring)}
+        self.rule = dependent(self.configuration, rather_not, question.by)
 
     def _meanings(self) -> Meanings:
         """The meanings; what is too large in general is solved with what is fixed, or at the initial state."""
         setting, known = self.setting, self.setting.known
         mentioned = _mentioned(self.question)
         missing = {a for a in self.slots.accelerations if a not in known.accelerations} & mentioned
-        if not missing and not any(known.unknown(s) for s in mentioned):
+        if missing or any(known.unknown(s) for s in mentioned):
+            known = meanings_at(self.place, known, setting.initial if self._is_at_start else setting.fixed)
+        if self.opposite is None:
             return known
-        state = setting.initial if self._is_at_start else setting.fixed
-        return meanings_at(self.place, known, state)
+        value = known.reactions.get(self.opposite)
+        return replace(known, reactions={**known.reactions, self.opposite: None if value is None else -value})
 
     def _applied(self, e: sp.Expr) -> sp.Expr:
         return self.known.applied(self.configuration.rewritten(e))
@@ -293,16 +286,32 @@ class _Search:
         chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
         if against and all(self._beginning.is_initial(s) for b in chosen.branches for s in b.states):
             return self._after_turning(route, used)
-        if not chosen.branches:
+        branches = list(chosen.branches)
+        if self.question.by is None and self.setting.initial and not self._is_at_start:
+            arrivals = Arrivals(self.setting, self._beginning, self.rule, tuple(self.when), self.parameter)
+            branches = arrivals.reached(branches)
+        if not branches:
             raise ProblemError(self._never_holds())
+        if len(branches) == 1 and branches[0].provided:
+            branches = [self._confirmed_in_time(branches[0])]
         dropped = (*((b, Because.SENSE) for b in against), *chosen.dropped)
         return replace(
             self._asked(route, How.EXACT, used),
-            branches=tuple(_shown(b) for b in chosen.branches),
+            branches=tuple(_shown(b) for b in branches),
             dropped=tuple((_shown(b), why) for b, why in dropped),
             mirrored=chosen.mirrored,
             verified=found.verified,
         )
+
+    def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
+        """The branch without a doubt, where the solution in time comes to the same value."""
+        asked = self._in_time() if self.parameter is None else None
+        if asked is None or len(asked.branches) != 1 or len(b.values) != 1:
+            return b
+        [other] = asked.branches
+        if is_zero(other.values[0] - b.values[0]) is not True:
+            return b
+        return replace(b, provided=False, conditions=tuple(dict.fromkeys((*b.conditions, *other.conditions))))
 
     def _with_stated_slip(self, b: AnswerBranch) -> AnswerBranch | None:
         """The part of a branch in which slip has the sense with which the equations of motion were found, if any."""
@@ -346,28 +355,23 @@ class _Search:
         frame = self.setting.problem.frame
         first = frame.names[0] if frame is not None and frame.turning else ""
         radii = tuple(q for q in self.slots.coordinates if first == f"e_{q}" and self._starts_positive(q))
-        angles = frozenset(
-            s for a in known.accelerations.values() for f in a.atoms(sp.sin, sp.cos) for s in f.args[0].free_symbols
-        )
-        return Beginning(self.setting.initial, known.accelerations, self.slots, free, radii, self._turning, angles)
+        own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
+        initial = self.setting.initial
+        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own)
 
     def _starts_positive(self, q: sp.Symbol) -> bool:
         return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1
 
     def _turning(self) -> Sequence[sp.Expr] | None:
         """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
-        moving = [q for q in self.slots.coordinates if self.setting.known.accelerations.get(prime(q, 2), 0) != 0]
-        if len(moving) != 1 or not self.setting.integrals:
+        accelerations, initial = self.setting.known.accelerations, self.setting.initial
+        own = [q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed]
+        moving = [q for q in own if accelerations.get(prime(q, 2), 0) != 0]
+        if len(moving) != 1 or moving[0] not in initial:
             return None
         [q] = moving
-        used = [i.expression - i.value for i in self.setting.integrals]
-        rates = [r.velocity_form(self.slots) for r in self.configuration.rows]
-        equations = [*used, *self.configuration.finite_constraints, *rates, prime(q)]
-        unknowns = [*self.slots.velocities, *self.slots.coordinates]
-        found = eliminated(equations, q, unknowns, self.slots.velocities, q)
-        if not found.solved or found.free or found.never:
-            return () if found.never else None
-        return [v for b in found.branches for v in b.values]
+        square = self.setting.square_of(q)
+        return None if square is None else Path(q, square, initial[q], None).turning_places()
 
     def _asked(
         self,
@@ -410,7 +414,8 @@ class _Search:
         if not motions:
             return None
         if not branches:
-            raise ProblemError(self._never_holds())
+            approached = any(fades(m.at_time(e.xreplace(rule))) for m in motions for e in self.when)
+            raise ProblemError(self._never_holds(approached))
         return replace(
             self._asked(Route.SOLUTION, How.EXACT, ()),
             branches=tuple(_shown(b) for b in branches),
@@ -509,10 +514,13 @@ class _Search:
         help_ = f"give {missing} at t = 0 in `initial`, or another condition in `when`"
         return Diagnostic("not-determined", message, self.question.written.whole, help=help_)
 
-    def _never_holds(self) -> Diagnostic:
+    def _never_holds(self, approached: bool = False) -> Diagnostic:
         first = self.question.when[0].span if self.question.when else self.question.span
         message = f"the `when` of the question `{self.question.name}` never holds in this motion"
-        help_ = "no state with the given initial values satisfies it: check the condition, and `initial`"
+        help_ = "the motion from the given initial values does not get there: check the condition, and `initial`"
+        if approached:
+            message = f"the `when` of the question `{self.question.name}` holds only in the limit t → ∞"
+            help_ = "the motion approaches this state and is never there: ask when a part of the way is left"
         return Diagnostic("never-holds", message, first, help=help_)
 
 
@@ -527,4 +535,6 @@ def _keeps_sign(rate: sp.Expr, sense: int, root: TimeRoot) -> bool:
 
 
 def _shown(b: AnswerBranch) -> AnswerBranch:
-    return replace(b, rhs=under_one_root(without_leading_minus(b.rhs)), conditions=joined(b.conditions))
+    return replace(
+        b, rhs=under_one_root(without_leading_minus(without_roots_below(b.rhs))), conditions=joined(b.conditions)
+    )

@@ -76,6 +76,8 @@ class AnswerBranch:
     values      of the quantity at the points of the branch
     states      the coordinates, velocities and t at these points
     conditions  under which it exists
+    provided    whether it was not decided that the motion gets there
+    limit       whether it is only approached, for t → ∞
     """
 
     lhs: sp.Expr
@@ -83,6 +85,8 @@ class AnswerBranch:
     values: tuple[sp.Expr, ...]
     states: tuple[Mapping[sp.Symbol, sp.Expr], ...] = ()
     conditions: tuple[SignCondition, ...] = ()
+    provided: bool = False
+    limit: bool = False
 
 
 @record
@@ -112,6 +116,7 @@ class Asked:
     integrand   q, q' as a function of it, q_0 and q_1, where the time is an integral over q
     open        coordinates and velocities on which the quantity depends, and which nothing determines
     turning     where the motion has come to rest before, from where it goes back with the other sense of friction
+    opposite    a force that is counted in the sense opposite to that of its constraint
     needs       an extra of the package that is missing for a numerical answer
     verified    whether it satisfies all equations, exactly; None: undecided
     """
@@ -134,6 +139,7 @@ class Asked:
     initial: tuple[Substituted, ...] = ()
     senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
     turning: Substituted | None = None
+    opposite: sp.Symbol | None = None
     needs: str = ""
     verified: bool | None = True
 

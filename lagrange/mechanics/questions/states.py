@@ -229,8 +229,21 @@ def initial_state(place: Place, problem: Problem, others: Sequence[Configuration
     rows = [_at_start(r.velocity_form(configuration.slots)) for r in configuration.rows]
     moved = [e for e, v in conditions if v.symbol.name.endswith("'")]
     known |= _velocities([e.xreplace(known) for e in (*rows, *moved)], velocities, known)
+    _check_radii(known, problem)
     _check(place, known, problem, conditions)
     return known
+
+
+def _check_radii(known: Values, problem: Problem) -> None:
+    """Raises ProblemError where the radius of the frame begins negative."""
+    frame = problem.frame
+    first = frame.names[0] if frame is not None and frame.turning else ""
+    for v in problem.initial:
+        value = known.get(v.symbol)
+        if first == f"e_{v.symbol}" and value is not None and sign_of(value) == -1:
+            message = f"the initial value of `{v.symbol}` is negative, and it is a radius"
+            help_ = "a radius is not negative: turn the angle by pi instead"
+            raise ProblemError(Diagnostic("negative-radius", message, v.span, help=help_))
 
 
 def _at_start(e: sp.Expr) -> sp.Expr:

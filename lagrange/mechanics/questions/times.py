@@ -236,6 +236,20 @@ def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list
     return roots
 
 
+def fades(e: sp.Expr) -> bool:
+    """Whether a function of time is a sum of terms that all decay exponentially."""
+    terms = sp.Add.make_args(sp.expand(e)) if e.count_ops() <= LONGEST_EQUATION else ()
+    return bool(terms) and all(_decays(term) for term in terms)
+
+
+def _decays(term: sp.Expr) -> bool:
+    waves = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.exp) and t in f.free_symbols]
+    rest = sp.Mul(*(f for f in sp.Mul.make_args(term) if f not in waves))
+    rate = sp.Add(*(f.args[0] for f in waves)).diff(t)
+    bounded = rest.xreplace(dict.fromkeys(rest.atoms(sp.cos, sp.sin), sp.S.One))
+    return t not in rate.free_symbols and sign_of(rate) == -1 and bounded.is_polynomial(t)
+
+
 def in_order(roots: list[TimeRoot]) -> Iterator[TimeRoot]:
     """The first of several roots where that can be told; all of them otherwise."""
     for r in roots:

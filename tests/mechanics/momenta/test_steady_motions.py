@@ -139,7 +139,7 @@ def test_what_is_refused(text: str, said: str) -> None:
 
 
 def test_a_coordinate_along_which_a_force_acts_is_not_cyclic() -> None:
-    text = CONICAL.replace("[m, l, g]", "[m, l, g, c]") + "forces: {drag: {on: P, vector: \"-c*phi'*(0*i)\"}}\n"
+    text = CONICAL.replace("[m, l, g]", "[m, l, g, c]") + 'forces: {drag: {on: P, vector: "-c*phi\'*(0*i)"}}\n'
     assert [q.name for q in found_in(text).cyclic] == ["phi"]
     text = CONICAL + "forces: {push: {on: P, vector: -m*g*sin(phi)*i + m*g*cos(phi)*j}}\n"
     with pytest.raises(NotCoveredError, match="cyclic"):

@@ -293,3 +293,162 @@ def test_a_branch_that_the_values_exclude_has_no_number(problem: Read) -> None:
     page = terminal.text(found.derivation, found.notation, 80)
     assert "does not exist with the given values" in page
     assert page.count("x ≈") == 1
+
+
+UP_AND_DOWN = """
+title: Block sent up a rough slope
+axes: {i: up the slope, j: away from it}
+parameters: {m: positive, g: positive, mu: positive, alpha: acute, v: positive}
+coordinates: [x, y]
+particles: {P: {mass: m, position: [x, y]}}
+constraints: {slope: {equation: y >= 0, reaction: N}}
+gravity: -g*sin(alpha)*i - g*cos(alpha)*j
+initial: {x: 0, x': v}
+"""
+RUB = "forces: {rub: {friction: mu, constraint: slope, on: P}}\n"
+RUB_UPWARDS = "forces: {rub: {friction: mu, constraint: slope, on: P, slip: i}}\n"
+BACK = 'ask: {back: {quantity: "x\'", when: x = 0}}\n'
+
+
+def test_friction_turns_with_the_slip_and_may_hold_the_block(problem: Read) -> None:
+    answer = asked(problem, UP_AND_DOWN + RUB + BACK)
+    [branch] = answer.branches
+    m, g, mu, v = (sp.Symbol(n, positive=True) for n in ("m", "g", "mu", "v"))
+    [alpha] = (s for s in branch.rhs.free_symbols if s.name == "alpha")
+    steep = {g: 9.8, mu: 0.3, v: 6.0, alpha: 0.6}
+    up, down = (math.sin(0.6) + s * 0.3 * math.cos(0.6) for s in (1, -1))
+    assert float(branch.rhs.subs(steep)) == pytest.approx(-6 * math.sqrt(down / up))
+    assert all(bool((c.lhs - c.rhs).subs(steep) > 0) for c in branch.conditions)
+    flat = {**steep, alpha: 0.2}  # tan 0.2 < 0.3
+    assert not all(bool((c.lhs - c.rhs).subs(flat) > 0) for c in branch.conditions)
+    assert answer.turning is not None
+    assert answer.turning.value.subs(steep) == pytest.approx(36 / (2 * 9.8 * up))
+    assert m not in branch.rhs.free_symbols
+
+
+def test_slip_in_a_stated_sense_is_not_followed_back(problem: Read) -> None:
+    answer = solve(problem(UP_AND_DOWN + RUB_UPWARDS + BACK), complete=False).asked[0]
+    assert not answer.answered
+
+
+def test_a_coordinate_coupled_to_another_is_not_integrated_alone(problem: Read) -> None:
+    """With a cubic spring between them nothing is elementary; without it both are cosines."""
+    text = """
+title: Two masses
+parameters: [m, k, b, a]
+coordinates: [x, y]
+particles: {A: {mass: m, position: x*i}, B: {mass: m, position: y*i}}
+forces: {s: {potential: "k*x^2/2 + k*y^2/2 + b*(x - y)^4"}}
+initial: {x: a, x': 0, y: 0, y': 0}
+ask: {x_t: {quantity: x, by: t}}
+"""
+    assert not solve(problem(text), complete=False).asked[0].answered
+    answer = asked(problem, text.replace("^4", "^2"))
+    assert answer.route is Route.SOLUTION
+    assert {q.name for q in answer.solutions} == {"x", "y"}
+
+
+def test_the_size_of_a_force_that_rolling_needs_has_no_sense(problem: Read) -> None:
+    """μ_s = 2/7 tan α for a ball, whichever way the equation of rolling is written."""
+    text = """
+title: Ball on an incline
+axes: {i: down, j: away}
+parameters: {m: positive, r: positive, alpha: acute, mu: positive, g: positive}
+coordinates: [x, y, phi]
+bodies: {ball: {mass: m, inertia: 2/5*m*r^2, position: x*i + y*j, angle: -phi}}
+constraints: {contact: {equation: y >= r, reaction: N}, rolling: {equation: "SIDES", reaction: F}}
+gravity: g*sin(alpha)*i - g*cos(alpha)*j
+initial: {x: 0, x': 0}
+ask: {least: {quantity: mu, when: F = mu*N}}
+"""
+    answers = [asked(problem, text.replace("SIDES", s)) for s in ("x' = r*phi'", "r*phi' = x'")]
+    for a in answers:
+        [value_found] = a.branches[0].values
+        [alpha] = value_found.free_symbols
+        assert is_zero(value_found - sp.Rational(2, 7) * sp.tan(alpha)) is True
+    assert [a.opposite is None for a in answers] == [False, True]
+
+
+BOAT = """
+title: Boat that drifts
+parameters: [m, b, v, s]
+coordinates: [x]
+particles: {P: {mass: m, position: x*i}}
+forces: {drag: {on: P, vector: "-b*x'*i"}}
+initial: {x: 0, x': v}
+"""
+
+
+def test_a_rest_that_is_only_approached_is_said_to_be(problem: Read) -> None:
+    solution = report(problem(BOAT + 'ask: {rest: {quantity: x, when: "x\' = 0"}}\n'), None)
+    [answer] = solution.solution.asked
+    assert answer.branches[0].limit
+    assert "in the limit t → ∞" in terminal.text(solution.derivation, solution.notation, 100)
+    assert "in the limit t → ∞" in as_object(solution)["asked"][0]["conditions"]
+    with pytest.raises(ProblemError) as error:
+        solve(problem(BOAT + 'ask: {rest: {quantity: t, when: "x\' = 0"}}\n'), complete=False)
+    assert "only in the limit" in error.value.diagnostics[0].message
+
+
+def test_a_place_beyond_that_limit_is_under_a_condition(problem: Read) -> None:
+    [branch] = asked(problem, BOAT + 'ask: {there: {quantity: "x\'", when: x = s}}\n').branches
+    m, b, v, s = (sp.Symbol(n, positive=True) for n in "mbvs")
+    [condition] = branch.conditions
+    assert sp.cancel((condition.lhs - condition.rhs) / (m * v - b * s)).is_positive
+
+
+def test_what_is_not_decided_is_said(problem: Read) -> None:
+    """Two degrees of freedom coupled by a fourth power: nothing tells whether x gets to a."""
+    text = """
+title: Particle on a hill in the plane
+parameters: [m, k, b, a, v]
+coordinates: [x, y]
+particles: {P: {mass: m, position: x*i + y*j}}
+forces: {s: {potential: "-k*x^2/2 + b*x^2*y^2"}}
+initial: {x: 0, x': v, y: 0, y': v}
+ask: {motion: {quantity: b*(x*y)^2 + a*x*b, when: [x = a, y = a]}}
+"""
+    told = report(problem(text), None)
+    assert told.solution.asked[0].branches[0].provided
+    assert "provided that the motion gets there" in terminal.text(told.derivation, told.notation, 100)
+    assert "provided that the motion gets there" in as_object(told)["asked"][0]["conditions"]
+
+
+def test_a_pendulum_never_gets_above_where_it_was_let_go(problem: Read) -> None:
+    text = """
+title: Pendulum
+parameters: {m: positive, l: positive, g: positive, alpha: acute}
+coordinates: [theta]
+particles: {P: {mass: m, position: l*sin(theta)*i - l*cos(theta)*j}}
+gravity: -g*j
+initial: {theta: alpha, theta': 0}
+ask: {QUESTION}
+"""
+    for quantity in ("theta'", "theta''", "energy"):
+        question = f'side: {{quantity: "{quantity}", when: theta = pi/2}}'
+        with pytest.raises(ProblemError) as error:
+            solve(problem(text.replace("QUESTION", question)), complete=False)
+        assert error.value.diagnostics[0].code == "never-holds"
+
+
+def test_the_initial_state_is_used_where_nothing_is_asked(problem: Read) -> None:
+    boat = report(problem(BOAT), None)
+    assert boat.solution.from_start is not None
+    [motion] = boat.solution.from_start.motions
+    m, b, v = (sp.Symbol(n, positive=True) for n in "mbv")
+    [(x, solution)] = motion.solutions.items()
+    t = sp.Symbol("t", real=True)
+    assert x.name == "x"
+    assert is_zero(solution - m * v / b * (1 - sp.exp(-b * t / m))) is True
+    assert "Motion from the initial state" in terminal.text(boat.derivation, boat.notation, 100)
+    assert as_object(boat)["from_start"][0]["solutions"].keys() == {"x"}
+    sphere = report(problem(SPHERE + "initial: {theta: 0, theta': 0}\n"), None)
+    assert sphere.solution.from_start is not None
+    assert not sphere.solution.from_start.motions
+    assert "do not integrate in closed form" in terminal.text(sphere.derivation, sphere.notation, 100)
+
+
+def test_an_initial_state_without_questions_must_still_satisfy_the_constraints(problem: Read) -> None:
+    with pytest.raises(ProblemError) as error:
+        solve(problem(PENDULUM + "initial: {x: l, y: l}\n"), complete=False)
+    assert error.value.diagnostics[0].code == "initial-contradicts"

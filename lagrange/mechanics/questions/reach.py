@@ -1,0 +1,223 @@
+"""Whether a motion gets to a state, for one coordinate q whose velocity is a function f of it: q'^2 = f(q).
+
+    from q_0 to q_1 in the direction of the start     f > 0 between them
+    back over q_0                                     a turning point f = 0 ahead, then the same
+
+f is smallest between two places at an end or where f' = 0, so that an energy barrier is a zero p of f' with f'' >= 0
+between them, and f(p) > 0 is the condition for passing it. At q_1 itself f must not be negative. With q' = v at the
+start a pendulum passes the top where v^2 > 4 g l; one that is let go below the horizontal never gets there.
+
+A state with q' = 0 and q'' = 0 is an equilibrium: a motion that is not there already only approaches it, for t → ∞.
+Undecided stays open: the answer then holds provided that the motion gets there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import field
+from enum import Enum
+from functools import lru_cache
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, not_negative, sign_of
+from lagrange.core.records import record
+from lagrange.mechanics.questions.branches import sign_of_value
+from lagrange.mechanics.questions.elimination import eliminated
+from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED, MOST_FUNCTIONS, SMALLEST_DIFFERENCE
+
+
+class Reached(Enum):
+    """Whether a state is reached."""
+
+    YES = "yes"  # under the conditions
+    NEVER = "never"
+    OPEN = "open"
+
+
+@record
+class Reach:
+    """The verdict, with the conditions under which it holds."""
+
+    verdict: Reached
+    conditions: tuple[SignCondition, ...] = ()
+
+
+@record
+class Path:
+    """A motion along one coordinate.
+
+    square     q'^2 as a function f of q
+    start      q_0
+    direction  the sign with which q starts; 0: from an equilibrium, either; None: not known
+    rest       whether it starts at rest
+    known      conditions that hold
+    values     numbers for the parameters, which decide what letters leave open
+    positive   whether q is a radius, and does not get to 0
+    """
+
+    q: sp.Symbol
+    square: sp.Expr
+    start: sp.Expr
+    direction: int | None
+    rest: bool = False
+    positive: bool = False
+    values: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    known: tuple[SignCondition, ...] = field(default_factory=tuple)
+
+    def to(self, end: sp.Expr) -> Reach:
+        """Whether the motion gets to q_1; to q_0 itself on its way back."""
+        way = self._sign(end - self.start)
+        far = self._is_periodic and self.start.is_number and abs(self.start) > 2 * sp.pi
+        if (
+            (self.direction is None and not self.rest)
+            or way is None
+            or far
+            or self.square.count_ops() > LONGEST_INTEGRATED
+        ):
+            return Reach(Reached.OPEN)
+        conditions = not_negative(factored_quotient(self._at(end)))
+        if conditions is None or self._sign(self._at(end)) == -1:
+            return Reach(Reached.NEVER)
+        if self._sign(self._at(end)) is not None:
+            conditions = ()
+        if (way == 0 or way == -(self.direction or 0)) and not (self.rest and self.direction is None):
+            turned = self._turns()
+            if turned.verdict is not Reached.YES:
+                return turned
+            conditions = (*conditions, *turned.conditions)
+        if way == 0 or (way == self.direction and self._is_next_turn(end, way)):
+            return Reach(Reached.YES, conditions)
+        passed = self._passes(end, way)
+        return Reach(passed.verdict, (*conditions, *passed.conditions))
+
+    def _is_next_turn(self, end: sp.Expr, way: int) -> bool:
+        """Whether q_1 is a turning point, and no other lies before it."""
+        zeros = self.turning_places() if self._sign(self._at(end)) == 0 else None
+        return zeros is not None and all(self._inside(p, end, way) is False for p in zeros)
+
+    def turning_places(self) -> list[sp.Expr] | None:
+        """All q with f = 0, of an angle over some turns; None where they are not found."""
+        zeros = self._zeros(self.square)
+        return None if zeros is None else [p for p, _ in zeros]
+
+    def _turns(self) -> Reach:
+        """Whether a turning point lies ahead."""
+        if self.direction in (0, None):
+            return Reach(Reached.OPEN)
+        assert self.direction is not None
+        zeros = self._zeros(self.square)
+        if zeros is None:
+            return Reach(Reached.OPEN)
+        signs = [self._sign(p - self.start) for p, _ in zeros]
+        ahead = [c for (_, c), s in zip(zeros, signs, strict=True) if s == self.direction]
+        if any(not c for c in ahead) or len(ahead) == 1:
+            return Reach(Reached.YES, min(ahead, key=len))
+        if ahead:
+            return Reach(Reached.YES, min(ahead, key=len)) if self._is_periodic else Reach(Reached.OPEN)
+        if self._is_periodic and not zeros:
+            return Reach(Reached.YES)  # it goes on round
+        if len(zeros) == 1 and signs == [None]:
+            [(p, existing)] = zeros
+            lies_ahead = more_than_zero(factored_quotient(self.direction * (p - self.start)))
+            return Reach(Reached.YES, (*existing, lies_ahead))
+        return Reach(Reached.OPEN if None in signs else Reached.NEVER)
+
+    def _passes(self, end: sp.Expr, way: int) -> Reach:
+        """Whether f is positive between q_0 and q_1; of an angle at most over one turn, which is like all others."""
+        if self._is_periodic and (end - self.start).is_number and abs(end - self.start) > 2 * sp.pi:
+            end = self.start + 2 * sp.pi * way
+        below = sp.fraction(sp.together(self.square))[1]
+        poles = self._zeros(below) if self.q in below.free_symbols else []
+        slope = sp.factor(self.square.diff(self.q))
+        level = sp.fraction(sp.together(slope))[0]
+        lowest = self._zeros(level) if self.q in level.free_symbols else []
+        if poles is None or any(self._inside(p, end, way) is not False for p, _ in poles):
+            return Reach(Reached.OPEN)
+        if lowest is None:
+            return self._passes_in_numbers(slope, end)
+        conditions: list[SignCondition] = []
+        curvature = slope.diff(self.q)
+        for p, existing in lowest:
+            inside = self._inside(p, end, way)
+            if inside is False or self._sign(self._value(curvature, p)) == -1:
+                continue
+            height = self._at(p)
+            sign = self._sign(height)
+            if sign == 1:
+                continue
+            if sign == 0 and inside is None and not existing and self._sign(p - self.start) == way:
+                conditions.append(more_than_zero(factored_quotient(way * (p - end))))  # it is only approached
+                continue
+            if inside is None or existing:
+                return Reach(Reached.OPEN)
+            if sign in (0, -1):
+                return Reach(Reached.NEVER)
+            conditions.append(more_than_zero(sp.factor(height)))
+        return Reach(Reached.YES, tuple(dict.fromkeys(conditions)))
+
+    def _passes_in_numbers(self, slope: sp.Expr, end: sp.Expr) -> Reach:
+        """The same where f' has no zeros in closed form, and all parameters have values."""
+        from lagrange.values.numerical_roots import real_roots
+
+        in_numbers = slope.xreplace(dict(self.values))
+        ends = [self._number(e) for e in (self.start, end)]
+        if in_numbers.free_symbols != {self.q} or None in ends or ends[0] == ends[1]:
+            return Reach(Reached.OPEN)
+        low, high = sorted(float(x) for x in ends if x is not None)
+        found = real_roots([in_numbers], [self.q], [(low, high)])
+        heights = [self._number(self._at(r.values[0])) for r in found.roots]
+        inside = [h for r, h in zip(found.roots, heights, strict=True) if low < r.values[0] < high]
+        if not found.complete or None in inside:
+            return Reach(Reached.OPEN)
+        return Reach(Reached.NEVER if any(h < 0 for h in inside if h is not None) else Reached.YES)
+
+    def _inside(self, p: sp.Expr, end: sp.Expr, way: int) -> bool | None:
+        if self.positive and p == 0:
+            return False
+        after, before = self._sign(p - self.start), self._sign(end - p)
+        if after in (0, -way) or before in (0, -way):
+            return False
+        return None if None in (after, before) else True
+
+    @property
+    def _is_periodic(self) -> bool:
+        return bool(self.square.has(sp.cos, sp.sin)) and self._at(self.q + 2 * sp.pi) == self.square
+
+    def _zeros(self, e: sp.Expr) -> list[tuple[sp.Expr, tuple[SignCondition, ...]]] | None:
+        """All zeros in closed form, those of a periodic function over some periods; None where they are not found."""
+        found = _zeros_of(e, self.q)
+        turns: Sequence[int] = range(-2, 3) if self._is_periodic else range(1)
+        return None if found is None else [(p + 2 * sp.pi * n, c) for p, c in found for n in turns]
+
+    def _at(self, place: sp.Expr) -> sp.Expr:
+        return self._value(self.square, place)
+
+    def _value(self, e: sp.Expr, place: sp.Expr) -> sp.Expr:
+        return e.xreplace({self.q: place})
+
+    def _sign(self, e: sp.Expr) -> int | None:
+        sign = sign_of_value(e, self.known)
+        number = self._number(e) if sign is None else None
+        return sign if number is None or abs(number) < SMALLEST_DIFFERENCE else 1 if number > 0 else -1
+
+    def _number(self, e: sp.Expr) -> sp.Expr | None:
+        """An expression with the values of the parameters; None where one is missing, or it is not real."""
+        if not e.free_symbols <= self.values.keys():
+            return None
+        value = sp.N(e.xreplace(dict(self.values)), 20)
+        return value if value.is_Float or value.is_Rational else None
+
+
+@lru_cache(maxsize=MOST_FUNCTIONS)
+def _zeros_of(e: sp.Expr, q: sp.Symbol) -> tuple[tuple[sp.Expr, tuple[SignCondition, ...]], ...] | None:
+    """All zeros in closed form, of a periodic function in one period; None where they are not found."""
+    if sign_of(e) in (1, -1):
+        return ()
+    found = eliminated([e], q, [q], [], q)
+    if found.never:
+        return ()
+    if not found.solved or found.free or found.verified is not True:
+        return None
+    return tuple((v, b.conditions) for b in found.branches for v in b.values)

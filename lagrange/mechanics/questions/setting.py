@@ -1,0 +1,88 @@
+"""A set of coordinates with all that questions need of it: the initial state, the integrals with their values.
+
+After a state of rest, from which the motion goes back against friction or drag, that state takes the place of the
+initial one.
+"""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.core.symbols import prime
+from lagrange.mechanics.dynamics.friction import friction_forces
+from lagrange.mechanics.questions.dependent import dependent, reduced
+from lagrange.mechanics.questions.elimination import eliminated
+from lagrange.mechanics.questions.integrals_of_motion import integrals
+from lagrange.mechanics.questions.states import (
+    Meanings,
+    Place,
+    Senses,
+    Values,
+    fixed_coordinates,
+    meanings,
+    with_senses,
+)
+from lagrange.problem.model import Problem
+
+
+class Setting:
+    """A place with all that questions need of it, found once.
+
+    initial   the state at t = 0, or a later one from which the motion goes on
+    senses    the signs of velocities whose modulus occurs, where they are not those of the initial state
+    turnings  how often the motion has come to rest before that
+    """
+
+    def __init__(self, place: Place, problem: Problem, initial: Values, senses: Senses | None = None) -> None:
+        self.turnings = 0 if senses is None else 1
+        self._squares: dict[sp.Symbol, sp.Expr | None] = {}
+        self.place = place
+        self.problem = problem
+        self.initial: Values = initial
+        self.known: Meanings = with_senses(meanings(place), initial, senses)
+        self.rule = dependent(place.configuration)
+        self.integrals, self.missing = integrals(place, self.known, initial)
+
+    @cached_property
+    def slips(self) -> list[sp.Expr]:
+        """Velocities that must not be negative: those of slip in a sense that the file states, or that was taken."""
+        law = self.place.law
+        forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
+        stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
+        return [*(sense * v for v, sense in self.known.senses.items()), *stated]
+
+    def square_of(self, q: sp.Symbol) -> sp.Expr | None:
+        """q'^2 as a function of q alone; None where the integrals do not give it."""
+        if q not in self._squares:
+            self._squares[q] = self._square(q)
+        return self._squares[q]
+
+    def _square(self, q: sp.Symbol) -> sp.Expr | None:
+        configuration = self.place.configuration
+        slots = configuration.slots
+        rule = dependent(configuration, {q, prime(q)}, q)
+        rates = [r.velocity_form(slots) for r in configuration.rows]
+        used = [i.expression - i.value for i in self.integrals]
+        equations = reduced([*used, *configuration.finite_constraints, *rates], {**rule, **self.fixed})
+        unknowns = [s for s in (*slots.velocities, *slots.coordinates) if s != q and s not in rule]
+        velocities = [v for v in slots.velocities if v in unknowns]
+        if not used or prime(q) in rule:
+            return None
+        found = eliminated(equations, prime(q) ** 2, unknowns, velocities, prime(q) ** 2)
+        values = {v for b in found.branches for v in b.values}
+        moving = {*self.place.moving} - {q}
+        if not found.solved or found.free or len(values) != 1:
+            return None
+        [value] = values
+        return value if value.free_symbols.isdisjoint(moving) else None
+
+    @cached_property
+    def fixed(self) -> Values:
+        """The coordinates that the constraints hold where they are at t = 0, and their velocities."""
+        return fixed_coordinates(self.place, self.initial)
+
+    def turned(self, state: Values, senses: Senses) -> Setting:
+        """The motion after a state of rest, with these senses."""
+        return Setting(self.place, self.problem, state, senses)

@@ -1,0 +1,86 @@
+"""Whether a motion along one coordinate gets to a place, against potentials whose barriers are known."""
+
+from __future__ import annotations
+
+import pytest
+import sympy as sp
+
+from lagrange.core.ranges import sign_in_range
+from lagrange.core.symbols import Bounded
+from lagrange.mechanics.questions.reach import Path, Reached
+
+x, theta = sp.symbols("x theta", real=True)
+a, b, g, k, l, v, K, R = sp.symbols("a b g k l v K R", positive=True)
+alpha = Bounded("alpha", sp.S.Zero, sp.pi / 2, (True, True))
+
+
+def holds(path: Path, end: sp.Expr, numbers: dict[sp.Symbol, float]) -> bool:
+    """Whether the place is reached with these numbers."""
+    reach = path.to(end)
+    assert reach.verdict is Reached.YES
+    relations = {">": lambda e: e > 0, "≥": lambda e: e >= 0, "≠": lambda e: e != 0}
+    return all(relations[c.relation](float((c.lhs - c.rhs).subs(numbers))) for c in reach.conditions)
+
+
+def in_steps(square: sp.Expr, q: sp.Symbol, start: float, end: float, numbers: dict[sp.Symbol, float]) -> bool:
+    """The same by looking at q'^2 at many places between."""
+    f = sp.lambdify(q, square.subs(numbers), "math")
+    return all(f(start + (end - start) * n / 1000) > -1e-12 for n in range(1, 1001))
+
+
+@pytest.mark.parametrize("speed", [1.0, 3.0, 4.3, 4.5, 6.2, 6.3, 9.0])
+@pytest.mark.parametrize("end", [sp.pi / 2, sp.pi, 2 * sp.pi, 9 * sp.pi])
+def test_a_pendulum_gets_as_far_as_its_energy_takes_it(speed: float, end: sp.Expr) -> None:
+    square = (v**2 - 2 * g * l * (1 - sp.cos(theta))) / l**2
+    numbers = {g: 9.8, l: 1.0, v: speed}
+    path = Path(theta, square, sp.S.Zero, 1)
+    assert holds(path, end, numbers) == in_steps(square, theta, 0, float(end), numbers)
+
+
+@pytest.mark.parametrize("speed", [0.5, 1.3, 1.5, 3.0])
+def test_the_hill_between_two_wells(speed: float) -> None:
+    bottom = sp.sqrt(a / b)
+    square = v**2 + 2 * (a * x**2 / 2 - b * x**4 / 4) - a**2 / (2 * b)
+    numbers = {a: 2.0, b: 1.0, v: speed}
+    path = Path(x, square, -bottom, 1)
+    assert holds(path, bottom, numbers) == in_steps(square, x, -(2**0.5), 2**0.5, numbers)
+
+
+def test_a_pendulum_that_is_let_go_below_the_horizontal_never_gets_there() -> None:
+    square = 2 * g / l * (sp.cos(theta) - sp.cos(alpha))
+    assert sign_in_range(sp.cos(alpha)) == 1
+    assert Path(theta, square, alpha, -1, rest=True).to(sp.pi / 2).verdict is Reached.NEVER
+    assert Path(theta, square, alpha, -1, rest=True).to(sp.S.Zero).verdict is Reached.YES
+
+
+def test_what_is_thrown_away_comes_back_where_it_does_not_escape() -> None:
+    square = v**2 + 2 * K / x - 2 * K / R
+    path = Path(x, square, R, 1)
+    for speed, comes_back in ((1.9, True), (2.1, False)):  # the escape speed is 2
+        assert holds(path, R / 2, {K: 2.0, R: 1.0, v: speed}) is comes_back
+
+
+def test_a_boat_gets_only_as_far_as_its_momentum_takes_it() -> None:
+    path = Path(x, (v - k * x) ** 2, sp.S.Zero, 1)
+    for place, reached in ((0.9, True), (1.1, False)):
+        assert holds(path, a, {v: 2.0, k: 2.0, a: place}) is reached
+
+
+def test_what_is_let_go_stays_on_its_side() -> None:
+    square = k * (a**2 - x**2)
+    assert Path(x, square, a, -1, rest=True).to(2 * a).verdict is Reached.NEVER
+    assert Path(x, square, a, -1, rest=True).to(-a).verdict is Reached.YES
+
+
+def test_an_unknown_direction_is_left_open() -> None:
+    assert Path(x, v**2 - k * x**2, sp.S.Zero, None).to(a).verdict is Reached.OPEN
+
+
+def test_values_decide_what_letters_leave_open() -> None:
+    square = v**2 - k * (10 * x - 12 * x**2 + x**6)  # no closed form for the zeros of its derivative
+    assert Path(x, square, sp.S.Zero, 1).to(sp.S.One).verdict is Reached.OPEN
+    for speed in (1.2, 1.4, 1.5, 2.0):  # the hill is 2.095 high
+        numbers = {k: 1.0, v: speed}
+        path = Path(x, square, sp.S.Zero, 1, values={s: sp.Float(n) for s, n in numbers.items()})
+        reached = path.to(sp.S.One).verdict is Reached.YES
+        assert reached == in_steps(square, x, 0, 1, numbers)
