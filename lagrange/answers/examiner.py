@@ -37,7 +37,8 @@ from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
 from lagrange.core.symbols import base
 from lagrange.expressions.relations import is_inequality
-from lagrange.mechanics.solution import OnStage, Solution, silent, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Answers, Problem
 
 if TYPE_CHECKING:

@@ -32,7 +32,7 @@ from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMot
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
-from lagrange.mechanics.solution import InCoordinates, Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
 from lagrange.values.dimensions import Mismatch, mismatch
 

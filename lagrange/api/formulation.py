@@ -21,7 +21,7 @@ from lagrange.document.notation import Notation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.reactions import Reactions
-from lagrange.mechanics.solution import InCoordinates
+from lagrange.mechanics.results import InCoordinates
 from lagrange.problem.model import Assumption, Parameter, Problem
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.checks import Check
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Problem
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")

@@ -12,7 +12,7 @@ from lagrange.document.builders import listed, math, prose
 from lagrange.document.derivation import Block, CheckMark, Detail, Part, Prose, Rule, Step
 from lagrange.explain.words import constraints_called, joined, plural, spoken
 from lagrange.mechanics.dynamics.checks import Check
-from lagrange.mechanics.solution import InCoordinates, Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 
 LONGEST_FORMULA = 30
 """The most operations of an acceleration that is written before its value."""

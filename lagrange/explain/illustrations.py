@@ -20,7 +20,7 @@ from lagrange.document.scene import Scene
 from lagrange.explain.words import plural, spoken
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.dynamics.newton import Newton
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 
 CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
 """Below the picture of the system."""

@@ -16,7 +16,7 @@ from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Posit
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
-from lagrange.mechanics.solution import InCoordinates, Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
 
 RESULTS = (

@@ -21,7 +21,7 @@ from lagrange.mechanics.questions.results import (
     Route,
     UsedIntegral,
 )
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Question
 
 

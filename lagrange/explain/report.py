@@ -48,13 +48,8 @@ from lagrange.mechanics.energy_symbols import (
     small_displacements,
     states_potential,
 )
-from lagrange.mechanics.solution import (
-    InCoordinates,
-    OnStage,
-    Solution,
-    silent,
-    solve,
-)
+from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 

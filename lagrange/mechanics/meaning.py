@@ -24,7 +24,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.equilibrium.linearization import Linearization, linearization
-from lagrange.mechanics.solution import InCoordinates, Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
 MOST_OPERATIONS = 60

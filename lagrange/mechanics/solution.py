@@ -1,4 +1,4 @@
-"""solve(): the stages in their order, and the record of their results.
+"""solve(): the stages in their order.
 
 Classification of the constraints, displacements, choices of generalized coordinates; then, as the file asks, Newton's
 law, the equations of motion with reactions and conserved quantities in each set of coordinates, quasi-velocities, small
@@ -15,17 +15,13 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import sympy as sp
-
 from lagrange.core.diagnostics import GaveUpError
 from lagrange.core.effort import GivenUpError, allowed, reason
-from lagrange.core.records import record
-from lagrange.core.symbols import Sign
-from lagrange.mechanics.constraints.classification import Classification, classify
+from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
 from lagrange.mechanics.constraints.definedness import check_defined, explained_failures
-from lagrange.mechanics.constraints.displacements import Elimination, transport_rates, virtual_displacements
-from lagrange.mechanics.constraints.kinematics import Configuration, file_configuration
+from lagrange.mechanics.constraints.displacements import transport_rates, virtual_displacements
+from lagrange.mechanics.constraints.kinematics import file_configuration
 from lagrange.mechanics.coverage import chosen_coordinates, refuse_what_is_not_covered
 from lagrange.mechanics.dynamics.checks import (
     Check,
@@ -42,30 +38,20 @@ from lagrange.mechanics.dynamics.checks import (
     check_workless,
 )
 from lagrange.mechanics.dynamics.comparison import System
-from lagrange.mechanics.dynamics.conservation import Conserved, check_conserved, conserved
-from lagrange.mechanics.dynamics.equations import EquationsOfMotion, check_inertia
+from lagrange.mechanics.dynamics.conservation import check_conserved, conserved
+from lagrange.mechanics.dynamics.equations import check_inertia
 from lagrange.mechanics.dynamics.matrix_form import solved_accelerations
 from lagrange.mechanics.dynamics.motion import Method, Motion, NewtonLaw, law_of_motion, motion
-from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction, normals, works_of_reactions
-from lagrange.mechanics.dynamics.spot_values import SpotValue, spot_value
+from lagrange.mechanics.dynamics.newton import normals, works_of_reactions
+from lagrange.mechanics.dynamics.spot_values import spot_value
 from lagrange.mechanics.limits import UNITS_OF_SOLVING
+from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Belt, Find, Friction, Problem
 from lagrange.problem.values import no_values, values_of
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
-    from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
-    from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
-    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
-    from lagrange.mechanics.equilibrium.linearization import Linearization
-    from lagrange.mechanics.equilibrium.stability import SecondVariation
-    from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
-    from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
-    from lagrange.mechanics.momenta.steady_motions import SteadyMotions
-    from lagrange.mechanics.questions.from_start import FromStart
-    from lagrange.mechanics.questions.results import Asked
 
 
 OnStage = Callable[[str], None]
@@ -74,111 +60,6 @@ OnStage = Callable[[str], None]
 
 def silent(_: str) -> None:
     """Announce nothing."""
-
-
-@record
-class InCoordinates:
-    """The results in one set of coordinates: the file's own, or a choice of generalized coordinates.
-
-    coordinates        the verified choice; for the file's own coordinates it has no name
-    configuration      the system in these coordinates; with |λ| in its friction once the motion is known
-    elimination        the dependent virtual displacements in terms of the independent ones
-    dynamics           the motion and the reactions
-    spot               numbers to try the equations of motion with
-    equilibrium        the equilibria
-    reactions_at_rest  the reactions there, if there are constraints
-    stability          of the equilibria, if there is a potential
-    in_speeds          the velocities, and the equations of motion, in the quasi-velocities of the file
-    conserved          the conserved quantities
-    linearization      small oscillations
-    hamiltonian        Hamilton's function and equations
-    steady             steady motions
-    in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
-    at_rest            where the system can be at rest with friction
-    rolling            the conditions under which what rolls does not slip
-    impending          the equilibria with friction at its limit, for each direction of slip
-
-    A result that is not requested, or is given in another set of coordinates, is None.
-    """
-
-    coordinates: GeneralizedCoordinates
-    configuration: Configuration
-    elimination: Elimination
-    dynamics: Motion | None = None
-    spot: SpotValue | None = None
-    equilibrium: Equilibrium | None = None
-    reactions_at_rest: StaticReactions | None = None
-    stability: SecondVariation | None = None
-    in_speeds: QuasiVelocityForm | None = None
-    conserved: Conserved | None = None
-    linearization: Linearization | None = None
-    hamiltonian: Hamiltonian | None = None
-    steady: SteadyMotions | None = None
-    in_numbers: EquilibriaInNumbers | None = None
-    at_rest: AtRest | None = None
-    rolling: Rolling | None = None
-    impending: tuple[ImpendingMotion, ...] | None = None
-
-    @property
-    def name(self) -> str:
-        """The name of the choice; empty for the file's own coordinates."""
-        return self.configuration.name
-
-    @property
-    def motion(self) -> EquationsOfMotion | None:
-        """The equations of motion."""
-        return self.dynamics.equations if self.dynamics else None
-
-    @property
-    def signs(self) -> tuple[Sign, ...]:
-        """The signs ±1 of the square roots in which a choice gives the file's coordinates."""
-        return self.coordinates.signs
-
-    @property
-    def is_own(self) -> bool:
-        """Whether these are the file's own coordinates."""
-        return not self.name
-
-
-@record
-class Solution:
-    """All results for a problem.
-
-    own              in the file's own coordinates
-    choices          in each choice of generalized coordinates
-    transport_rates  shape (n,): rates w that moving constraints impose on the file's coordinates, dq = δq + w dt
-    normals          gradients of the geometric constraints on one particle, unless the motion is requested
-    law              Newton's law in the file's coordinates, if the motion or the reactions at rest are requested
-    works            the work of the reactions
-    asked            the answers to the questions of the file
-    from_start       the motion from the initial state, where nothing is asked
-    given_up         the stage at which the work was given up, and why; later results are missing
-    """
-
-    problem: Problem
-    classification: Classification
-    own: InCoordinates
-    choices: tuple[InCoordinates, ...]
-    transport_rates: tuple[sp.Expr, ...]
-    normals: tuple[Normal, ...] = ()
-    law: NewtonLaw | None = None
-    works: tuple[WorkOfReaction, ...] = ()
-    checks: tuple[Check, ...] = ()
-    asked: tuple[Asked, ...] = ()
-    from_start: FromStart | None = None
-    given_up: str = ""
-
-    @property
-    def views(self) -> tuple[InCoordinates, ...]:
-        """The system in every set of coordinates, the file's own first."""
-        return (self.own, *self.choices)
-
-    @property
-    def holds(self) -> bool:
-        """Whether every check passed and nothing is undecided."""
-        c = self.classification
-        decided = None not in (c.holonomic, c.scleronomic, c.catastatic)
-        return decided and not self.given_up and all(check.passed for check in self.checks)
 
 
 def solve(

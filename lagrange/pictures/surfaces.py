@@ -16,7 +16,7 @@ from lagrange.core.symbols import UnitVector, Unspecified, t
 from lagrange.document.math_writer import Notation
 from lagrange.document.scene import PagePoint, Scene, StrokeKind
 from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.pictures.declared import patch
 from lagrange.pictures.floats import FloatVector, inner, minus, outer, place, plus, unit
 from lagrange.pictures.sketch import PARTICLE, Sketch, toward

@@ -24,7 +24,7 @@ from lagrange.mechanics.constraints.rigid_bodies import Rotation
 from lagrange.mechanics.constraints.springs_dampers import DamperForce, StretchedSpring
 from lagrange.mechanics.dynamics.free_bodies import Rod
 from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equations
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import FloatVector, NoValueError, Values, minus, place, value
 from lagrange.pictures.limits import HEIGHT, LARGEST_SCALE, LONGEST_LINE, MOST_POINTS, WIDTH
 from lagrange.pictures.poses import Pose, angle_mark, general_pose, notable

@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
     from lagrange.mechanics.questions.results import Asked
-    from lagrange.mechanics.solution import InCoordinates, Solution
+    from lagrange.mechanics.results import InCoordinates, Solution
     from lagrange.values.quantities import Values
 
 VERSION = 1

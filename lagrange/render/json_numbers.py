@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Oscillation, Position
     from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
     from lagrange.mechanics.questions.results import Asked
-    from lagrange.mechanics.solution import InCoordinates
+    from lagrange.mechanics.results import InCoordinates
     from lagrange.values.quantities import Quantity, Values
 
 Write = Callable[[Any], str]

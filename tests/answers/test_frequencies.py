@@ -10,7 +10,7 @@ import pytest
 from lagrange.answers.examiner import compared_answers
 from lagrange.answers.verdicts import AnswerVerdict
 from lagrange.core.diagnostics import ProblemError, Source
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.loader import read_problem
 from tests.support.linearized_systems import COUPLED, DAMPED, DOUBLE, HOOP, MOLECULE, PENDULUM, solved
 

@@ -11,7 +11,8 @@ from lagrange.answers.examiner import check_answer, compared_answers
 from lagrange.answers.references import reference_of_solution
 from lagrange.core.diagnostics import Fragment
 from lagrange.explain.report import report
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
 

@@ -17,7 +17,8 @@ from rich.cells import cell_len
 
 from lagrange.core.diagnostics import UndecidedError
 from lagrange.mechanics.dynamics.checks import Check
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem import library
 from lagsolve.command_group import COMMANDS
 from lagsolve.main import main

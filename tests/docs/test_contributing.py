@@ -49,7 +49,7 @@ def test_targets_are_there() -> None:
         ("lagrange/explain/report.py", "def _steps("),
         ("lagrange/render/json.py", "def as_object("),
         ("lagrange/document/derivation.py", "class Rule("),
-        ("lagrange/mechanics/solution.py", "class InCoordinates:"),
+        ("lagrange/mechanics/results.py", "class InCoordinates:"),
         ("lagrange/problem/model.py", "Force ="),
         ("lagrange/problem/keys.py", "FORCES ="),
         ("lagrange/problem/forces.py", "_READERS:"),

@@ -24,7 +24,8 @@ from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.core.symbols import prime
 from lagrange.explain.report import report
 from lagrange.mechanics.constraints.classification import classify
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from lagrange.render import latex

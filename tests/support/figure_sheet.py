@@ -24,7 +24,8 @@ from lagrange.document.math_writer import UNICODE, Writer
 from lagrange.document.scene import Scene
 from lagrange.explain.illustrations import illustrated
 from lagrange.explain.report import notation_of
-from lagrange.mechanics.solution import Solution, kinematics_and_law
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import kinematics_and_law
 from lagrange.problem.loader import load
 from lagrange.render.html import CSS
 from lagrange.render.svg import figure

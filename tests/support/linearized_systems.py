@@ -12,7 +12,8 @@ from mpmath import cos, mp, mpc, mpf, sin, sqrt
 
 from lagrange.core.diagnostics import Source
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 
 mp.dps = 40

@@ -13,7 +13,7 @@ import sympy as sp
 from lagrange.answers.references import ReferenceCandidate, reference_of_solution
 from lagrange.answers.slips import Slip, terms_of
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 
 MOST_TERMS = 14
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.explain.report import Report, report
 from lagrange.mechanics.dynamics.motion import Method
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
 from lagsolve.shipped import containing

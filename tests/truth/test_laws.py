@@ -23,7 +23,8 @@ from mpmath import mp, mpf
 from lagrange.core.diagnostics import Source
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from tests.support.chance import times
 from tests.support.paths import SYSTEM_FILES

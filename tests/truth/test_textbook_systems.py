@@ -23,7 +23,7 @@ from lagrange.core.symbols import Sign, Unspecified, base
 from lagrange.explain.report import Report, report
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.spot_values import SpotValue
-from lagrange.mechanics.solution import InCoordinates
+from lagrange.mechanics.results import InCoordinates
 from lagrange.problem.loader import read_problem
 from tests.support.paths import PROBLEMS, SYSTEM_FILES
 from tests.support.second_route import (

@@ -29,7 +29,7 @@ from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.results import Asked, How
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.questions import scope_of_questions
 
 _ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)

@@ -20,7 +20,7 @@ from lagrange.core.symbols import partial, t
 from lagrange.core.verdicts import all_hold
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 
 _NOT_DERIVED = "the problem does not ask for Hamilton's function"
 _CONSTANT = "it differs from the derived function by a constant, which changes no equation"

@@ -39,7 +39,7 @@ from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.comparison import Standing, agreed_in_motion, compare
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 
 _ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
 _NOT_DERIVED = "the problem asks for no motion, so that there is nothing to compare it with"

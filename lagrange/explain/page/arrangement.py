@@ -35,7 +35,7 @@ from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.meaning import meaning
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 
 LONGEST_BESIDE = 15
 """The most operations of equations of motion in the file's coordinates that are shown beside those of a choice."""

@@ -20,7 +20,7 @@ from lagrange.explain.words import capital, constraints_called, counted, joined,
 from lagrange.mechanics.constraints.displacements import virtual_displacement
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.dynamics.newton import FreeBody, Newton, Reaction, WorkOfReaction, works_of_reactions
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 
 ZERO = sp.S.Zero
 SHORT_NAME = 2

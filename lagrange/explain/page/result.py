@@ -11,7 +11,7 @@ from lagrange.document.builders import display, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.meaning import Stated, operations
 from lagrange.explain.words import in_words
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 
 LONGEST = 120
 """The most operations of the equations in the result at the head."""

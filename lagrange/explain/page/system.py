@@ -9,7 +9,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
 from lagrange.explain.words import plural, the
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
 
 SHORT = 6

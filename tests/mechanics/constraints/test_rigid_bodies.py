@@ -20,7 +20,8 @@ from lagrange.core.vectors import Vector, turned_axes
 from lagrange.explain.report import report
 from lagrange.expressions.reader import read_equation
 from lagrange.mechanics.dynamics.comparison import System, compare
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
 from tests.support import shared

@@ -9,7 +9,7 @@ import sympy as sp
 
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import check_motion
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from tests.support import shared
 
 

@@ -15,7 +15,7 @@ from lagrange.core.diagnostics import Source
 from lagrange.document.derivation import Prose, Rule
 from lagrange.explain.report import report
 from lagrange.mechanics.dynamics.conservation import Because, Conserved, first_integral
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.loader import read_problem
 from lagrange.render.json import as_object
 from tests.support.conserved import of, read

@@ -9,7 +9,8 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Source
 from lagrange.mechanics.dynamics.conservation import Because, Conserved, ConservedQuantity
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from tests.support.conserved import GIVEN_FORCE, differences, of
 from tests.truth.test_textbook_systems import solution_of

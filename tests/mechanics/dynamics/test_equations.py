@@ -16,7 +16,8 @@ from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import prime
 from lagrange.explain.report import Report, report
 from lagrange.mechanics.dynamics.equations import WithMultipliers
-from lagrange.mechanics.solution import InCoordinates, Method, Solution, solve
+from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.solution import Method, solve
 from lagrange.problem.model import Problem
 from lagrange.render import latex
 from lagrange.render.json import as_object

@@ -13,7 +13,8 @@ from lagrange.answers.references import reference_of_solution
 from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.core.symbols import Sign
 from lagrange.explain.report import report
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
 from lagsolve.command_group import status_of_error

@@ -8,7 +8,8 @@ import pytest
 import sympy as sp
 
 from lagrange.core.diagnostics import ProblemError
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 
 Read = Callable[[str], Problem]

@@ -15,7 +15,8 @@ from lagrange.mechanics.dynamics.checks import multiplier_system
 from lagrange.mechanics.dynamics.comparison import compare
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import works_of_reactions
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from tests.support.shared import asking, solved
 

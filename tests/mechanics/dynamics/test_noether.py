@@ -13,7 +13,7 @@ from lagrange.explain.report import report
 from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.energy_functions import energy_functions
 from lagrange.mechanics.dynamics.noether import SymmetryKind, candidates, symmetries
-from lagrange.mechanics.solution import Solution
+from lagrange.mechanics.results import Solution
 from lagrange.problem.loader import read_problem
 from tests.support.conserved import GIVEN_FORCE, differences, of, read
 from tests.truth.test_textbook_systems import solution_of

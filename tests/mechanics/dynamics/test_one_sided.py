@@ -9,7 +9,8 @@ import pytest
 import sympy as sp
 
 from lagrange.explain.report import report
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import json as in_json
 from lagrange.render import terminal

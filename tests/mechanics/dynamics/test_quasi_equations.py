@@ -13,7 +13,8 @@ from lagrange.core.symbols import prime
 from lagrange.document.math_writer import text
 from lagrange.explain.report import notation_of
 from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations, QuasiVelocityForm, check_speeds
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from tests.support.shared import solved
 

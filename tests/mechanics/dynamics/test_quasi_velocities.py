@@ -17,7 +17,8 @@ from lagrange.core.symbols import prime
 from lagrange.document.math_writer import text
 from lagrange.explain.report import notation_of, report
 from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations, QuasiVelocityForm
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
 from tests.support.shared import reported, solved

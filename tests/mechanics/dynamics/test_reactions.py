@@ -18,7 +18,8 @@ from lagrange.expressions.reader import read_value
 from lagrange.mechanics.dynamics.checks import check_reactions
 from lagrange.mechanics.dynamics.limits import MOST_FREE
 from lagrange.mechanics.dynamics.reactions import equilibrium_system, solved_reactions
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object
 

@@ -17,7 +17,8 @@ from lagrange.explain.report import report
 from lagrange.explain.rest.statics import explain_virtual_work
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict as Stable
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object

@@ -11,7 +11,8 @@ from lagrange.algebra.closed_forms.signs import SignCondition
 from lagrange.core.diagnostics import Source
 from lagrange.mechanics.equilibrium.sampled_checks import check_oscillations, check_stability
 from lagrange.mechanics.equilibrium.stability import SecondVariation, Stability, StabilityVerdict
-from lagrange.mechanics.solution import InCoordinates, solve
+from lagrange.mechanics.results import InCoordinates
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import read_problem
 from tests.support.linearized_systems import solved
 from tests.support.statics_texts import BEAD

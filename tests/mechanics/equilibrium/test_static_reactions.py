@@ -12,7 +12,8 @@ from lagrange.answers.examiner import Judgement, check_answer, check_own_answers
 from lagrange.core.diagnostics import Fragment, Source
 from lagrange.explain.report import Report, report
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.loader import load, read_problem
 from lagrange.problem.model import Problem
 from lagrange.render.json import as_object

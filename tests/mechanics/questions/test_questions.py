@@ -13,7 +13,8 @@ from lagrange.core.diagnostics import ProblemError
 from lagrange.explain.report import report
 from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.results import Asked, Because, How, Route
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import terminal
 from lagrange.render.json import as_object

@@ -13,7 +13,8 @@ from lagrange.answers.examiner import check_answer, compared_answers
 from lagrange.core.diagnostics import Fragment, NotCoveredError, ProblemError
 from lagrange.explain.report import report
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
-from lagrange.mechanics.solution import Solution, solve
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import solve
 from lagrange.problem.model import Problem
 from lagrange.render import json as in_json
 from lagrange.render import terminal

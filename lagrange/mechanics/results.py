@@ -1,0 +1,147 @@
+"""The results for a problem, as `solution.solve` finds them stage by stage.
+
+The file's own coordinates and each choice of generalized coordinates have one record, `InCoordinates`, of the same
+fields; `Solution` has what does not depend on coordinates.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign
+from lagrange.mechanics.constraints.classification import Classification
+from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
+from lagrange.mechanics.constraints.displacements import Elimination
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.checks import (
+    Check,
+)
+from lagrange.mechanics.dynamics.conservation import Conserved
+from lagrange.mechanics.dynamics.equations import EquationsOfMotion
+from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
+from lagrange.mechanics.dynamics.newton import Normal, WorkOfReaction
+from lagrange.mechanics.dynamics.spot_values import SpotValue
+from lagrange.problem.model import Problem
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
+    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+    from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
+    from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
+    from lagrange.mechanics.equilibrium.friction.rolling import Rolling
+    from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
+    from lagrange.mechanics.equilibrium.linearization import Linearization
+    from lagrange.mechanics.equilibrium.stability import SecondVariation
+    from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
+    from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.questions.from_start import FromStart
+    from lagrange.mechanics.questions.results import Asked
+
+
+@record
+class InCoordinates:
+    """The results in one set of coordinates: the file's own, or a choice of generalized coordinates.
+
+    coordinates        the verified choice; for the file's own coordinates it has no name
+    configuration      the system in these coordinates; with |λ| in its friction once the motion is known
+    elimination        the dependent virtual displacements in terms of the independent ones
+    dynamics           the motion and the reactions
+    spot               numbers to try the equations of motion with
+    equilibrium        the equilibria
+    reactions_at_rest  the reactions there, if there are constraints
+    stability          of the equilibria, if there is a potential
+    in_speeds          the velocities, and the equations of motion, in the quasi-velocities of the file
+    conserved          the conserved quantities
+    linearization      small oscillations
+    hamiltonian        Hamilton's function and equations
+    steady             steady motions
+    in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
+    at_rest            where the system can be at rest with friction
+    rolling            the conditions under which what rolls does not slip
+    impending          the equilibria with friction at its limit, for each direction of slip
+
+    A result that is not requested, or is given in another set of coordinates, is None.
+    """
+
+    coordinates: GeneralizedCoordinates
+    configuration: Configuration
+    elimination: Elimination
+    dynamics: Motion | None = None
+    spot: SpotValue | None = None
+    equilibrium: Equilibrium | None = None
+    reactions_at_rest: StaticReactions | None = None
+    stability: SecondVariation | None = None
+    in_speeds: QuasiVelocityForm | None = None
+    conserved: Conserved | None = None
+    linearization: Linearization | None = None
+    hamiltonian: Hamiltonian | None = None
+    steady: SteadyMotions | None = None
+    in_numbers: EquilibriaInNumbers | None = None
+    at_rest: AtRest | None = None
+    rolling: Rolling | None = None
+    impending: tuple[ImpendingMotion, ...] | None = None
+
+    @property
+    def name(self) -> str:
+        """The name of the choice; empty for the file's own coordinates."""
+        return self.configuration.name
+
+    @property
+    def motion(self) -> EquationsOfMotion | None:
+        """The equations of motion."""
+        return self.dynamics.equations if self.dynamics else None
+
+    @property
+    def signs(self) -> tuple[Sign, ...]:
+        """The signs ±1 of the square roots in which a choice gives the file's coordinates."""
+        return self.coordinates.signs
+
+    @property
+    def is_own(self) -> bool:
+        """Whether these are the file's own coordinates."""
+        return not self.name
+
+
+@record
+class Solution:
+    """All results for a problem.
+
+    own              in the file's own coordinates
+    choices          in each choice of generalized coordinates
+    transport_rates  shape (n,): rates w that moving constraints impose on the file's coordinates, dq = δq + w dt
+    normals          gradients of the geometric constraints on one particle, unless the motion is requested
+    law              Newton's law in the file's coordinates, if the motion or the reactions at rest are requested
+    works            the work of the reactions
+    asked            the answers to the questions of the file
+    from_start       the motion from the initial state, where nothing is asked
+    given_up         the stage at which the work was given up, and why; later results are missing
+    """
+
+    problem: Problem
+    classification: Classification
+    own: InCoordinates
+    choices: tuple[InCoordinates, ...]
+    transport_rates: tuple[sp.Expr, ...]
+    normals: tuple[Normal, ...] = ()
+    law: NewtonLaw | None = None
+    works: tuple[WorkOfReaction, ...] = ()
+    checks: tuple[Check, ...] = ()
+    asked: tuple[Asked, ...] = ()
+    from_start: FromStart | None = None
+    given_up: str = ""
+
+    @property
+    def views(self) -> tuple[InCoordinates, ...]:
+        """The system in every set of coordinates, the file's own first."""
+        return (self.own, *self.choices)
+
+    @property
+    def holds(self) -> bool:
+        """Whether every check passed and nothing is undecided."""
+        c = self.classification
+        decided = None not in (c.holonomic, c.scleronomic, c.catastatic)
+        return decided and not self.given_up and all(check.passed for check in self.checks)
