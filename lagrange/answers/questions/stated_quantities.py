@@ -170,7 +170,7 @@ def _read(fragment: Fragment, reference: Reference, *, equations: bool) -> Readi
         text = draft.finished(latex="\\" in text.text)
     parts = text.text.split("=")
     if len(parts) > 2:
-        error = Diagnostic("several-equations", "one value is expected here", fragment.whole)
+        error = Diagnostic("unexpected-equation", "one value is expected here", fragment.whole)
         return Reading(fragment.text, error=ProblemError(error))
     if len(parts) == 2 and not _ONLY_NAME.match(parts[0]) and not _ONLY_NAME.match(parts[1]):
         return read_as_written(text, scope)
