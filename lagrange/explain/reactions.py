@@ -9,7 +9,7 @@ import sympy as sp
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Ref, Rule, Step
 from lagrange.explain.contact.one_sided import explain_contacts
-from lagrange.explain.words import are, constraints_called, joined, plural, suffix_of, the, title_in
+from lagrange.explain.words import are, capital, constraints_called, joined, plural, suffix_of, the, title_in
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton
@@ -48,7 +48,7 @@ def explain_reactions(
         equations = "the equations with multipliers"
     if lines and not long:
         words = f"{equations} and {_differentiated(newton)}, give"
-        body.append(prose(words if first else "In these coordinates the same equations give"))
+        body.append(prose(capital(words) if first else "In these coordinates the same equations give"))
     elif lines:
         body.append(prose(f"Solved for the multipliers, {equations} give long expressions."))
     if lines:

@@ -12,6 +12,7 @@ from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Rule, Step, Table
 from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies, unit_vectors
+from lagrange.explain.page.texts import set_text
 from lagrange.explain.words import are, capital, constraints_called, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
@@ -24,7 +25,7 @@ def explain_statement(problem: Problem, configuration: Configuration, with_poten
     """
     body: list[Block] = []
     if problem.description:
-        body.append(prose(problem.description))
+        body.append(prose(*set_text(problem.description, problem)))
     if problem.axes:
         axes = ((math(UNITS[name]), f" points {word}") for name, word in problem.axes.items())
         body.append(prose(*series(axes), "."))

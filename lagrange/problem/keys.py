@@ -505,7 +505,7 @@ PROBLEM = Form(
     (
         Key("title", "text", "What the problem is called.", required=True, example="..."),
         Key("source", "text", "Where it is from: book, chapter, number."),
-        Key("description", "text", "The system in words."),
+        Key("description", "text", "The system in words. Declared symbols, `...` and $...$ are set as mathematics."),
         Key(
             "axes",
             _or_nothing(AXES),

@@ -1,0 +1,69 @@
+"""Texts of the problem file as they are printed: what is mathematics in them is set as mathematics.
+
+That is `l*sin(theta)` between backquotes, $l \\sin\\theta$ between dollars, and a declared symbol as it stands: alpha,
+l1, m. The letters a and I are words. What cannot be read stays as it was written.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.document.builders import math
+from lagrange.document.derivation import Part
+from lagrange.expressions.reader import read_equation, read_value
+from lagrange.problem.model import Problem
+
+_MARKED = re.compile(r"`([^`\n]+)`|\$([^$\n]+)\$")
+_SYMBOL = re.compile(r"(?<![\w'’`$\\-])([A-Za-z]+(?:_?\w+)?'{0,2})(?![\w'’])")
+_WORDS = frozenset({"a", "A", "I"})
+MOST_FORMULAS = 50
+"""Of formulas in one text that are set; a description has two or three."""
+
+
+def set_text(text: str, problem: Problem) -> tuple[Part, ...]:
+    """A text with its formulas and symbols."""
+    parts: list[Part] = []
+    end = 0
+    for n, match in enumerate(_MARKED.finditer(text)):
+        if n == MOST_FORMULAS:
+            break
+        parts += _with_symbols(text[end : match.start()], problem)
+        parts += _formula(match[1] or match[2], problem)
+        end = match.end()
+    return tuple(_joined([*parts, *_with_symbols(text[end:], problem)]))
+
+
+def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
+    """A formula; the text as it is if it cannot be read."""
+    fragment = Fragment.of(text)
+    try:
+        if "=" in text:
+            equation = read_equation(fragment, problem.scope, [], latex=True)
+            return (math(equation.lhs, equation.rhs),)
+        return (math(read_value(fragment, problem.scope, [], latex=True)),)
+    except ProblemError:
+        return (text,)
+
+
+def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
+    """A text in which declared symbols are symbols."""
+    symbols = {q.name: q for q in (*problem.slots.coordinates, *problem.slots.prescribed, *problem.unknowns)}
+    symbols |= {p.symbol.name: p.symbol for p in problem.parameters}
+    end = 0
+    for match in _SYMBOL.finditer(text):
+        name = match[1].rstrip("'")
+        if name not in symbols or name in _WORDS:
+            continue
+        yield text[end : match.start()]
+        yield math(sp.Symbol(match[1], real=True) if match[1] != name else symbols[name])
+        end = match.end()
+    yield text[end:]
+
+
+def _joined(parts: list[Part]) -> Iterator[Part]:
+    """The parts without empty texts."""
+    return (p for p in parts if p != "")

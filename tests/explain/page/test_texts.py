@@ -1,0 +1,46 @@
+"""Texts of the problem file: symbols and formulas in them are mathematics, words are words."""
+
+from __future__ import annotations
+
+import pytest
+
+from lagrange.document.derivation import Math
+from lagrange.document.math_writer import unicode
+from lagrange.explain.page.texts import set_text
+from tests.support.problem_texts import read
+
+PROBLEM = read(
+    "title: T\ncoordinates: [x, theta, r_1]\nparameters: [m, l, l1, alpha, a, I]\n"
+    "particles: {P: {mass: m, position: x*i}}\nconstraints: {c: r_1 = l}\n"
+)
+
+
+def written(text: str) -> str:
+    """The text with mathematics between ‹ and ›."""
+    parts = set_text(text, PROBLEM)
+    return "".join(p if isinstance(p, str) else f"‹{'='.join(map(unicode, p.sides))}›" for p in parts if p)  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize(
+    ("text", "printed"),
+    [
+        ("the angle alpha between", "the angle ‹α› between"),
+        ("a rod of length l, and of mass m.", "a rod of length ‹l›, and of mass ‹m›."),
+        ("rods l1 and r_1", "rods ‹l₁› and ‹r₁›"),
+        ("its rate theta' is small", "its rate ‹θ̇› is small"),
+        ("I take a body; its a is a letter", "I take a body; its a is a letter"),
+        ("d'Alembert's x-axis, m's", "d'Alembert's ‹x›-axis, m's"),
+        ("where `l*sin(theta) = x` holds", "where ‹l sin θ=x› holds"),
+        ("$\\sqrt{3} \\sin\\alpha$ times", "‹√3 sin α› times"),
+        ("beta is not declared", "beta is not declared"),
+        ("`sin(` cannot be read, $5 neither", "sin( cannot be read, $5 neither"),
+        ("formal is no m, lm neither", "formal is no ‹m›, lm neither"),
+    ],
+)
+def test_what_is_set(text: str, printed: str) -> None:
+    assert written(text) == printed
+
+
+def test_formulas_are_limited() -> None:
+    parts = set_text("`x` " * 1000, PROBLEM)
+    assert sum(isinstance(p, Math) for p in parts) == 50
