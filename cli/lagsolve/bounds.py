@@ -2,8 +2,8 @@
 
 What solving may cost is counted in operations (`lagrange.core.effort`), so that every machine prints the same. Beside
 it stand these, for whoever runs files of strangers: an alarm after so many seconds, which gives up the running stage,
-and a limit of the address space, where the system has them. What is known by then is still explained, in
-a quarter of the time.
+and a limit of the address space beyond what is in use at the start, where the system has them. What is known by then is
+still explained, in a quarter of the time.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ import signal
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from types import FrameType
 
 from lagrange.core.effort import GivenUpError, allowed_for
@@ -59,10 +60,19 @@ def _memory(megabytes: int | None) -> Iterator[None]:
         yield
         return
     before = resource.getrlimit(resource.RLIMIT_AS)
-    limit = megabytes << 20
+    limit = _address_space() + (megabytes << 20)
     hard = before[1]
     resource.setrlimit(resource.RLIMIT_AS, (limit if hard == resource.RLIM_INFINITY else min(limit, hard), hard))
     try:
         yield
     finally:
         resource.setrlimit(resource.RLIMIT_AS, before)
+
+
+def _address_space() -> int:
+    """Bytes of address space in use, where the system tells; a process that has loaded much can still begin."""
+    try:
+        pages = Path("/proc/self/statm").read_text(encoding="ascii").split()[0]
+    except (OSError, IndexError):
+        return 0
+    return int(pages) * resource.getpagesize()
