@@ -80,7 +80,7 @@ def term_groups(m: Mechanics) -> Iterator[TermGroup]:
     yield TermGroup("centrifugal term in one equation", what, _without_accelerations(squared))
     yield TermGroup("velocity terms in one equation", "the sum of the velocity terms", velocity, (_ZERO, _SIGN))
     gradient = tuple(replace(i, gradient=_ZERO) for i in moving)
-    yield TermGroup("dT/dq in one equation", "dT/dq", _difference(moving, gradient))
+    yield TermGroup("dT/dq in one equation", "the term dT/dq", _difference(moving, gradient))
     product = tuple(replace(i, product=_ZERO) for i in moving)
     what = "the part of d/dt of dT/dq' with the rate of the coefficients"
     yield TermGroup("d/dt in one equation", what, _difference(moving, product))
