@@ -57,6 +57,8 @@ def term_groups(m: Mechanics) -> Iterator[TermGroup]:
     for f in m.forces:
         if f.kind is not Kind.QUASI:
             yield TermGroup("force in one equation", name_of(f), share(f))
+    for j, row in enumerate(m.configuration.rows):
+        yield TermGroup("reaction in one equation", f"the reaction of {called(row.name)}", _reaction(j))
     weights = m.of_kind(Kind.WEIGHT)
     if len(weights) > 1:
         yield TermGroup("weight in one equation", "the weight", share(*weights))
@@ -103,6 +105,19 @@ def _sum(at: ModelState, parts: tuple[object, ...]) -> list[NumberRow]:
     reduce = at.point.arithmetic.reduce
     shares = [at.share(p) for p in parts]  # type: ignore[arg-type]
     return [[reduce(sum(x)) for x in zip(*rows, strict=True)] for rows in zip(*shares, strict=True)]
+
+
+def _reaction(j: int) -> Callable[[ModelState], list[NumberRow]]:
+    """The share of the multiplier of one constraint."""
+
+    def rows(at: ModelState) -> list[NumberRow]:
+        n, width = len(at.slots.coordinates), len(at.unknowns) + 1
+        shares = [[at.point.number(0)] * width for _ in range(n)]
+        for k, coefficient in enumerate(at.system.configuration.rows[j].coefficients):
+            shares[k][j] = at.point.arithmetic.reduce(-at.point.value(coefficient))
+        return shares
+
+    return rows
 
 
 def _with_velocity(i: Inertia, index: int) -> Inertia:
