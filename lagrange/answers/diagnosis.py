@@ -19,7 +19,7 @@ accelerations, those with velocities, the others.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from enum import Enum
 from functools import cached_property
@@ -235,6 +235,12 @@ def _with_group(diagnosis: Diagnosis, times: sp.Expr, system: System) -> Diagnos
     return replace(diagnosis, group=group_of(term, system), times=times)
 
 
+Change = tuple[sp.Expr | None, sp.Expr | None]
+"""A term, or None if it is missing, and what it should be, or None if it does not belong there."""
+Row = tuple[sp.Expr, list[Any]]
+"""A term and its residue."""
+
+
 class _Search:
     """The search for one change of an equation that makes it follow from a system."""
 
@@ -269,24 +275,33 @@ class _Search:
         total = [reduce(sum(column)) for column in zip(*rows, strict=True)]
         if state.vanishes(total):
             return None
-        others = []
+        found = self._first(rows, total, only=self._direct) if self._direct else None
+        return found if found is not None or direct else self._first(rows, total)
+
+    def _first(
+        self, rows: Sequence[list[Any]], total: list[Any], *, only: Set[Change] | None = None
+    ) -> Diagnosis | None:
+        """The likeliest change that holds; `only`: among these, so that other terms need not be tried."""
+        own = [
+            (term, row)
+            for term, row in zip(self.terms, rows, strict=True)
+            if only is None or any(term == lost for lost, _ in only)
+        ]
         for candidates in (self._by_number, self._by_another, self._by_missing):
-            for _, diagnosis in sorted(candidates(rows, total), key=lambda pair: pair[0]):
-                if (direct or self._direct) and (diagnosis.term, diagnosis.right) not in self._direct:
-                    others.append(diagnosis)
-                elif self._holds(diagnosis):
+            for _, diagnosis in sorted(candidates(own, total), key=lambda pair: pair[0]):
+                if (only is None or (diagnosis.term, diagnosis.right) in only) and self._holds(diagnosis):
                     return diagnosis
-        return None if direct else next((diagnosis for diagnosis in others if self._holds(diagnosis)), None)
+        return None
 
     @cached_property
-    def _direct(self) -> set[tuple[sp.Expr | None, sp.Expr | None]]:
+    def _direct(self) -> set[Change]:
         """The changes, term and right, that make the equation a multiple of a derived one, term by term.
 
         They explain more than those that make it a combination of several: 3 F for F, where m s'' = 2 F and m s'' is
         missing.
         """
         own, multipliers = {*self.terms}, {*self.system.multipliers}
-        changes: set[tuple[sp.Expr | None, sp.Expr | None]] = set()
+        changes: set[Change] = set()
         for derived in self.system.equations:
             for scale, _ in self._scales_to(derived):
                 other = {*(terms_of(sp.Add(*(scale * term for term in terms_of(derived) or ()))) or ())}
@@ -357,10 +372,10 @@ class _Search:
     # Candidates: (cost, diagnosis), sought at the first state. Several changes may make the same equation right.
     # The change of lowest cost that holds at all states is named; a common slip costs less than a rare one.
 
-    def _by_number(self, residues: Sequence[list[Any]], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
+    def _by_number(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A wrong sign or a wrong numerical coefficient, of a term or of a sum in brackets."""
         bracketed = [(e, r) for e in self.brackets if (r := self.states[0].residue(e)) is not None]
-        for term, residue in (*zip(self.terms, residues, strict=True), *bracketed):
+        for term, residue in (*terms, *bracketed):
             wanted = self._wanted(residue, total)
             number = None if wanted is None else self._as_number(wanted)
             if number is None or number == 0:
@@ -372,11 +387,11 @@ class _Search:
             slip = _kind_of_factor(term, number, self.slots.velocities)
             yield cost, Diagnosis(None, slip, term, number * term, number)
 
-    def _by_another(self, residues: Sequence[list[Any]], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
+    def _by_another(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A term that should be another one, or has a factor too many or too few."""
         state = self.states[0]
         reduce = state.point.arithmetic.reduce
-        for term, residue in zip(self.terms, residues, strict=True):
+        for term, residue in terms:
             for n, (slip, variant) in enumerate(variants(term, self.slots, self.parameters, self.angles)):
                 replaced = state.residue(variant)
                 if replaced is None or state.vanishes(replaced):
@@ -399,10 +414,10 @@ class _Search:
     def _is_inertia(self, term: sp.Expr) -> bool:
         return not term.free_symbols.isdisjoint(self.slots.accelerations)
 
-    def _by_missing(self, residues: Sequence[list[Any]], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
+    def _by_missing(self, terms: Sequence[Row], total: list[Any]) -> Iterator[tuple[float, Diagnosis]]:
         """A term too many, or a term of the derived equations that is missing."""
         state = self.states[0]
-        for term, own in zip(self.terms, residues, strict=True):
+        for term, own in terms:
             wanted = self._wanted(own, total)
             if wanted is not None and state.point.arithmetic.vanishes(wanted) and len(self.terms) > 1:
                 yield 4.6, Diagnosis(None, Slip.EXTRA, term)

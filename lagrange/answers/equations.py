@@ -17,10 +17,10 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.conventions import Convention, other_convention
 from lagrange.answers.diagnosis import diagnosed, in_symbols
-from lagrange.answers.hints import Advisor, cause_of
+from lagrange.answers.hints import DOES_NOT_FOLLOW, Advisor, cause_of
 from lagrange.answers.limits import MAX_EQUATIONS
 from lagrange.answers.models.search import Explanation, explained
-from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
+from lagrange.answers.models.table import AS_BY_A_CONVENTION, MEASURED_FROM_ELSEWHERE
 from lagrange.answers.readings import (
     NOT_FOR_ALL,
     Reading,
@@ -316,7 +316,7 @@ WHAT_IT_IS = {
     Recognised.OF_PARAMETERS: "it says nothing about the motion, and does not hold for all values of the parameters",
     Recognised.IMPOSSIBLE: "it can never hold",
     Recognised.NO_ACCELERATION: "it contains no acceleration, and does not hold in every state of motion",
-    Recognised.OTHER: "it does not follow from the equations of motion",
+    Recognised.OTHER: DOES_NOT_FOLLOW,
 }
 _DERIVATIVE = {
     True: "its time derivative is the equation asked for",
@@ -335,8 +335,10 @@ def _with_reasons(
     equations = list(verdict.equations)
     following = []
     advisor = Advisor(system.configuration.slots)
-    convention = _convention(attempt, system) if diagnosing else None
     explanations = _explanations(attempt) if diagnosing else {}
+    # A model later in the table explains the answer only where no other way of measuring a coordinate does.
+    settled = any(e.whole and e.name not in AS_BY_A_CONVENTION for e in explanations.values())
+    convention = _convention(attempt, system) if diagnosing and not settled else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
@@ -357,7 +359,7 @@ def _with_reasons(
             name = model.name if model is not None else ""
             cause = model.cause if model is not None else cause_of(change)
             if convention is not None and name == MEASURED_FROM_ELSEWHERE:
-                model = None  # the convention says the same
+                model = None  # the convention says the same, in better words
             hints = advisor.hints(why, change, units, convention, readings[n].sides, model)
             equations[n] = replace(equations[n], diagnosis=hints[-1], hints=hints, cause=cause, model=name)
         elif len(es) == 1 and standings[0] is Standing.FOLLOWS and not displaced and not decimals_in(es):

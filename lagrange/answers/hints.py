@@ -1,10 +1,14 @@
 """Hints about a wrong equation at three levels of detail; the expected equation is never revealed.
 
     1  it does not follow from the equations of motion
-    2  ... ; look at a velocity term
-    3  ... ; one change makes it right: the sign of the term m*l*sin(theta)
+    2  Look at a force term (without velocities and accelerations).
+    3  This is the equation for gravity that acts the other way. One change makes it right: the sign of the term m*g.
 
-A term has the sign that it has on its side of the answer.
+At most two things are said, the cause and then the place. The cause is the first that is known of: terms of different
+dimensions; a wrong model (the first of its table that makes these equations); another way of measuring a coordinate;
+what the equation is instead. If gravity or a force that acts the other way makes the same equations as a coordinate
+measured the other way, nobody can tell which was meant, and both are named. The place is the one term whose change
+makes the equation right, with the sign that it has on its side of the answer.
 """
 
 from __future__ import annotations
@@ -34,6 +38,7 @@ _TERMS = {
     Group.VELOCITY: "terms with velocities",
     Group.FORCE: "terms without velocities and accelerations",
 }
+DOES_NOT_FOLLOW = "it does not follow from the equations of motion"
 _DIMENSIONS = "its terms have different dimensions"
 _SLIPS = {
     Slip.SIGN: "the sign",
@@ -85,18 +90,19 @@ class Advisor:
         sides: Sequence[sp.Expr | Vector],
         model: Explanation | None = None,
     ) -> tuple[str, ...]:
-        """The hint at each level; all begin with `why`."""
-        place = [
-            _DIMENSIONS if units else "",
-            self._place(change) or (f"look at {model.place}" if model is not None else ""),
-        ]
-        details = [
+        """The hint at each level; `why` is what can be said of the equation without looking for the mistake."""
+        if change is None and units is None and convention is None and model is None:
+            return (why,) * 3
+        causes = (
             self._units(units) if units else "",
-            model.sentence if model is not None else "",
-            self._change(change, sides),
+            self._model(model, convention) if model is not None else "",
             self._convention(convention) if convention else "",
-        ]
-        return why, *("; ".join(filter(None, [why, *hints])) for hints in (place, details))
+            why if why != DOES_NOT_FOLLOW else "",
+        )
+        place = self._place(change) or (f"look at {model.place}" if model is not None else "")
+        first = _DIMENSIONS if units else causes[-1] if not any(causes[:-1]) else ""
+        cause = next(filter(None, causes), "")
+        return why, _sentences(first, place) or why, _sentences(cause, self._change(change, sides)) or why
 
     def _place(self, change: Diagnosis | None) -> str:
         if change is None:
@@ -169,12 +175,22 @@ class Advisor:
         units = f"{first} is in {written(mismatch.dimension)}, {second} in {written(mismatch.expected)}"
         return f"{_DIMENSIONS}: {units}"
 
+    def _model(self, model: Explanation, convention: Convention | None) -> str:
+        if convention is None:
+            return model.sentence
+        return f"{model.sentence}, or for {self._text(convention.coordinate)} measured {convention.turn.value}"
+
     def _convention(self, convention: Convention) -> str:
         q, meant = self._text(convention.coordinate), self._text(convention.meant)
         return f"it would be right if {q} were measured {convention.turn.value}: {meant} for {q}"
 
     def _text(self, expression: sp.Expr) -> str:
         return text(expression, self.notation)
+
+
+def _sentences(*parts: str) -> str:
+    """Each part as a sentence, without those that are empty."""
+    return " ".join(f"{part[0].upper()}{part[1:]}." for part in parts if part)
 
 
 def _is_on_the_right(term: sp.Expr, sides: Sequence[sp.Expr | Vector]) -> bool:

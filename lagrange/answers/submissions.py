@@ -25,10 +25,9 @@ from dataclasses import replace
 from pathlib import PurePath
 from time import perf_counter
 
-from lagrange.answers.equations import WHAT_IT_IS, check_equations
+from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
-from lagrange.answers.recognition import Recognised
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.markup import text_of_html
@@ -255,8 +254,7 @@ class Graded:
     @property
     def remark(self) -> str:
         """The most important remark: the first diagnosis, or else the first other remark."""
-        diagnoses = (e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT)
-        wrong = [diagnosis.removeprefix(f"{WHAT_IT_IS[Recognised.OTHER]}; ") for diagnosis in diagnoses]
+        wrong = [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
         remarks = [r for e in self.equations for r in e.remarks]
         if wrong or self.verdict is Verdict.EQUIVALENT:
             return next(iter([*wrong, *remarks]), "")

@@ -89,17 +89,22 @@ class EquationVerdict:
     model: str = ""
 
     def at_hint_level(self, level: int) -> EquationVerdict:
-        """The verdict with the diagnosis of a hint level: 1, 2 or 3."""
-        return replace(self, diagnosis=self.hints[level - 1]) if self.hints else self
+        """The verdict with the diagnosis of a hint level: 1, 2 or 3; only the last names the cause."""
+        if not self.hints:
+            return self
+        shown = self if level == len(self.hints) else replace(self, cause="", model="")
+        return replace(shown, diagnosis=self.hints[level - 1])
 
     def as_json(self) -> dict[str, object]:
-        """FORMAT's JSON object."""
-        return {
+        """FORMAT's JSON object, with `cause` and `model` where they are known."""
+        written: dict[str, object] = {
             "text": self.text,
             "verdict": self.verdict.value,
             "diagnosis": self.diagnosis,
             "remarks": list(self.remarks),
         }
+        written |= {"cause": self.cause} if self.cause else {}
+        return written | ({"model": self.model} if self.model else {})
 
     def lines(self, notation: Notation, width: int, indent: str) -> Iterator[str]:
         """The equation with its mark, and below it the reading, the diagnosis and the remarks."""

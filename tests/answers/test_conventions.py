@@ -44,7 +44,7 @@ def system(key: str) -> Reference:
 def test_other_conventions(key: str, equations: list[str], coordinate: str, turn: Turn) -> None:
     found = check_equations([Fragment.of(e) for e in equations], system(key))
     assert found.verdict is Verdict.WRONG
-    assert f"it would be right if {coordinate} were measured {turn.value}" in found.equations[0].diagnosis
+    assert f"It would be right if {coordinate} were measured {turn.value}" in found.equations[0].diagnosis
     [candidate] = system(key).candidates
     read = [candidate.read(read_answer(Fragment.of(e), system(key).scope).components[0]) for e in equations]
     convention = other_convention(read, candidate.system)

@@ -286,9 +286,9 @@ def turned_spring() -> Reference:
     [
         (
             "s'' = s*phi'^2 - g*sqrt(1 - sin(b)^2)",
-            "something is wrong in its terms without velocities and accelerations; the others are right",
+            "Something is wrong in its terms without velocities and accelerations; the others are right.",
         ),
-        ("s'' = abs(s)*phi'^2 - g*cos(b)", "something is wrong in its terms with velocities; the others are right"),
+        ("s'' = abs(s)*phi'^2 - g*cos(b)", "Something is wrong in its terms with velocities; the others are right."),
     ],
 )
 def test_a_root_is_not_right_on_one_branch(equation: str, words: str) -> None:
@@ -299,9 +299,10 @@ def test_a_root_is_not_right_on_one_branch(equation: str, words: str) -> None:
         assert "measured" not in found.diagnosis
 
 
-IN_FORCES = "; something is wrong in its terms without velocities and accelerations; the others are right"
-IN_VELOCITIES = "; something is wrong in its terms with velocities; the others are right"
-IN_INERTIA = "; something is wrong in its terms with accelerations; the others are right"
+NOTHING = "it does not follow from the equations of motion"
+IN_FORCES = "Something is wrong in its terms without velocities and accelerations; the others are right."
+IN_VELOCITIES = "Something is wrong in its terms with velocities; the others are right."
+IN_INERTIA = "Something is wrong in its terms with accelerations; the others are right."
 
 
 @pytest.mark.parametrize(
@@ -315,25 +316,25 @@ IN_INERTIA = "; something is wrong in its terms with accelerations; the others a
         # Scaled so that the accelerations agree, its forces would differ; but they are right, and the inertia is wrong.
         ("atwoodI", "(m1 - m2 - I/R^2)*x'' = (m1 - m2)*g", IN_INERTIA),
         # Two wrong signs on the one scale, and two others on the other.
-        ("double", "l2*b'' + l1*a''*cos(a-b) + l1*a'^2*sin(a-b) - g*sin(b) = 0", ""),
-        ("cart", "(M-m)*x'' - m*l*theta''*cos(theta) - m*l*theta'^2*sin(theta) = 0", ""),
+        ("double", "l2*b'' + l1*a''*cos(a-b) + l1*a'^2*sin(a-b) - g*sin(b) = 0", NOTHING),
+        ("cart", "(M-m)*x'' - m*l*theta''*cos(theta) - m*l*theta'^2*sin(theta) = 0", NOTHING),
         # Wrong in two groups.
-        ("atwoodI", "(m1 + m2)*x'' = (m1 + m2)*g", ""),
-        ("damped", "2*m*x'' + c*x' + 3*k*x = F*cos(omega*t)", ""),
-        ("spring", "r*theta'' + r'*theta' - g*sin(theta) = 0", ""),
+        ("atwoodI", "(m1 + m2)*x'' = (m1 + m2)*g", NOTHING),
+        ("damped", "2*m*x'' + c*x' + 3*k*x = F*cos(omega*t)", NOTHING),
+        ("spring", "r*theta'' + r'*theta' - g*sin(theta) = 0", NOTHING),
         # No velocities occur, and two terms with velocities are missing.
-        ("drag", "m*x'' + k*x = 0", "; its terms are right, but terms with velocities are missing"),
+        ("drag", "m*x'' + k*x = 0", "Its terms are right, but terms with velocities are missing."),
     ],
 )
 def test_a_group_is_named_only_if_the_others_are_right(key: str, equation: str, said: str) -> None:
     [found] = check_equations([Fragment.of(equation)], system(key)).equations
-    assert found.diagnosis == f"it does not follow from the equations of motion{said}"
+    assert found.diagnosis == said
 
 
 def test_a_change_into_a_term_that_vanishes_explains_nothing() -> None:
     """h'' = 0 follows, so that any term may be replaced by a multiple of it."""
     [found] = check_equations([Fragment.of("M*X'' + m*X'' + m*h'' = F + M*X''*cos(X)")], system("lifted")).equations
-    assert found.diagnosis.endswith("the term M*X''*cos(X) does not belong there")
+    assert found.diagnosis.endswith("the term M*X''*cos(X) does not belong there.")
 
 
 def test_a_missing_term_is_preferred_to_an_odd_factor() -> None:
@@ -342,12 +343,12 @@ def test_a_missing_term_is_preferred_to_an_odd_factor() -> None:
     text = f"title: T\nparameters: [m, g, alpha]\ncoordinates: [s]\nunknowns: [F]\nequations: {equations}\n"
     rolling = reference(read_problem(Source("problem.yaml", text)))
     [found] = check_equations([Fragment.of("F = m*g*sin(alpha)")], rolling).equations
-    assert found.diagnosis.endswith("m*s'' is missing on its left side")
+    assert found.diagnosis.endswith("m*s'' is missing on its left side.")
 
 
 def test_several_slips_are_not_explained_away() -> None:
     found = check_equations([Fragment.of("3*theta'' + theta'^2 = m*g*cos(theta)^2")], system("pendulum"))
-    assert "one change" not in found.equations[0].diagnosis
+    assert "One change" not in found.equations[0].diagnosis
 
 
 UNITS = "{m: {unit: kg}, l: {unit: m}, g: {unit: m/s^2}}"

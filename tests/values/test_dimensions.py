@@ -43,7 +43,7 @@ def measured(equations: str = "[\"m*l^2*theta'' + m*g*l*sin(theta) = 0\"]") -> R
 def test_dimensions_are_named_first(equation: str, words: str) -> None:
     found = check_equations([Fragment.of(equation)], measured()).equations[0]
     assert words in found.diagnosis
-    assert "one change" not in found.diagnosis or found.diagnosis.index(words) < found.diagnosis.index("one change")
+    assert "One change" not in found.diagnosis or found.diagnosis.index(words) < found.diagnosis.index("One change")
     assert "dimension" in found.hints[1]
     assert "m/s" not in found.hints[1]
 

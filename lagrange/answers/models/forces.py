@@ -67,8 +67,7 @@ def potential_reversed(m: Mechanics) -> Iterator[Variation]:
     """L = T + V."""
     forces = [f for f in m.forces if f.conservative]
     if forces:
-        clause = "for L = T + V: the sign of the potential energy is wrong"
-        yield Variation(clause, "the sign of the potential energy", m.scaled(forces, sp.S.NegativeOne))
+        yield Variation("for L = T + V", "the sign of the potential energy", m.scaled(forces, sp.S.NegativeOne))
 
 
 def force_left_out(m: Mechanics) -> Iterator[Variation]:

@@ -57,6 +57,8 @@ def term_groups(m: Mechanics) -> Iterator[TermGroup]:
     for f in m.forces:
         if f.kind is not Kind.QUASI:
             yield TermGroup("force in one equation", name_of(f), share(f))
+    for j, row in enumerate(m.configuration.rows):
+        yield TermGroup("reaction in one equation", f"the reaction of {called(row.name)}", _reaction(j))
     weights = m.of_kind(Kind.WEIGHT)
     if len(weights) > 1:
         yield TermGroup("weight in one equation", "the weight", share(*weights))
@@ -80,7 +82,7 @@ def term_groups(m: Mechanics) -> Iterator[TermGroup]:
     yield TermGroup("centrifugal term in one equation", what, _without_accelerations(squared))
     yield TermGroup("velocity terms in one equation", "the sum of the velocity terms", velocity, (_ZERO, _SIGN))
     gradient = tuple(replace(i, gradient=_ZERO) for i in moving)
-    yield TermGroup("dT/dq in one equation", "dT/dq", _difference(moving, gradient))
+    yield TermGroup("dT/dq in one equation", "the term dT/dq", _difference(moving, gradient))
     product = tuple(replace(i, product=_ZERO) for i in moving)
     what = "the part of d/dt of dT/dq' with the rate of the coefficients"
     yield TermGroup("d/dt in one equation", what, _difference(moving, product))
@@ -103,6 +105,19 @@ def _sum(at: ModelState, parts: tuple[object, ...]) -> list[NumberRow]:
     reduce = at.point.arithmetic.reduce
     shares = [at.share(p) for p in parts]  # type: ignore[arg-type]
     return [[reduce(sum(x)) for x in zip(*rows, strict=True)] for rows in zip(*shares, strict=True)]
+
+
+def _reaction(j: int) -> Callable[[ModelState], list[NumberRow]]:
+    """The share of the multiplier of one constraint."""
+
+    def rows(at: ModelState) -> list[NumberRow]:
+        n, width = len(at.slots.coordinates), len(at.unknowns) + 1
+        shares = [[at.point.number(0)] * width for _ in range(n)]
+        for k, coefficient in enumerate(at.system.configuration.rows[j].coefficients):
+            shares[k][j] = at.point.arithmetic.reduce(-at.point.value(coefficient))
+        return shares
+
+    return rows
 
 
 def _with_velocity(i: Inertia, index: int) -> Inertia:

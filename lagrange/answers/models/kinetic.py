@@ -251,7 +251,7 @@ def gradient_left_out(m: Mechanics) -> Iterator[Variation]:
 def gradient_reversed(m: Mechanics) -> Iterator[Variation]:
     """∂T/∂q has the wrong sign, or a constant momentum was put into L."""
     changed = m.inertia(lambda i: replace(i, gradient=sp.S.NegativeOne))
-    clause = "with the sign of dT/dq reversed, as happens if a constant momentum is put into L before differentiating"
+    clause = "with the sign of dT/dq reversed, as if a constant momentum were put into L before differentiating"
     yield Variation(clause, "the sign of dT/dq", changed)
 
 
@@ -302,7 +302,7 @@ def velocity_terms_left_out(m: Mechanics) -> Iterator[Variation]:
 def half_left_out(m: Mechanics) -> Iterator[Variation]:
     """T without its ½, or with one too many."""
     for factor, clause in (
-        (sp.Integer(2), "for a kinetic energy twice as large: its 1/2 is missing"),
+        (sp.Integer(2), "for a kinetic energy twice as large"),
         (HALF, "for half of the kinetic energy"),
     ):
         changed = m.inertia(lambda i, f=factor: replace(i, factor=i.factor * f))  # type: ignore[misc]

@@ -77,4 +77,8 @@ MODELS = (
     Model("velocity terms left out", kinetic.velocity_terms_left_out),
     Model("factor 2", kinetic.factor_two),
 )
-"""In the order of their likelihood."""
+"""In the order of their likelihood. Several may make the same equations; then the first is named."""
+
+_NAMES = [m.name for m in MODELS]
+AS_BY_A_CONVENTION = frozenset(_NAMES[: _NAMES.index(MEASURED_FROM_ELSEWHERE) + 1])
+"""The models that another way of measuring a coordinate may stand behind."""

@@ -7,6 +7,7 @@ import pytest
 from lagrange.answers.models.search import changed_rows, explained
 from lagrange.answers.readings import read_answer
 from lagrange.core.diagnostics import Fragment
+from tests.answers.models.slips import examiner
 from tests.support.shared import reference_of
 
 ANSWERS = [
@@ -36,3 +37,21 @@ def test_variations_are_made_once_and_all_have_rows() -> None:
 
 def test_a_missing_mechanics_is_no_error() -> None:
     assert explained([], [], reference_of("pole-on-cart").candidates[0].models) == ()
+
+
+@pytest.mark.parametrize(
+    ("reaction", "said"),
+    [
+        ("2*lambda_blade*sin(theta) +", "The reaction of `blade` is counted twice in the equation of x."),
+        ("", "The reaction of `blade` is left out in the equation of x."),
+    ],
+)
+def test_a_reaction_in_one_equation(reaction: str, said: str) -> None:
+    own = f"{reaction} m*x'' - a*m*theta''*sin(theta) - a*m*theta'^2*cos(theta) = 0"
+    others = (
+        "m*y'' + a*m*theta''*cos(theta) - a*m*theta'^2*sin(theta) = lambda_blade*cos(theta)",
+        "(I_G + m*a^2)*theta'' - a*m*x''*sin(theta) + a*m*y''*cos(theta) = 0",
+    )
+    wrong, *_ = examiner("sleigh").check(tuple(map(Fragment.of, (own, *others)))).each
+    assert wrong.diagnosis == said
+    assert wrong.model == "reaction in one equation"
