@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from typing import Any
 
 import pytest
@@ -12,6 +14,7 @@ from lagrange.explain.report import report
 from lagrange.problem.loader import load
 from lagrange.render import html, json, terminal
 from tests.support.derivation_text import reading
+from tests.support.paths import ROOT
 from tests.support.shared import SHIPPED, reported
 
 
@@ -90,6 +93,19 @@ def test_what_a_format_does_not_show_is_not_made(monkeypatch: pytest.MonkeyPatch
     found = report(load(str(SHIPPED["ex11-ideal-pendulum"])), complete=False)
     terminal.text(found.derivation, found.notation, 80)
     assert made == ["page", "illustrated"]
+
+
+def test_a_right_answer_loads_nothing_for_wrong_ones() -> None:
+    code = (
+        "import sys; from lagrange.problem.loader import load; from lagrange.explain.report import report;"
+        "report(load('problems/chapter6/ex18-double-pendulum.yaml'), complete=False);"
+        "print([m for m in sys.modules if m in ('lagrange.answers.diagnosis', 'lagrange.answers.models.search',"
+        "'lagrange.answers.written.working', 'lagrange.mechanics.equilibrium.linearization')])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120
+    )
+    assert done.stdout.strip() == "[]"
 
 
 def _note_calls(monkeypatch: pytest.MonkeyPatch, name: str, made: list[str]) -> None:
