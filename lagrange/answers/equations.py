@@ -11,16 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.answers.conventions import Convention, other_convention
-from lagrange.answers.diagnosis import diagnosed, in_symbols
-from lagrange.answers.hints import DOES_NOT_FOLLOW, Advisor, cause_of
 from lagrange.answers.limits import MAX_EQUATIONS
-from lagrange.answers.models.search import Explanation, explained
-from lagrange.answers.models.table import AS_BY_A_CONVENTION, MEASURED_FROM_ELSEWHERE
 from lagrange.answers.readings import (
     NOT_FOR_ALL,
     Reading,
@@ -34,6 +30,7 @@ from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.validity import NonzeroCondition, conditions
 from lagrange.answers.verdicts import (
     DIVIDES_BY_ZERO,
+    DOES_NOT_FOLLOW,
     MIXED_CHOICES,
     NOT_JUDGED,
     WORST_TO_BEST,
@@ -48,6 +45,10 @@ from lagrange.core.symbols import CONSTANT, Decimal, Slots, base
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import separated
 from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing, System, compare, compare_really
+
+if TYPE_CHECKING:
+    from lagrange.answers.conventions import Convention
+    from lagrange.answers.models.search import Explanation
 
 
 def check_equations(answer: Sequence[Fragment], reference: Reference, *, diagnosing: bool = True) -> AnswerVerdict:
@@ -334,11 +335,8 @@ def _with_reasons(
     system = attempt.candidate.system
     equations = list(verdict.equations)
     following = []
-    advisor = Advisor(system.configuration.slots)
     explanations = _explanations(attempt) if diagnosing else {}
-    # A model later in the table explains the answer only where no other way of measuring a coordinate does.
-    settled = any(e.whole and e.name not in AS_BY_A_CONVENTION for e in explanations.values())
-    convention = _convention(attempt, system) if diagnosing and not settled else None
+    convention = _convention(attempt, system) if diagnosing and not _is_settled(explanations) else None
     for n, (es, standings) in enumerate(zip(attempt.components, attempt.standings, strict=True)):
         displaced = displaced_coordinates(readings[n].components, reference.scope.slots.coordinates)
         bad = [(e, s) for e, s in zip(es, standings, strict=True) if s in (Standing.NOT_LINEAR, Standing.CONTRADICTS)]
@@ -347,6 +345,12 @@ def _with_reasons(
             if displaced:
                 equations[n] = replace(equations[n], diagnosis=NOT_FOR_ALL, hints=(NOT_FOR_ALL,) * 3)
                 continue
+            # Most answers are right, and need nothing of this; so do the answers of problem files.
+            from lagrange.answers.diagnosis import diagnosed, in_symbols
+            from lagrange.answers.hints import Advisor, cause_of
+            from lagrange.answers.models.table import MEASURED_FROM_ELSEWHERE
+
+            advisor = Advisor(system.configuration.slots)
             kind = recognised(equation, system, linear=linear)
             why = WHAT_IT_IS[kind].format(derivative=_DERIVATIVE[_has_one_equation(system)])
             wanted = diagnosing and kind in _TO_BE_DIAGNOSED
@@ -374,6 +378,15 @@ def _with_reasons(
     return replace(verdict, equations=tuple(equations))
 
 
+def _is_settled(explanations: Mapping[int, Explanation]) -> bool:
+    """Whether a model explains the answer; one later in the table only where no other convention does."""
+    if not explanations:
+        return False
+    from lagrange.answers.models.table import AS_BY_A_CONVENTION
+
+    return any(e.whole and e.name not in AS_BY_A_CONVENTION for e in explanations.values())
+
+
 def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
     """The models that explain wrong equations, by their numbers."""
     standings = attempt.standings
@@ -384,6 +397,8 @@ def _explanations(attempt: _Attempt) -> dict[int, Explanation]:
     bad = [m for m, (n, _) in enumerate(components) if n in wrong and _flat(standings)[m] is Standing.CONTRADICTS]
     if not bad:
         return {}
+    from lagrange.answers.models.search import explained
+
     found = explained([e for _, e in components], bad, attempt.candidate.models)
     return {components[m][0]: e for m, e in reversed(list(zip(bad, found, strict=True))) if e is not None}
 
@@ -400,6 +415,8 @@ def _convention(attempt: _Attempt, system: System) -> Convention | None:
     standings = [s for several in attempt.standings for s in several]
     if Standing.CONTRADICTS not in standings or Standing.NOT_LINEAR in standings:
         return None
+    from lagrange.answers.conventions import other_convention
+
     convention = other_convention([e for es in attempt.components for e in es], system)
     if convention is not None and convention.coordinate in attempt.candidate.positive:
         return None

@@ -15,7 +15,6 @@ import sympy as sp
 
 from lagrange.answers.equations import check_equations, sides_of
 from lagrange.answers.limits import UNITS_OF_CHECKING
-from lagrange.answers.models.letters import explained_degrees_of_freedom
 from lagrange.answers.reactions import AtRest, check_reaction
 from lagrange.answers.readings import GivenEquation, read_answer
 from lagrange.answers.reference_systems import reference_of_equations
@@ -29,9 +28,6 @@ from lagrange.answers.verdicts import (
     Verdict,
     missing_equilibria,
 )
-from lagrange.answers.written.judging import verdict_on
-from lagrange.answers.written.lines import conditions_of, separated
-from lagrange.answers.written.working import Working, understood
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
@@ -42,6 +38,7 @@ from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Answers, Problem
 
 if TYPE_CHECKING:
+    from lagrange.answers.written.working import Working
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest as Rest
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
@@ -69,7 +66,11 @@ def _before_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVe
     classification = solution.classification
     if answers.degrees_of_freedom is not None:
         agrees = answers.degrees_of_freedom == classification.degrees_of_freedom
-        why = "" if agrees else explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
+        why = ""
+        if not agrees:
+            from lagrange.answers.models.letters import explained_degrees_of_freedom
+
+            why = explained_degrees_of_freedom(answers.degrees_of_freedom, classification)
         yield AnswerVerdict(_agrees(agrees), name="degrees_of_freedom", diagnosis=why)
     if answers.classification:
         yield _together("classification", {word: _class(solution, word) for word in answers.classification})
@@ -110,16 +111,18 @@ def _after_equations(solution: Solution, answers: Answers) -> Iterator[AnswerVer
 
 def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]:
     """The verdicts on energies, generalized forces, first integrals, virtual displacements, Hamilton's function."""
-    from lagrange.answers.questions import stated_quantities as quantities
+    stated = answers.kinetic_energy, answers.generalized_forces, answers.conserved, answers.virtual_displacements
+    if any(stated):
+        from lagrange.answers.questions import stated_quantities as quantities
 
-    if answers.kinetic_energy is not None:
-        yield quantities.check_kinetic_energy(answers.kinetic_energy, solution)
-    if answers.generalized_forces:
-        yield quantities.check_generalized_forces(answers.generalized_forces, solution)
-    if answers.conserved:
-        yield quantities.check_conserved(answers.conserved, solution)
-    if answers.virtual_displacements:
-        yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
+        if answers.kinetic_energy is not None:
+            yield quantities.check_kinetic_energy(answers.kinetic_energy, solution)
+        if answers.generalized_forces:
+            yield quantities.check_generalized_forces(answers.generalized_forces, solution)
+        if answers.conserved:
+            yield quantities.check_conserved(answers.conserved, solution)
+        if answers.virtual_displacements:
+            yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
     if answers.steady:
         from lagrange.answers.equilibria import check_equilibria
 
@@ -304,6 +307,9 @@ class Examiner:
             return self._checked(answer)
 
     def _checked(self, answer: tuple[Fragment, ...]) -> Judgement:
+        from lagrange.answers.written.lines import conditions_of, separated
+        from lagrange.answers.written.working import Working, understood
+
         answer = separated(answer)
         solution = self.solution
         if solution is not None and _rests(solution) and any(map(is_inequality, answer)):
@@ -340,6 +346,8 @@ class Examiner:
         return replace(self._checked(equations), others=(rest,))
 
     def _on_motion(self, working: Working) -> AnswerVerdict:
+        from lagrange.answers.written.judging import verdict_on
+
         reference = self.reference.of_answers
         if working.unknowns:
             reference = replace(reference, unknowns=(*reference.unknowns, *working.unknowns))
@@ -350,6 +358,8 @@ class Examiner:
         return verdict_on(working, reference, check)
 
     def _statics(self, working: Working, solution: Solution) -> Judgement:
+        from lagrange.answers.written.judging import verdict_on
+
         kinds = (True, False)
 
         def check(equations: Sequence[Fragment], _: bool) -> AnswerVerdict:

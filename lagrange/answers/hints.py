@@ -21,6 +21,7 @@ from lagrange.answers.conventions import Convention
 from lagrange.answers.diagnosis import Diagnosis, Group
 from lagrange.answers.models.search import Explanation
 from lagrange.answers.slips import Slip, terms_of
+from lagrange.answers.verdicts import DOES_NOT_FOLLOW
 from lagrange.core.symbols import Slots
 from lagrange.core.units import written
 from lagrange.core.vectors import Vector
@@ -38,7 +39,6 @@ _TERMS = {
     Group.VELOCITY: "terms with velocities",
     Group.FORCE: "terms without velocities and accelerations",
 }
-DOES_NOT_FOLLOW = "it does not follow from the equations of motion"
 _DIMENSIONS = "its terms have different dimensions"
 _SLIPS = {
     Slip.SIGN: "the sign",

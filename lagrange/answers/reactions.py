@@ -17,12 +17,10 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.answers.force_names import meanings, other_readings
-from lagrange.answers.models.letters import explained_reaction
 from lagrange.answers.readings import Reading, decimals_in
 from lagrange.answers.references import Reference, ReferenceCandidate
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, remark_on, rounded, rounded_in_motion
-from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Fragment
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
@@ -48,6 +46,8 @@ def check_reaction(fragment: Fragment, reaction: Reaction, reference: Reference)
     for zero, _ in _claims(fragment, reaction, reference):
         for candidate in reference.candidates:
             if {base(s).name for s in zero.free_symbols} & reference.moving <= candidate.known:
+                from lagrange.answers.models.letters import explained_reaction
+
                 why = explained_reaction(candidate.read(zero), candidate.models)
                 if why:
                     return replace(found, diagnosis=why, cause=why)
@@ -106,6 +106,8 @@ Claim = tuple[sp.Expr, tuple[str, ...]]
 
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[Claim]:
     """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
+    from lagrange.answers.written.working import tried
+
     scope = replace(reference.scope, decimals="")
     if "=" in fragment.text:
         equation = tried(fragment, scope, lambda f: read_equation(f, scope, [], MAX_ANSWER_CHARACTERS, latex=True))

@@ -12,14 +12,12 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.answers.force_names import other_readings
-from lagrange.answers.models.mechanics import Mechanics, mechanics_of
-from lagrange.answers.models.search import Models
 from lagrange.answers.readings import Reading, radii, with_positive_radii
-from lagrange.answers.slips import terms_of
 from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
 from lagrange.core.symbols import CONSTANT, Sign, prime, variation
@@ -34,7 +32,11 @@ from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
-from lagrange.values.dimensions import Mismatch, mismatch
+
+if TYPE_CHECKING:
+    from lagrange.answers.models.mechanics import Mechanics
+    from lagrange.answers.models.search import Models
+    from lagrange.values.dimensions import Mismatch
 
 
 @record
@@ -69,6 +71,8 @@ class ReferenceCandidate:
     @cached_property
     def models(self) -> Models:
         """The changed problems that a wrong answer is compared with."""
+        from lagrange.answers.models.search import Models
+
         return Models(self.system, dict(self.values), self._mechanics)
 
     def _mechanics(self) -> Mechanics | None:
@@ -185,18 +189,25 @@ class Reference:
         """Terms of an equation whose dimensions differ; None if they agree, or if that is not known."""
         if not self.units or not self._units_agree or len(reading.components) != 1:
             return None
-        return mismatch(terms_of(reading.components[0]) or (), self.units)
+        return _mismatch(reading.components[0], self.units)
 
     @cached_property
     def _units_agree(self) -> bool:
         """Whether the derived equations are dimensionally consistent; otherwise the units of the file are wrong."""
         systems = (c.system for c in self.candidates)
-        return all(mismatch(terms_of(e) or (), self.units) is None for s in systems for e in s.equations)
+        return all(_mismatch(e, self.units) is None for s in systems for e in s.equations)
 
     @cached_property
     def moving(self) -> set[str]:
         """The names of all coordinates and multipliers, of which each candidate knows some."""
         return {q.name for q in self.scope.slots.coordinates}.union(*(c.known for c in self.candidates))
+
+
+def _mismatch(e: sp.Expr, units: Mapping[sp.Symbol, str]) -> Mismatch | None:
+    from lagrange.answers.slips import terms_of
+    from lagrange.values.dimensions import mismatch
+
+    return mismatch(terms_of(e) or (), units)
 
 
 def reference_of_solution(solution: Solution) -> Reference:
@@ -464,13 +475,19 @@ def _candidate(view: InCoordinates, motion: EquationsOfMotion, solution: Solutio
     reactions = {c.name: c.reaction for c in solution.problem.constraints}
     multipliers = tuple(reactions[r.name] for r in configuration.rows)
     known = (*multipliers, *solution.problem.unknowns)
-    frictions = view.dynamics.friction_forces if view.dynamics is not None else ()
+
+    def mechanics() -> Mechanics:
+        from lagrange.answers.models.mechanics import mechanics_of
+
+        frictions = view.dynamics.friction_forces if view.dynamics is not None else ()
+        return mechanics_of(configuration, solution.problem, frictions)
+
     return ReferenceCandidate(
         view.name,
         configuration,
         known,
         lambda: _with_multipliers(motion, solution),
-        mechanics=lambda: mechanics_of(configuration, solution.problem, frictions),
+        mechanics=mechanics,
     )
 
 

@@ -56,6 +56,7 @@ WORST_TO_BEST = (
 
 NOT_JUDGED = "not judged, because another equation is unreadable"
 DIVIDES_BY_ZERO = "it divides by an expression that is exactly zero"
+DOES_NOT_FOLLOW = "it does not follow from the equations of motion"
 MIXED_CHOICES = "it mixes coordinates of several choices; use the file's coordinates and those of one choice"
 UNDECIDED = "it could not be decided whether it is right"
 

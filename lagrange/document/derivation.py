@@ -6,10 +6,11 @@ Short ways to build the blocks are in `builders`.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import field
 from enum import IntEnum, StrEnum
-from typing import TypeAlias
+from functools import cached_property
+from typing import TypeAlias, overload
 
 import sympy as sp
 
@@ -171,9 +172,36 @@ class Step:
     folded: tuple[Part, ...] = ()
 
 
+class MadeWhenRead(Sequence[Step]):
+    """Steps that are made when they are first read, and then once."""
+
+    def __init__(self, make: Callable[[], Iterable[Step]]) -> None:
+        self._make = make
+
+    @cached_property
+    def _steps(self) -> tuple[Step, ...]:
+        return tuple(self._make())
+
+    @overload
+    def __getitem__(self, place: int) -> Step: ...
+    @overload
+    def __getitem__(self, place: slice) -> tuple[Step, ...]: ...
+    def __getitem__(self, place: int | slice) -> Step | tuple[Step, ...]:
+        return self._steps[place]
+
+    def __len__(self) -> int:
+        return len(self._steps)
+
+    def __eq__(self, other: object) -> bool:
+        return self._steps == tuple(other) if isinstance(other, Sequence) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._steps)
+
+
 @record
 class Derivation:
-    """A whole derivation.
+    """A whole derivation. No format shows both lists of steps; that which is not shown need not be made.
 
     steps  everything, in the order of the chapter: what JSON and `--detail full` have
     page   what is printed by default: the result first, then the shortest way to it; empty where it is `steps`
@@ -181,9 +209,9 @@ class Derivation:
 
     title: str
     source: str
-    steps: tuple[Step, ...]
-    page: tuple[Step, ...] = ()
+    steps: Sequence[Step]
+    page: Sequence[Step] = ()
 
-    def at(self, detail: Detail) -> tuple[Step, ...]:
+    def at(self, detail: Detail) -> Sequence[Step]:
         """The steps of a level of detail."""
         return self.steps if detail is Detail.FULL or not self.page else self.page

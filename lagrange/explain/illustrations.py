@@ -1,7 +1,7 @@
 """The pictures of a derivation and their places: the system, its free bodies, the coordinates of a choice.
 
-Nothing is drawn here: a picture is drawn when a renderer asks for it, and then once. Each has a caption, and a
-description in words for readers who cannot see it.
+Nothing is drawn here: a picture is drawn when a renderer asks for it, and then once; one that takes too much work is
+left out. Each has a caption, and a description in words for readers who cannot see it.
 """
 
 from __future__ import annotations
@@ -13,6 +13,8 @@ from itertools import takewhile
 
 import sympy as sp
 
+from lagrange.core.diagnostics import GaveUpError
+from lagrange.core.effort import allowed_for
 from lagrange.document.builders import listed, math
 from lagrange.document.derivation import Block, Part, Picture, Prose, Rule, Step
 from lagrange.document.notation import Notation
@@ -21,6 +23,9 @@ from lagrange.explain.words import plural, spoken
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.results import Solution
+
+UNITS_OF_A_PICTURE = 200_000
+"""Of work (`core.effort`)."""
 
 CAPTION_OF_SYSTEM: tuple[Part, ...] = ("The system in a general position.",)
 """Below the picture of the system."""
@@ -109,7 +114,14 @@ def _with(step: Step, place: int, picture: Picture) -> Step:
 
 
 def _picture(draw: Callable[[], Scene | None], caption: tuple[Part, ...], alt: str) -> Picture:
-    return Picture(cache(draw), caption, alt)
+    def drawn() -> Scene | None:
+        try:
+            with allowed_for("pictures", UNITS_OF_A_PICTURE):
+                return draw()
+        except GaveUpError:
+            return None
+
+    return Picture(cache(drawn), caption, alt)
 
 
 def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> Picture:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -14,8 +15,10 @@ from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.reactions import Reactions
-from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 from lagrange.problem.model import Keeper
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.static_reactions import ReactionsAtRest, StaticReactions
 
 LONGEST = 60
 """The most operations of a reaction that is shown by default where there are other coordinates."""

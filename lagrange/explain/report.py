@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -14,7 +14,7 @@ from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, GaveUpError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
-from lagrange.document.derivation import Derivation, Step
+from lagrange.document.derivation import Derivation, MadeWhenRead, Step
 from lagrange.document.notation import Notation
 from lagrange.explain.checks import explain_checks
 from lagrange.explain.conservation import explain_conserved
@@ -64,7 +64,7 @@ EVERY_CHOICE = "all"
 """In place of the name of a choice: all of them, and none folded. A choice that is called so takes precedence."""
 
 UNITS_OF_EXPLAINING = 400_000
-"""Of work (`core.effort`) for all steps and pictures."""
+"""Of work (`core.effort`) for all steps; pictures have their own."""
 
 DIGITS = 4
 """The significant digits of results in numbers, where no other number is asked for."""
@@ -111,8 +111,9 @@ def report(
 ) -> Report:
     """Solves a problem and explains the solution. Arguments are those of `solve`; raises what `solve` raises.
 
-    choice  also `EVERY_CHOICE`: all choices, as without one, but the page shows them all
-    digits  the significant digits of results in numbers
+    choice    also `EVERY_CHOICE`: all choices, as without one, but the page shows them all
+    complete  the full derivation is made at once and the page when it is read; without it, the other way round
+    digits   the significant digits of results in numbers
     """
     with explained_failures(problem):
         return _reported(problem, choice, complete, method, digits, on_stage)
@@ -148,22 +149,37 @@ def _explained(
     notation = notation_of(solution)
     problem, values = solution.problem, values_of(solution.problem)
 
-    def finished(steps: Iterable[Step]) -> tuple[Step, ...]:
+    def finished(steps: Iterable[Step]) -> Iterator[Step]:
         if values is not None or any(v.in_numbers is not None for v in solution.views):
             from lagrange.explain.numbers import with_numbers
 
             steps = with_numbers(steps, solution, values or no_values(problem), digits)
-        return tuple(illustrated(steps, solution, notation))
+        return illustrated(steps, solution, notation)
 
-    steps = [step for step in _steps(solution, answers, complete) if step is not None]
-    right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
-    stated = stated_equations(solution) if right and solution.own.motion is not None else ()
-    arranged = page(solution, steps, stated, every_choice=every_choice)
-    derivation = Derivation(
-        problem.title, problem.source, finished(steps), tuple(without_names_of_choices(finished(arranged)))
-    )
+    def in_full() -> Iterator[Step]:
+        return finished(steps)
+
+    def on_page() -> Iterator[Step]:
+        right = any(a.name == "equations" and a.verdict is Verdict.EQUIVALENT for a in answers)
+        stated = stated_equations(solution) if right and solution.own.motion is not None else ()
+        return without_names_of_choices(finished(page(solution, steps, stated, every_choice=every_choice)))
+
+    steps = tuple(step for step in _steps(solution, answers, complete) if step is not None)
+    whole = tuple(in_full()) if complete else _later(in_full, problem)
+    arranged = _later(on_page, problem) if complete else tuple(on_page())
+    derivation = Derivation(problem.title, problem.source, whole, arranged)
     remarks = (*_remarks(problem, method), *not_compared(solution, answers))
     return Report(solution, answers, derivation, notation, remarks, values)
+
+
+def _later(make: Callable[[], Iterator[Step]], problem: Problem) -> MadeWhenRead:
+    """Steps that are not to be shown, made only if they are read after all; they have an allowance of their own."""
+
+    def made() -> tuple[Step, ...]:
+        with explained_failures(problem), allowed_for("explanations", UNITS_OF_EXPLAINING):
+            return tuple(make())
+
+    return MadeWhenRead(made)
 
 
 def _remarks(problem: Problem, method: Method) -> tuple[Diagnostic, ...]:

@@ -14,6 +14,8 @@ that statics gives, and what the motion adds. To take the first for the whole is
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import lru_cache
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -23,9 +25,11 @@ from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, t
 from lagrange.core.units import NO_DIMENSION, written
-from lagrange.mechanics.equilibrium.linearization import Linearization, linearization
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.values.dimensions import dimension, dimension_of_unit
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.linearization import Linearization
 
 MOST_OPERATIONS = 60
 """Of equations whose limits are sought."""
@@ -109,6 +113,8 @@ def _small(solution: Solution, view: InCoordinates) -> Linearization | None:
     [equation] = motion.expressions
     if equation.has(Unspecified) or equation.count_ops() > MOST_OPERATIONS:
         return None
+    from lagrange.mechanics.equilibrium.linearization import linearization
+
     problem = solution.problem
     taken = frozenset({*problem.scope.names(), *(q.name for c in problem.choices for q in c.coordinates)})
     try:
@@ -132,12 +138,14 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     found: list[tuple[sp.Expr, ...]] = []
     for parameter, to in _candidates(symbols, len(equations) > 1):
         limit = _limit(equations, parameter, to, view)
-        if limit is None or limit in found or len(found) >= MOST_LIMITS:
+        if limit is None or limit in found:
             continue
         values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
         shown = {s: e for s, e in values.items() if e is not None and e.count_ops() <= LONGEST_LIMIT}
         yield Limit(parameter, to, limit, shown if len(shown) == len(values) else {})
         found.append(limit)
+        if len(found) == MOST_LIMITS:
+            return
 
 
 def _has_functions(equations: Sequence[sp.Expr]) -> bool:
@@ -160,11 +168,10 @@ def _limit(
 ) -> tuple[sp.Expr, ...] | None:
     """The equations in the limit; None where they do not become much simpler, or do not determine the motion."""
     accelerations = view.configuration.slots.accelerations
-    there = [_leading(e, parameter) if to == sp.oo else e.subs(parameter, to) for e in equations]
-    if any(e is None or e == 0 for e in there):
-        return None
-    shorter = [textbook_form(e) for e in there if e is not None]
-    shorter = [textbook_form(common_factor(e).divide(e)) for e in shorter]
+    there = [_leading(e, parameter) if to == sp.oo else e.xreplace({parameter: to}) for e in equations]
+    if any(e is None or e == 0 for e in there) or not _occur(accelerations, there):
+        return None  # one that occurs nowhere is not determined
+    shorter = [_without_common_factor(textbook_form(e)) for e in there if e is not None]
     before, after = (sum(int(e.count_ops()) for e in es) for es in (equations, shorter))
     if 3 * after > 2 * before or any(e.count_ops() > LONGEST_LIMIT for e in shorter):
         return None
@@ -175,16 +182,35 @@ def _limit(
     return tuple(shorter) if regular else None
 
 
+def _occur(symbols: Sequence[sp.Symbol], expressions: Sequence[sp.Expr]) -> bool:
+    return set(symbols) <= {s for e in expressions for s in e.free_symbols}
+
+
+def _without_common_factor(e: sp.Expr) -> sp.Expr:
+    factor = common_factor(e)
+    return e if factor.expression == 1 else textbook_form(factor.divide(e))
+
+
 def _leading(e: sp.Expr, parameter: sp.Symbol) -> sp.Expr | None:
     """The coefficient of the highest power of a parameter; None where the expression is no polynomial in it."""
-    polynomial = sp.expand(e).as_poly(parameter)
-    if polynomial is None or polynomial.degree() == 0:
-        return e if polynomial is not None else None
-    return polynomial.LC()
+    by_power: dict[int, list[sp.Expr]] = {}
+    for term in sp.Add.make_args(_expanded(e)):
+        coefficient, power = term.as_independent(parameter, as_Add=False)
+        base, exponent = power.as_base_exp() if power != 1 else (parameter, sp.S.Zero)
+        if base != parameter or not exponent.is_Integer or exponent < 0:
+            return None
+        by_power.setdefault(int(exponent), []).append(coefficient)
+    highest = max(by_power)
+    return sp.Add(*by_power[highest]) if highest else e
+
+
+@lru_cache(maxsize=16)
+def _expanded(e: sp.Expr) -> sp.Expr:
+    return sp.expand(e)
 
 
 def _at(e: sp.Expr, parameter: sp.Symbol, to: sp.Expr) -> sp.Expr | None:
-    value = e.subs(parameter, to)
+    value = e.xreplace({parameter: to})
     return None if value.has(sp.nan, sp.zoo, sp.oo) else textbook_form(value)
 
 
@@ -213,7 +239,7 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:
     problem, motion = solution.problem, view.motion
     assert motion is not None
-    terms = sp.Add.make_args(sp.expand(motion.final[0].expression))
+    terms = sp.Add.make_args(_expanded(motion.final[0].expression))
     units = {q.symbol: q.unit for q in problem.coordinates} | {p.symbol: p.unit for p in problem.parameters}
     known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
     angles = {q for q in view.configuration.slots.coordinates if q not in known and _is_angle(q, terms)}

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 import sympy as sp
 
@@ -156,14 +156,18 @@ class ShownSteps:
 
     steps    with the blocks that are shown
     numbers  of the equations, by label
-    hidden   the labelled equations that are not shown
+    sources  the lists of steps in which an equation is looked up that is referred to and not shown, the best last
     folded   the choices of coordinates whose steps are not shown, each with what stands in their place
     """
 
     steps: tuple[Step, ...]
     numbers: dict[str, int]
-    hidden: dict[str, Equation]
+    sources: tuple[Sequence[Step], ...]
     folded: Mapping[str, tuple[Part, ...]] = field(default_factory=dict)
+
+    @cached_property
+    def _labelled(self) -> dict[str | None, Equation]:
+        return {e.label: e for steps in self.sources for e in _equations(steps)}
 
     def number(self, equation: Equation) -> str:
         """The number of an equation in parentheses; empty where it has none."""
@@ -174,7 +178,7 @@ class ShownSteps:
         """The part itself; for a reference to an equation that is not shown, that equation. A `Ref` has a number."""
         if not isinstance(part, Ref) or part.label in self.numbers:
             return part
-        equation = self.hidden.get(part.label)
+        equation = self._labelled.get(part.label)
         return "(?)" if equation is None else Math(equation.sides, equation.relation)
 
 
@@ -199,10 +203,8 @@ def shown(
     labelled = [e for e in _equations(steps) if e.label is not None]
     numbers = {e.label: n for n, e in enumerate(labelled, first) if e.label is not None}
     steps = [replace(s, body=tuple(_condensed(b, numbers) for b in s.body)) for s in steps]
-    everything = {e.label: e for e in _equations((*derivation.steps, *derivation.page)) if e.label is not None}
-    hidden = {label: e for label, e in everything.items() if label not in numbers}
     left_folded = {} if folded else {s.choice: s.folded for s in derivation.at(detail) if s.folded}
-    return ShownSteps(tuple(steps), numbers, hidden, left_folded)
+    return ShownSteps(tuple(steps), numbers, (derivation.steps, derivation.at(detail)), left_folded)
 
 
 def _condensed(block: Block, numbers: Mapping[str, int]) -> Block:
@@ -247,7 +249,7 @@ def _shortened(body: Sequence[Block]) -> Iterator[Block]:
             yield block if many == 1 else CheckMark((f"{many} checks held",), True, "")
 
 
-def _equations(steps: tuple[Step, ...] | list[Step]) -> list[Equation]:
+def _equations(steps: Sequence[Step]) -> list[Equation]:
     return [
         equation for step in steps for block in step.body if isinstance(block, Display) for equation in block.equations
     ]

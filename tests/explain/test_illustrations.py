@@ -27,3 +27,11 @@ def test_a_page_has_figures_with_words() -> None:
     page = html.render([(reported(name).derivation, reported(name).notation)])
     assert page.count("<figure>") == page.count("<figcaption>") == 2
     assert "<title>Drawing of the system: P, Q; left, middle, right, oil.</title>" in page
+
+
+def test_a_picture_that_takes_too_much_work_is_left_out(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("lagrange.explain.illustrations.UNITS_OF_A_PICTURE", 1)
+    found = report(load(PROBLEMS / "chapter6/ex11-ideal-pendulum.yaml"), complete=False)
+    page = html.render([(found.derivation, found.notation)])
+    assert "<figure>" not in page
+    assert "<h2" in page

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+from typing import Any
+
 import pytest
 
+import lagrange.explain.report as reports
 from lagrange.document.derivation import Detail, Rule
 from lagrange.explain.report import report
-from lagrange.render import terminal
+from lagrange.problem.loader import load
+from lagrange.render import html, json, terminal
 from tests.support.derivation_text import reading
+from tests.support.paths import ROOT
 from tests.support.shared import SHIPPED, reported
 
 
@@ -69,3 +76,44 @@ def test_little_detail_is_half_a_screen() -> None:
     assert "l θ̈ + g sin θ = 0" in text
     assert text.count("✓") == 1
     assert "checks held" in text
+
+
+def test_what_a_format_does_not_show_is_not_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    made: list[str] = []
+    for name in ("page", "illustrated"):
+        _note_calls(monkeypatch, name, made)
+    found = report(load(str(SHIPPED["ex11-ideal-pendulum"])))
+    json.render([found])
+    html.render([(found.derivation, found.notation)], detail=Detail.FULL)
+    assert made == ["illustrated"]
+    terminal.text(found.derivation, found.notation, 80)
+    html.render([(found.derivation, found.notation)])
+    assert made == ["illustrated", "page", "illustrated"]
+    made.clear()
+    found = report(load(str(SHIPPED["ex11-ideal-pendulum"])), complete=False)
+    terminal.text(found.derivation, found.notation, 80)
+    assert made == ["page", "illustrated"]
+
+
+def test_a_right_answer_loads_nothing_for_wrong_ones() -> None:
+    code = (
+        "import sys; from lagrange.problem.loader import load; from lagrange.explain.report import report;"
+        "report(load('problems/chapter6/ex18-double-pendulum.yaml'), complete=False);"
+        "print([m for m in sys.modules if m in ('lagrange.answers.diagnosis', 'lagrange.answers.models.search',"
+        "'lagrange.answers.written.working', 'lagrange.mechanics.equilibrium.linearization')])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120
+    )
+    assert done.stdout.strip() == "[]"
+
+
+def _note_calls(monkeypatch: pytest.MonkeyPatch, name: str, made: list[str]) -> None:
+    """Has a function of the module `report` put its name on a list whenever it is called."""
+    called = getattr(reports, name)
+
+    def noted(*values: Any, **named: Any) -> Any:
+        made.append(name)
+        return called(*values, **named)
+
+    monkeypatch.setattr(reports, name, noted)

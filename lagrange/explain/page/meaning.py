@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -12,10 +13,10 @@ from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, 
 from lagrange.explain.conservation import conserved_called, proof_of
 from lagrange.explain.statement import raised
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity
-from lagrange.mechanics.equilibrium.linear_stability import Ground
-from lagrange.mechanics.equilibrium.linearization import SmallOscillations
-from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.meaning import Limit, Meaning
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.linearization import SmallOscillations
 
 MOST_MULTIPLIERS = 2
 """The most equations of motion whose multiples are named where they add up to the rate of a quantity."""
@@ -126,6 +127,9 @@ def _coordinate(meaning: Meaning) -> sp.Symbol:
 
 def _verdict(at: SmallOscillations) -> str | None:
     """`stable`, `unstable`; None where more has to be said."""
+    from lagrange.mechanics.equilibrium.linear_stability import Ground
+    from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+
     verdict = at.judgement.stability.verdict
     if at.judgement.stability.presupposed or at.judgement.stability.conditions:
         return None
@@ -136,6 +140,8 @@ def _verdict(at: SmallOscillations) -> str | None:
 
 def _period(at: SmallOscillations) -> sp.Expr | None:
     """2π/ω, where the motion is an oscillation with a positive ω²."""
+    from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+
     if not at.oscillates or at.judgement.stability.verdict is not StabilityVerdict.STABLE or len(at.frequencies) != 1:
         return None
     square = at.frequencies[0].square

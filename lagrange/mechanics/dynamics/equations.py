@@ -237,11 +237,12 @@ def excluding(motion: EquationsOfMotion) -> tuple[sp.Expr, ...]:
     point with p = 0. Whether it is is decided exactly; undecided conditions are kept.
     """
     configuration = motion.configuration
+    as_they_are = motion.closed is not None or any(r.nonlinear is not None for r in configuration.rows)
+    if as_they_are or not motion.conditions:
+        return motion.conditions
     accelerations = configuration.slots.accelerations
     inertia = [[e.expression.diff(a) for a in accelerations] for e in motion.equations]
     matrix = [*inertia, *(list(r.coefficients) for r in configuration.rows)]
-    if motion.closed is not None or any(r.nonlinear is not None for r in configuration.rows):
-        return motion.conditions
 
     def is_harmless(pivot: sp.Expr) -> bool:
         there = Surface([*configuration.finite_constraints, pivot], configuration.slots.coordinates)
