@@ -95,7 +95,7 @@ def _rest(meaning: Meaning) -> Iterator[Block]:
         if branch.left or branch.conditions or len(branch.relations) != 1 or at is None:
             return  # the places are not as simple as a line
         place = math(branch.relations[0].lhs, branch.relations[0].rhs)
-        verdict = _verdict(at)
+        verdict = verdict_on(at)
         if verdict is None:
             return
         places.append((place, f", {verdict}"))
@@ -124,7 +124,7 @@ def _coordinate(meaning: Meaning) -> sp.Symbol:
     return q
 
 
-def _verdict(at: SmallOscillations) -> str | None:
+def verdict_on(at: SmallOscillations) -> str | None:
     """`stable`, `unstable`; None where more has to be said."""
     verdict = at.judgement.stability.verdict
     if at.judgement.stability.presupposed or at.judgement.stability.conditions:
