@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT
+from lagrange.core.symbols import CONSTANT, prime
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, Step
 from lagrange.explain.conservation import conserved_called, proof_of
@@ -35,6 +35,7 @@ def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = (
     """
     choice = meaning.view.name
     body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved)]
+    body += _one_way(meaning)
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
     body += _units(meaning)
@@ -82,6 +83,34 @@ def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
         yield prose(name, ": ", *proof, " integrates to ", quantity, ".")
+
+
+def _one_way(meaning: Meaning) -> Iterator[Block]:
+    """The quasi-velocities whose rate has one sign: `u' = a ω², which is never negative: u only grows`."""
+    form = meaning.view.in_speeds
+    if form is None or form.equations is None:
+        return
+    speeds = tuple(form.velocities.definitions)
+    for e in form.equations.expressions:
+        found = [u for u in speeds if e.has(prime(u))]
+        if len(found) != 1 or e.count_ops() > LONGEST_LINE:
+            continue
+        [u] = found
+        factor = sp.diff(e, prime(u))
+        value = sp.factor_terms(-e.xreplace({prime(u): sp.S.Zero}) / factor)
+        if factor.has(prime(u)) or not factor.is_nonzero or not value.free_symbols & {*speeds}:
+            continue
+        grows, falls = value.is_nonnegative, value.is_nonpositive
+        if bool(grows) == bool(falls):
+            continue  # of no known sign, or zero
+        sign, course = ("negative", " only grows") if grows else ("positive", " only falls")
+        moving = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if not f.is_nonzero]
+        only: tuple[Part, ...] = ()
+        if len(moving) == 1 and moving[0] in speeds:
+            only = (", or is constant while ", math(moving[0], sp.S.Zero))
+        yield prose(
+            Emphasis("One way"), ": ", math(prime(u), value), f", which is never {sign}: ", math(u), course, *only, "."
+        )
 
 
 def _rest(meaning: Meaning) -> Iterator[Block]:

@@ -19,6 +19,7 @@ from lagrange.explain.page.meaning import Stated, operations, verdict_on
 from lagrange.explain.rest.statics import stability_in_short
 from lagrange.explain.words import branch_conditions, in_words, sign_conditions
 from lagrange.mechanics.energy_symbols import energy_symbols
+from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.questions.results import AnswerBranch, Asked
@@ -165,7 +166,9 @@ def _frequencies(linearization: Linearization) -> Iterator[Equation]:
         words: tuple[Part, ...] = ("about ", *about) if about else ()
         conditions = at.judgement.stability.conditions
         verdict = verdict_on(at)
-        stability: tuple[Part, ...] = ("stable where ", *sign_conditions(conditions)) if conditions else ()
+        firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
+        stable = "stable where " if firm else "stable to first order where "
+        stability: tuple[Part, ...] = (stable, *sign_conditions(conditions)) if conditions else ()
         stability = stability or ((verdict,) if verdict else ())
         words += (", " if words and stability else "", *stability)
         for n, square in enumerate(squares, start=1):

@@ -44,3 +44,7 @@ def test_brief_pages_say_what_is_stable(name: str) -> None:
     r = reported(name, complete=False)
     page = terminal.text(r.derivation, r.notation, 80, Detail.BRIEF)
     assert "stable" in page[page.index(" 1  ") :]
+
+
+def test_stability_of_the_linear_equations_alone_is_called_so() -> None:
+    assert "stable to first order where P <" in box(reported("ziegler-column", complete=False))
