@@ -38,7 +38,9 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         view = positions.get((step.rule, step.title))
         if view is not None:
             step = replace(step, body=(*step.body, *_critical(view, values, digits)))
-        if step.rule not in RESULTS:
+        if step.rule is Rule.RESULT:
+            yield replace(step, body=tuple(_with_values(b, values, digits) for b in step.body))
+        elif step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
             yield replace(step, body=(*step.body, *_equilibria(view, view.in_numbers, digits, _start(values))))
@@ -108,6 +110,21 @@ def _blocks(step: Step, values: Values, digits: int, excluded: frozenset[str]) -
             if shown and len(shown) == len(lines):
                 yield prose(_start(values), detail=Detail.BRIEF)
                 yield display(*shown, detail=Detail.BRIEF)
+
+
+def _with_values(block: Block, values: Values, digits: int) -> Block:
+    """The box at the head, with the number beside each quantity that has one."""
+    if not isinstance(block, Display):
+        return block
+    return replace(block, equations=tuple(_with_value(e, values, digits) for e in block.equations))
+
+
+def _with_value(equation: Equation, values: Values, digits: int) -> Equation:
+    found = _in_numbers(equation, values, digits) if equation.relation == "=" else None
+    if found is None or not isinstance(found.sides[0], sp.Symbol):
+        return equation
+    number: tuple[Part, ...] = ("that is ", math(*found.sides, relation=found.relation))
+    return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 
 def _in_numbers(equation: Equation, values: Values, digits: int) -> Equation | None:

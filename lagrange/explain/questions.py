@@ -251,13 +251,19 @@ def _answer(asked: Asked) -> Iterator[Block]:
 
 def _angles(asked: Asked) -> Iterator[Math]:
     """θ = 48.19°, for cos θ = 2/3; of an angle and its opposite the positive one."""
+    return (angle for b in asked.branches if (angle := angle_of(asked, b)) is not None)
+
+
+def angle_of(asked: Asked, b: AnswerBranch) -> Math | None:
+    """θ = 48.19° for cos θ = 2/3; None where the branch does not give an angle by its cosine or the like."""
     from lagrange.values.quantities import rounded, with_unit
 
-    for b in asked.branches:
-        if b.lhs.is_Function and b.rhs.is_number:
-            degrees = {abs(v) * 180 / sp.pi for v in b.values if v.is_number}
-            if len(degrees) == 1:
-                yield math(asked.question.quantity, with_unit(rounded(degrees.pop()), "°"), relation="≈")
+    if not b.lhs.is_Function or not b.rhs.is_number:
+        return None
+    degrees = {abs(v) * 180 / sp.pi for v in b.values if v.is_number}
+    if len(degrees) != 1:
+        return None
+    return math(asked.question.quantity, with_unit(rounded(degrees.pop()), "°"), relation="≈")
 
 
 def _where(b: AnswerBranch) -> tuple[Part, ...]:

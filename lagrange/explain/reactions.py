@@ -171,14 +171,19 @@ def explain_bounds(newton: Newton) -> list[Block]:
     return blocks
 
 
-def explain_reactions_at_rest(static: StaticReactions, newton: Newton) -> Step | None:
-    """The multipliers and tensions at every branch of equilibria; None where there is nothing to show."""
+def explain_reactions_at_rest(
+    static: StaticReactions, newton: Newton, own: StaticReactions | None = None
+) -> Step | None:
+    """The multipliers and tensions at every branch of equilibria; None where there is nothing to show.
+
+    own  those in the file's coordinates, if `static` is in others and no step before has shown the equations
+    """
     if not static.at or not (newton.reactions or static.configuration.rows):
         return None
     name = static.configuration.name
     suffix = suffix_of(name)
     several = len(static.at) > 1
-    body: list[Block] = list(_beginning(static, newton))
+    body: list[Block] = list(_beginning(static, newton, own))
     for n, there in enumerate(static.at, start=1):
         place: tuple[Part, ...] = ("At ", Ref(f"equilibrium{suffix}-{n}")) if _labelled(static) else ()
         if there is None:
@@ -192,7 +197,7 @@ def explain_reactions_at_rest(static: StaticReactions, newton: Newton) -> Step |
             body.append(display(*lines, boxed=True, detail=Detail.BRIEF))
         body += _open(there, newton)
         body += explain_contacts(there.reactions, newton, place if several else ())
-    if not name:
+    if not name or own is not None:
         body += explain_bounds(newton)
     title = plural(len(newton.reactions), "The reaction at rest", "The reactions at rest")
     return Step(Rule.SOLVED_REACTIONS, title_in(title, name), tuple(body))
@@ -203,9 +208,10 @@ def _labelled(static: StaticReactions) -> bool:
     return any(b.relations or b.left for b in static.equilibrium.branches)
 
 
-def _beginning(static: StaticReactions, newton: Newton) -> Iterator[Block]:
+def _beginning(static: StaticReactions, newton: Newton, own: StaticReactions | None) -> Iterator[Block]:
     """The equations that are solved; those with multipliers, where nothing else has shown them."""
-    if static.configuration.name:
+    suffix = suffix_of(static.configuration.name)
+    if suffix and own is None:
         yield prose("In these coordinates the same equations give")
         return
     several = len(static.at) > 1
@@ -215,12 +221,12 @@ def _beginning(static: StaticReactions, newton: Newton) -> Iterator[Block]:
             "With multipliers for the reactions, the forces balance for every coordinate, not only for those whose "
             "displacements are free:"
         )
-        yield _written_out(static, newton)
+        yield _written_out(own or static, newton)
     where: list[Part] = ["At an equilibrium "]
     if static.equilibrium.given:
         where = ["With ", *listed(math(f) for f in static.equilibrium.forces), " as just found "]
     elif _labelled(static):
-        where = ["At ", *listed(Ref(f"equilibrium-{n}") for n, _ in enumerate(static.at, start=1)), " "]
+        where = ["At ", *listed(Ref(f"equilibrium{suffix}-{n}") for n, _ in enumerate(static.at, start=1)), " "]
     equations: list[Part] = [*(("the equations ", *listed(known)) if known else ("these equations",))]
     sole = not any(there and there.reactions.combinations for there in static.at)
     unknowns = listed(math(r.multiplier) for r in newton.reactions) if sole else []

@@ -192,14 +192,17 @@ def shown(
     """
     steps = []
     left: set[str] = set()
+    title = ""  # of a step that is not shown, for the one that continues it
     for step in derivation.at(detail):
+        title = step.title or title
         body = tuple(block for block in step.body if block.detail <= detail and _has_place(block, pictures))
         if detail is Detail.BRIEF:
             body = tuple(_shortened(body))
         if body and (folded or not step.folded):
             body, without = abridged(body)
             left |= without
-            steps.append(replace(step, body=tuple(not_referring(block, left) for block in body)))
+            steps.append(replace(step, title=title, body=tuple(not_referring(block, left) for block in body)))
+            title = ""
     labelled = [e for e in _equations(steps) if e.label is not None]
     numbers = {e.label: n for n, e in enumerate(labelled, first) if e.label is not None}
     steps = [replace(s, body=tuple(_condensed(b, numbers) for b in s.body)) for s in steps]

@@ -29,6 +29,7 @@ from lagrange.explain.page.motion import (
     without_long_sum,
 )
 from lagrange.explain.page.result import explain_result
+from lagrange.explain.page.statics import said_once
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
@@ -42,6 +43,8 @@ LONGEST_BESIDE = 15
 LONGEST_BEFORE = 25
 """The most operations of a reaction in the file's coordinates that is shown beside that in the chosen ones."""
 
+_FOLLOWING = (Rule.EQUATIONS_OF_MOTION, Rule.EQUILIBRIUM)
+"""What comes under one title with the coordinates in which it is."""
 _ABOUT_CONSTRAINTS = (
     Rule.CONSTRAINT,
     Rule.PFAFFIAN_FORM,
@@ -62,7 +65,7 @@ def page(
     """
     first = solution.choices[0].name if solution.choices else ""
     open_, folded = [], []
-    for step in _in_pairs(_shortened(solution, steps)):
+    for step in _in_pairs(said_once(solution, _shortened(solution, steps))):
         if every_choice or (step.choice in ("", first) and not _is_detour(solution, step)):
             open_.append(step)
         elif not step.choice:
@@ -83,10 +86,10 @@ def without_names_of_choices(steps: Iterable[Step]) -> Iterator[Step]:
 
 
 def _in_pairs(steps: Iterable[Step]) -> Iterator[Step]:
-    """The steps, with coordinates and the equations of motion in them under one title."""
+    """The steps, with coordinates and the equations of motion, or the equilibrium, in them under one title."""
     waiting: Step | None = None
     for step in steps:
-        follows = waiting is not None and step.rule is Rule.EQUATIONS_OF_MOTION and step.choice == waiting.choice
+        follows = waiting is not None and step.rule in _FOLLOWING and step.choice == waiting.choice
         if waiting is not None and not follows:
             yield waiting
         if waiting is not None and follows:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT
+from lagrange.core.symbols import CONSTANT, prime
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, Step
 from lagrange.explain.conservation import conserved_called, proof_of
@@ -36,6 +36,7 @@ def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = (
     """
     choice = meaning.view.name
     body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved)]
+    body += _one_way(meaning)
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
     body += _units(meaning)
@@ -85,6 +86,34 @@ def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block
         yield prose(name, ": ", *proof, " integrates to ", quantity, ".")
 
 
+def _one_way(meaning: Meaning) -> Iterator[Block]:
+    """The quasi-velocities whose rate has one sign: `u' = a ω², which is never negative: u only grows`."""
+    form = meaning.view.in_speeds
+    if form is None or form.equations is None:
+        return
+    speeds = tuple(form.velocities.definitions)
+    for e in form.equations.expressions:
+        found = [u for u in speeds if e.has(prime(u))]
+        if len(found) != 1 or e.count_ops() > LONGEST_LINE:
+            continue
+        [u] = found
+        factor = sp.diff(e, prime(u))
+        value = sp.factor_terms(-e.xreplace({prime(u): sp.S.Zero}) / factor)
+        if factor.has(prime(u)) or not factor.is_nonzero or not value.free_symbols & {*speeds}:
+            continue
+        grows, falls = value.is_nonnegative, value.is_nonpositive
+        if bool(grows) == bool(falls):
+            continue  # of no known sign, or zero
+        sign, course = ("negative", " only grows") if grows else ("positive", " only falls")
+        moving = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if not f.is_nonzero]
+        only: tuple[Part, ...] = ()
+        if len(moving) == 1 and moving[0] in speeds:
+            only = (", or is constant while ", math(moving[0], sp.S.Zero))
+        yield prose(
+            Emphasis("One way"), ": ", math(prime(u), value), f", which is never {sign}: ", math(u), course, *only, "."
+        )
+
+
 def _rest(meaning: Meaning) -> Iterator[Block]:
     """`At rest: θ = 0, stable; θ = π, unstable. Small motion about the first: period 2π √(l/g).`"""
     if meaning.small is None:
@@ -96,7 +125,7 @@ def _rest(meaning: Meaning) -> Iterator[Block]:
         if branch.left or branch.conditions or len(branch.relations) != 1 or at is None:
             return  # the places are not as simple as a line
         place = math(branch.relations[0].lhs, branch.relations[0].rhs)
-        verdict = _verdict(at)
+        verdict = verdict_on(at)
         if verdict is None:
             return
         places.append((place, f", {verdict}"))
@@ -125,7 +154,7 @@ def _coordinate(meaning: Meaning) -> sp.Symbol:
     return q
 
 
-def _verdict(at: SmallOscillations) -> str | None:
+def verdict_on(at: SmallOscillations) -> str | None:
     """`stable`, `unstable`; None where more has to be said."""
     from lagrange.mechanics.equilibrium.linear_stability import Ground
     from lagrange.mechanics.equilibrium.stability import StabilityVerdict

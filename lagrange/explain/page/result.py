@@ -1,68 +1,214 @@
-"""The result at the head of the page: degrees of freedom, equations of motion or of equilibrium, reactions."""
+"""The result at the head of the page: degrees of freedom and whatever the problem asks, each in a few lines.
+
+Equations of motion, reactions, Hamilton's function, equilibria with their stability, rest with friction, steady
+motions, frequencies of small oscillations, and answers to questions: in the coordinates that the page ends with, and
+only as far as they are short.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import display, prose
+from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
-from lagrange.explain.page.meaning import Stated, operations
-from lagrange.explain.words import in_words
-from lagrange.mechanics.results import Solution
+from lagrange.explain.page.meaning import Stated, operations, verdict_on
+from lagrange.explain.rest.statics import stability_in_short
+from lagrange.explain.words import branch_conditions, in_words, sign_conditions
+from lagrange.mechanics.energy_symbols import energy_symbols
+from lagrange.mechanics.equilibrium.linear_stability import Ground
+from lagrange.mechanics.equilibrium.linearization import Linearization
+from lagrange.mechanics.equilibrium.stability import StabilityVerdict
+from lagrange.mechanics.questions.results import AnswerBranch, Asked
+from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.problem.values import values_of
 
 LONGEST = 120
 """The most operations of the equations in the result at the head."""
-MOST = 6
+MOST = 8
 """The most equations there."""
+LONGEST_ANSWER = 30
+"""The most operations of one answer, frequency or condition there."""
+LONGEST_WORDS = 12
+"""The most operations of the conditions of stability beside an equilibrium."""
+
+_CALLED = {
+    Rule.EQUATIONS_OF_MOTION: "the motion",
+    Rule.SOLVED_REACTIONS: "the reactions",
+    Rule.HAMILTON: "Hamilton's function",
+    Rule.EQUILIBRIUM: "the equilibrium",
+    Rule.FRICTION_AT_REST: "the conditions of rest",
+    Rule.STEADY: "steady motions",
+    Rule.LINEARIZATION: "small oscillations",
+    Rule.QUESTION: "what is asked",
+}
+"""What the box may contain, in this order."""
 
 
 def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -> Iterator[Step]:
-    """The boxed results of the steps together, at the head; nothing where there are none.
+    """The results together, at the head; nothing where there are none.
 
     steps   of the page, without those that are folded
     stated  the equations of motion in another form, known to be right, for where they are shorter so
     """
-    rules = (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS, Rule.EQUILIBRIUM)
-    kept: dict[Rule, Display] = {}
-    for step in steps:
-        if step.rule in rules:
-            # The last is in the coordinates that are chosen, and shorter.
-            boxed = [b for b in step.body if isinstance(b, Display) and b.boxed and b.detail < Detail.FULL]
-            kept |= {step.rule: boxed[-1]} if boxed else {}
-    kept = {rule: kept[rule] for rule in rules if rule in kept}
-    written = [Equation(sides) for sides in stated]
-    derived = kept.get(Rule.EQUATIONS_OF_MOTION)
-    if derived is not None and written and operations(stated) < sum(map(_operations, derived.equations)):
-        kept[Rule.EQUATIONS_OF_MOTION] = display(*written)
+    kept = dict(_from_steps(solution, steps, stated))
+    for view in (solution.own, *solution.choices[:1]):  # the last is in the coordinates that are chosen, and shorter
+        kept |= {rule: lines for rule, lines in _from_view(solution, view) if lines}
+    kept[Rule.QUESTION] = [e for asked in solution.asked for e in _answers(solution, asked)]
+    kept = {rule: kept[rule] for rule in _CALLED if kept.get(rule)}
     while kept and not _is_short(kept.values()):
-        kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else next(iter(kept)))
+        longest = max(kept, key=lambda rule: (len(kept[rule]) > MOST, sum(map(_operations, kept[rule]))))
+        kept.pop(Rule.SOLVED_REACTIONS if Rule.SOLVED_REACTIONS in kept else longest)
     if not kept:
         return
-    lines = [replace(e, label=None) for b in kept.values() for e in b.equations]
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
-    words.append(f"; {_called([*kept])}:")
+    called = listed(_called(rule, kept[rule]) for rule in kept)
+    words += ["; ", *called, ":"]
+    lines = [replace(e, label=None) for es in kept.values() for e in es]
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     yield Step(Rule.RESULT, "", body)
 
 
-def _is_short(displays: Iterable[Display]) -> bool:
-    lines = [e for b in displays for e in b.equations]
+def _called(rule: Rule, lines: Sequence[Equation]) -> str:
+    several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and all(e.condition for e in lines)
+    return "the equilibria" if several else _CALLED[rule]
+
+
+def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterator[tuple[Rule, list[Equation]]]:
+    """The equations of motion and the reactions, as the last of the steps has them."""
+    for rule in (Rule.EQUATIONS_OF_MOTION, Rule.SOLVED_REACTIONS):
+        boxes = [
+            [b for b in s.body if isinstance(b, Display) and b.boxed and b.detail < Detail.FULL]
+            for s in steps
+            if s.rule is rule
+        ]
+        last = next((b for b in reversed(boxes) if b), [])
+        if not last or (len(last) > 1 and solution.own.equilibrium is not None):
+            continue  # reactions that differ from one equilibrium to the next
+        lines = list(last[-1].equations)
+        if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(map(_operations, lines)):
+            lines = [Equation(sides) for sides in stated]
+        yield rule, lines
+
+
+def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:
+    """What is asked in one set of coordinates."""
+    if view.hamiltonian is not None:
+        yield Rule.HAMILTON, [Equation((energy_symbols(solution).hamiltonian, view.hamiltonian.function))]
+    yield Rule.EQUILIBRIUM, [*_equilibria(view)]
+    yield Rule.FRICTION_AT_REST, [*_friction(view)]
+    if view.steady is not None:
+        branches = view.steady.about.branches
+        yield Rule.STEADY, [e for b in branches for e in _branch(b) if _operations(e) <= LONGEST_ANSWER]
+    if view.linearization is not None:
+        yield Rule.LINEARIZATION, [*_frequencies(view.linearization)]
+
+
+def _branch(b: Branch, *more: Part) -> list[Equation]:
+    """The equations of a solution, its conditions beside the last of them, then `more`."""
+    condition = branch_conditions(b)
+    words = (*condition, "; " if condition else "", *more) if more else condition
+    lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
+    return [*lines[:-1], replace(lines[-1], condition=words)] if lines else []
+
+
+def _equilibria(view: InCoordinates) -> Iterator[Equation]:
+    """The equilibria, each with its stability."""
+    if view.equilibrium is None:
+        return
+    branches = view.equilibrium.branches
+    verdicts = view.stability.verdicts if view.stability is not None else (None,) * len(branches)
+    for b, verdict in zip(branches, verdicts, strict=True):
+        words: tuple[Part, ...] = ()
+        if verdict is not None:
+            said = (*verdict.conditions, *verdict.presupposed, *verdict.unstable)
+            if sum(int((c.lhs - c.rhs).count_ops()) for c in said) <= LONGEST_WORDS:
+                words = stability_in_short(verdict)
+        yield from _branch(b, *words)
+
+
+def _friction(view: InCoordinates) -> Iterator[Equation]:
+    """Where a system with friction can be at rest, or rolls without slipping; where it is about to slip."""
+    rest = view.at_rest
+    if rest is not None:
+        yield from (Equation((e, sp.S.Zero)) for e in rest.equations)
+        yield from _cases([[(c.left, c.right) for c in case] for case in rest.cases])
+    if view.rolling is not None:
+        yield from _cases([[(c.left, c.right) for c in case] for case in view.rolling.cases[:1]])
+    found = [b for m in view.impending or () for b in m.equilibrium.branches]
+    for b in found:
+        words = ("at the limit",) if rest is not None else ()
+        yield from _branch(b, *words)
+
+
+def _cases(cases: Sequence[Sequence[tuple[sp.Expr, sp.Expr]]]) -> Iterator[Equation]:
+    """Inequalities of which all hold; of several cases only those of one line, with `or` between them."""
+    if len(cases) > 1 and any(len(case) > 1 for case in cases):
+        return
+    for n, case in enumerate(cases, start=1):
+        for sides in case:
+            yield Equation(sides, relation="≤", condition=("or",) if n < len(cases) else ())
+
+
+def _frequencies(linearization: Linearization) -> Iterator[Equation]:
+    """The squares of the frequencies, `about θ = 0`."""
+    for b, at in zip(linearization.branches, linearization.at, strict=True):
+        if at is None or not at.oscillates or at.judgement.stability.verdict is StabilityVerdict.UNSTABLE:
+            continue
+        squares = [f.square for f in at.frequencies]
+        if any(s is None or s.count_ops() > LONGEST_ANSWER for s in squares):
+            continue
+        about = listed(math(r.lhs, r.rhs) for r in b.equations)
+        words: tuple[Part, ...] = ("about ", *about) if about else ()
+        conditions = at.judgement.stability.conditions
+        verdict = verdict_on(at)
+        firm = at.judgement.ground in (Ground.POTENTIAL, Ground.HURWITZ)
+        stable = "stable where " if firm else "stable to first order where "
+        stability: tuple[Part, ...] = (stable, *sign_conditions(conditions)) if conditions else ()
+        stability = stability or ((verdict,) if verdict else ())
+        words += (", " if words and stability else "", *stability)
+        for n, square in enumerate(squares, start=1):
+            name = f"{at.unknown.name}_{n}" if len(squares) > 1 else at.unknown.name
+            last = n == len(squares)
+            yield Equation((sp.Symbol(name, real=True) ** 2, square), condition=words if last else ())
+
+
+def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
+    """The short answers to a question, with what they are in degrees."""
+    from lagrange.explain.questions import angle_of
+
+    values = values_of(solution.problem)
+    branches: Sequence[AnswerBranch] = asked.branches
+    if values is not None:
+        from lagrange.mechanics.questions.in_numbers import branches_with
+
+        branches = branches_with(asked, values)
+    for b in branches:
+        line = Equation((b.lhs, b.rhs))
+        if _operations(line) > LONGEST_ANSWER:
+            continue
+        clauses: list[tuple[Part, ...]] = []
+        if asked.question.when:
+            clauses.append(("when ", *listed(math(c.lhs, c.rhs) for c in asked.question.when)))
+        if b.conditions:
+            clauses.append(("where ", *sign_conditions(b.conditions)))
+        angle = angle_of(asked, b)
+        if angle is not None:
+            clauses.append(("that is ", angle))
+        words: list[Part] = []
+        for clause in clauses:
+            words += [", " if words else "", *clause]
+        yield replace(line, condition=tuple(words))
+
+
+def _is_short(parts: Iterable[Sequence[Equation]]) -> bool:
+    lines = [e for es in parts for e in es]
     return len(lines) <= MOST and sum(map(_operations, lines)) <= LONGEST
 
 
 def _operations(equation: Equation) -> int:
     return sum(int(s.count_ops()) for s in equation.sides if isinstance(s, sp.Expr))
-
-
-def _called(rules: list[Rule]) -> str:
-    """What the box contains."""
-    named = {
-        Rule.EQUATIONS_OF_MOTION: "the motion",
-        Rule.SOLVED_REACTIONS: "the reactions",
-        Rule.EQUILIBRIUM: "the equilibrium",
-    }
-    return " and ".join(named[r] for r in rules)

@@ -13,6 +13,7 @@ from lagrange.explain.bodies import link_called
 from lagrange.explain.displacements import displacements_in_choice, of_points
 from lagrange.explain.words import (
     branch_conditions,
+    brief,
     existence_left_open,
     must_vanish,
     plural,
@@ -340,12 +341,25 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
             "its multiplier, in the displacements that are free there."
         )
     suffix = suffix_of(equilibrium.configuration.name)
-    sentences = (
-        prose("At ", Ref(f"equilibrium{suffix}-{n}"), *_freely(s), " ", *_verdict(s, one))
-        for n, s in enumerate(second.verdicts, start=1)
-        if s.minors
-    )
-    yield paragraph(*sentences)
+    judged = [(Ref(f"equilibrium{suffix}-{n}"), s) for n, s in enumerate(second.verdicts, start=1) if s.minors]
+    sentences = paragraph(*(prose("At ", place, *_freely(s), " ", *_verdict(s, one)) for place, s in judged))
+    short = paragraph(*(prose("Equilibrium ", place, ": ", *stability_in_short(s), ".") for place, s in judged))
+    yield brief(sentences, short)
+
+
+def stability_in_short(s: Stability) -> tuple[Part, ...]:
+    """`stable`, `unstable where a > b`, `stability undecided`; nothing where it was not asked."""
+    if not s.minors:
+        return ()
+    match s.verdict:
+        case StabilityVerdict.CONDITIONAL:
+            return ("stable where ", *sign_conditions(s.conditions))
+        case StabilityVerdict.UNDECIDED if s.unstable:
+            return ("unstable where ", *sign_conditions(s.unstable, " or "))
+        case StabilityVerdict.UNDECIDED:
+            return ("stability undecided",)
+    where = (" where ", *sign_conditions(s.presupposed)) if s.presupposed else ()
+    return (s.verdict.value, *where)
 
 
 def _freely(s: Stability) -> tuple[Part, ...]:
