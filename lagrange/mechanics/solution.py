@@ -363,13 +363,13 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
     from lagrange.mechanics.equilibrium.checks import check_equilibrium, check_reactions_at_rest
     from lagrange.mechanics.equilibrium.equilibrium import equilibrium, without_poles
     from lagrange.mechanics.equilibrium.sampled_checks import check_stability
-    from lagrange.mechanics.equilibrium.spring_forces import spring_forces
+    from lagrange.mechanics.equilibrium.spring_forces import with_spring_forces
     from lagrange.mechanics.equilibrium.stability import second_variation
     from lagrange.mechanics.equilibrium.static_reactions import static_reactions
 
     problem, own = solution.problem, solution.own
     on_stage("equilibria")
-    original = equilibrium(own.configuration, own.elimination, problem.unknowns)
+    original = with_spring_forces(equilibrium(own.configuration, own.elimination, problem.unknowns))
     law = solution.law or (_law(solution, at_rest=True) if problem.constraints else None)
     works = solution.works or (works_of_reactions(law.newton, own.configuration, own.elimination) if law else ())
     checks = [*solution.checks]
@@ -379,7 +379,7 @@ def _with_equilibrium(solution: Solution, on_stage: OnStage) -> Solution:
         resting = original
         if view is not own:
             resting = without_poles(equilibrium(view.configuration, view.elimination, problem.unknowns), original)
-        resting = replace(resting, pulls=spring_forces(resting))
+            resting = with_spring_forces(resting)
         on_stage(_stage("reactions at rest", view))
         reactions = static_reactions(resting, original, law.newton, law.used) if law else None
         checks += [*check_equilibrium(resting, original), *check_reactions_at_rest(reactions)]

@@ -6,7 +6,7 @@ exactly; otherwise the branch says too little.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from dataclasses import replace
 
 import sympy as sp
 
@@ -17,12 +17,13 @@ from lagrange.mechanics.constraints.springs_dampers import StretchedSpring
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 
-def spring_forces(e: Equilibrium) -> tuple[Mapping[str, sp.Expr], ...]:
-    """The force of each spring at each branch, by its name; of those that have one value there."""
+def with_spring_forces(e: Equilibrium) -> Equilibrium:
+    """The equilibria with the force of each spring at each branch, by its name; of those that have one value there."""
     springs = e.configuration.springs
     if e.given or not springs:
-        return ()
-    return tuple({s.name: f for s in springs if (f := _force(s, b, e)) is not None} for b in e.branches)
+        return e
+    pulls = tuple({s.name: f for s in springs if (f := _force(s, b, e)) is not None} for b in e.branches)
+    return replace(e, pulls=pulls)
 
 
 def _force(spring: StretchedSpring, b: Branch, e: Equilibrium) -> sp.Expr | None:
