@@ -331,12 +331,21 @@ def _quasi_variations(solution: Solution) -> dict[str, sp.Expr]:
 
 
 def _energies(solution: Solution) -> dict[str, sp.Expr]:
-    """T, V, L, v_P, p_k, Q_k, N_k in a derivation by Lagrange's equations; those of the file's coordinates prevail."""
+    """T, V, L, v_P, p_k, Q_k, N_k in a derivation by Lagrange's or Hamilton's equations, and H and R in the latter.
+
+    Those of the file's coordinates prevail.
+    """
     energies: dict[str, sp.Expr] = {}
     named = energy_symbols(solution)
     for dynamics in (v.dynamics for v in reversed(solution.views)):
         if dynamics is not None and isinstance(dynamics.written, LagrangeMotion):
             energies |= {s.name: e for s, e in named.meanings(dynamics.written.principle).items()}
+    for found in (v.hamiltonian for v in reversed(solution.views)):
+        if found is not None:
+            energies |= {s.name: e for s, e in named.meanings(found.energies).items()}
+            by_momenta = dict(zip(found.momenta, found.energies.momenta, strict=True))
+            functions = {named.hamiltonian: found.function, named.routhian: found.routhian}
+            energies |= {s.name: e.xreplace(by_momenta) for s, e in functions.items() if e is not None}
     return energies
 
 

@@ -80,17 +80,18 @@ def _function(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
 
 def _equations(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
     """q' = ∂H/∂p, p' = −∂H/∂q + Q."""
-    H = letters.hamiltonian
+    H = math(letters.hamiltonian)
     lines = []
-    for k, (q, p) in enumerate(zip(found.coordinates, found.momenta, strict=True)):
-        slope = -Partial(H, q)
-        right = slope if found.applied[k] == 0 else sp.Add(slope, found.applied[k], evaluate=False)
-        lines.append(
-            Equation((prime(q), Partial(H, p), found.velocities[k]), label=_label(found, f"canonical-{q.name}"))
-        )
-        lines.append(Equation((prime(p), right, found.rates[k]), label=_label(found, f"canonical-{p.name}")))
-    forces = "" if found.is_conservative else ", with the generalized forces that have no potential in the last terms"
-    return [prose(f"Hamilton's canonical equations are{forces}"), display(*lines, boxed=True)]
+    for q, p, velocity, rate in zip(found.coordinates, found.momenta, found.velocities, found.rates, strict=True):
+        lines.append(Equation((prime(q), velocity), label=_label(found, f"canonical-{q.name}")))
+        lines.append(Equation((prime(p), rate), label=_label(found, f"canonical-{p.name}")))
+    forces = "" if found.is_conservative else ", plus the generalized force that has no potential"
+    return [
+        prose("Each velocity is the derivative of ", H, " with respect to its momentum; each momentum changes at the "
+              "rate of minus the derivative with respect to its coordinate", forces,
+              ". Hamilton's canonical equations are therefore"),
+        display(*lines, boxed=True),
+    ]  # fmt: skip
 
 
 def _constant(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:

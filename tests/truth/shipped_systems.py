@@ -506,7 +506,7 @@ ROLLING = ("rolling.1", "rolling.2")
 
 SHIPPED: dict[str, Textbook] = {
     "aircraft": Textbook(aircraft, HOLONOMIC, 6, 0),
-    "bead-in-a-turning-tube": Textbook(bead_in_a_turning_tube, RHEONOMIC, 1, 0),
+    "bead-in-a-turning-tube": Textbook(bead_in_a_turning_tube, "holonomic rheonomic catastatic", 1, 0),
     "spherical-pendulum-by-routh": Textbook(spherical_pendulum_by_routh, HOLONOMIC, 2, 0),
     "conical-pendulum": Textbook(spherical_pendulum_by_routh, HOLONOMIC, 2, 0),
     "marble-in-a-cone": Textbook(marble_in_a_cone, HOLONOMIC, 2, 0),

@@ -35,7 +35,8 @@ def check_hamiltonian_answer(stated: Fragment, solution: Solution) -> AnswerVerd
         return AnswerVerdict(Verdict.UNDECIDED, name="hamiltonian", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
     try:
-        claim, _ = read_stated(stated, _scope(reference.scope, derived), "H")
+        scope = _scope(reference.scope, derived, frozenset(solution.problem.scope.names()))
+        claim, _ = read_stated(stated, scope, "H")
         if claim is None:
             message = "this is an equation, not an expression for Hamilton's function"
             help_ = "write the expression, or `H = ...`"
@@ -72,7 +73,7 @@ def _verdict(claim: sp.Expr, derived: Hamiltonian, reference: Reference) -> tupl
     return (Verdict.UNDECIDED, UNDECIDED) if same is None else (Verdict.WRONG, "")
 
 
-def _scope(scope: Scope, derived: Sequence[Hamiltonian]) -> Scope:
-    """The names that an answer may use, with the momenta."""
+def _scope(scope: Scope, derived: Sequence[Hamiltonian], declared: frozenset[str]) -> Scope:
+    """The names that an answer may use, with the momenta, and without the derived H unless the file has one."""
     momenta = {p.name: p for d in derived for p in d.momenta}
-    return replace(scope, scalars=momenta | dict(scope.scalars))
+    return replace(scope, scalars={n: e for n, e in scope.scalars.items() if n != "H" or n in declared} | momenta)
