@@ -125,8 +125,8 @@ def _equilibria(view: InCoordinates) -> Iterator[Equation]:
     for b, verdict in zip(branches, verdicts, strict=True):
         words: tuple[Part, ...] = ()
         if verdict is not None:
-            said = (*verdict.conditions, *verdict.presupposed, *verdict.unstable)
-            if sum(int((c.lhs - c.rhs).count_ops()) for c in said) <= LONGEST_WORDS:
+            said = (*b.conditions, *verdict.conditions, *verdict.presupposed, *verdict.unstable)
+            if not b.left and sum(int((c.lhs - c.rhs).count_ops()) for c in said) <= LONGEST_WORDS:
                 words = stability_in_short(verdict)
         yield from _branch(b, *words)
 

@@ -343,8 +343,16 @@ def _stability(equilibrium: Equilibrium, second: SecondVariation | None) -> Iter
     suffix = suffix_of(equilibrium.configuration.name)
     judged = [(Ref(f"equilibrium{suffix}-{n}"), s) for n, s in enumerate(second.verdicts, start=1) if s.minors]
     sentences = paragraph(*(prose("At ", place, *_freely(s), " ", *_verdict(s, one)) for place, s in judged))
-    short = paragraph(*(prose("Equilibrium ", place, ": ", *stability_in_short(s), ".") for place, s in judged))
+    short = paragraph(*(prose("Equilibrium ", place, ": ", *_in_brief(s), ".") for place, s in judged))
     yield brief(sentences, short)
+
+
+def _in_brief(s: Stability) -> tuple[Part, ...]:
+    """The stability in short; of long conditions only that there are some."""
+    said = (*s.conditions, *s.presupposed, *s.unstable)
+    if sum(int((c.lhs - c.rhs).count_ops()) for c in said) > LONGEST:
+        return ("its stability depends on the parameters",)
+    return stability_in_short(s)
 
 
 def stability_in_short(s: Stability) -> tuple[Part, ...]:
