@@ -94,13 +94,18 @@ def test_stated_frequencies(text: str, stated: str, verdict: str) -> None:
 @pytest.mark.parametrize(
     ("text", "stated", "said"),
     [
-        (PENDULUM, "[sqrt(l/g)]", ""),
+        (PENDULUM, "[sqrt(l/g)]", "these are the inverses of the frequencies"),
         (PENDULUM, '[sqrt(g/l), "2*sqrt(g/l)"]', "not right: 2*sqrt(g/l)"),
-        (PASS, '[sqrt(c/m), "sqrt(f/m)"]', "not right: sqrt(f/m)"),
+        (
+            PASS,
+            '[sqrt(c/m), "sqrt(f/m)"]',
+            "not right: sqrt(f/m); these are the frequencies for f with the opposite sign",
+        ),
         (
             TWO_SPRINGS,
             '["2*sqrt(k/m)"]',
-            "not right at any equilibrium with known linear equations, but not all equilibria have these",
+            "not right at any equilibrium with known linear equations, but not all equilibria have these; "
+            "there is a factor sqrt(2) too many",
         ),
         (
             DAMPED,

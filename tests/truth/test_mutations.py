@@ -58,7 +58,7 @@ def holds(equation: sp.Expr, system: System) -> bool:
     values |= velocities
     matrix = [[number(sp.diff(e, u), values) for u in unknowns] for e in expressions[1:]]
     right = [-number(e.xreplace(dict.fromkeys(unknowns, sp.S.Zero)), values) for e in expressions[1:]]
-    found = mpmath.qr_solve(mpmath.matrix(matrix), mpmath.matrix(right))[0]
+    found = mpmath.lu_solve(mpmath.matrix(matrix), mpmath.matrix(right))
     return bool(abs(number(equation, values | dict(zip(unknowns, found, strict=True)))) < 1e-9)
 
 
