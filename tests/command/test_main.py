@@ -247,7 +247,7 @@ def test_answers_in_coordinates_of_a_choice_that_is_left_out(
 def test_lagranges_equations_as_the_method() -> None:
     result = run(PENDULUM, "--method", "lagrange")
     assert (result.exit_code, result.stderr) == (0, "")
-    assert "Lagrange's equations (choice angle)" in result.stdout
+    assert "Lagrange's equations" in result.stdout
     assert "D'Alembert's principle\n" not in result.stdout
     found = json.loads(run(PENDULUM, "--method", "lagrange", "--format", "json").stdout)
     assert found["method"] == "lagrange"
