@@ -84,7 +84,7 @@ def test_help_loads_click_and_little_more() -> None:
     click = modules(None)
     more = modules(["--help"]) - click
     own = {name for name in more if name.split(".")[0] == "lagsolve"}
-    assert own == {"lagsolve", *(f"lagsolve.{m}" for m in ("main", "problem_commands", "command_group"))}
+    assert own == {"lagsolve", *(f"lagsolve.{m}" for m in ("main", "problem_commands", "command_group", "limits"))}
     assert not more & {"pathlib", "dataclasses", "subprocess", "json", "yaml", "difflib", "importlib.metadata"}
     assert len(more) < 25, sorted(more)
 

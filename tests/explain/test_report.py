@@ -75,7 +75,7 @@ def test_little_detail_is_half_a_screen() -> None:
     assert len(text.splitlines()) <= 32
     assert "l θ̈ + g sin θ = 0" in text
     assert text.count("✓") == 1
-    assert "checks held" in text
+    assert "more checks" in text
 
 
 def test_what_a_format_does_not_show_is_not_made(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -100,7 +100,7 @@ def test_a_right_answer_loads_nothing_for_wrong_ones() -> None:
         "import sys; from lagrange.problem.loader import load; from lagrange.explain.report import report;"
         "report(load('problems/chapter6/ex18-double-pendulum.yaml'), complete=False);"
         "print([m for m in sys.modules if m in ('lagrange.answers.diagnosis', 'lagrange.answers.models.search',"
-        "'lagrange.answers.written.working', 'lagrange.mechanics.equilibrium.linearization')])"
+        "'lagrange.answers.written.working')])"
     )
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120

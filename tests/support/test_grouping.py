@@ -48,7 +48,8 @@ def test_the_longest_group_comes_first_and_groups_stay_together(monkeypatch: pyt
         "a.py::long",
         "y.py::x[heavy-top]",
     ]
-    assert longest_first(tests) == [4, 1, 5, 3, 0, 2]
+    # the two problems may be in one batch
+    assert longest_first(tests) in ([4, 1, 5, 3, 0, 2], [4, 1, 3, 5, 0, 2])
 
 
 def test_all_tests_of_a_problem_are_in_one_part_and_others_are_spread() -> None:

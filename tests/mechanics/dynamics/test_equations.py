@@ -131,13 +131,13 @@ def test_finite_relations_that_cannot_be_solved_stay(problem: Read) -> None:
 def test_what_is_put_in_is_said(problem: Read) -> None:
     shown = report(problem(DRUM))
     text = latex.render([(shown.derivation, shown.notation)])
-    step = text[text.index("Equation of motion (choice depth)") :]
+    step = text[text.index("equation of motion") :]
     for line in (
         "for the velocities, and differentiating, gives",
         r"\dot{\phi} = \frac{\dot{y}}{R}",
         r"\ddot{\phi} = \frac{\ddot{y}}{R}",
         "Substituting these leaves (multiplying by $R$):",
-        r"\boxed{(m R^{2} + J) \ddot{y} - m g R^{2} = 0}",
+        r"(m R^{2} + J) \ddot{y} - m g R^{2} = 0",
     ):
         assert line in step.replace("&", "")
     [choice] = as_object(shown)["choices"]

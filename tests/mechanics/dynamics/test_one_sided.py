@@ -101,7 +101,7 @@ def test_what_is_written(problem: Read) -> None:
     page = terminal.text(told.derivation, told.notation, 120)
     for words in (
         "x² + y² ≥ l² (c)",
-        "(3) is one-sided. As long as there is contact, the two sides are equal, and the equation is used below.",
+        "is one-sided",
         "The c constraint is an inequality, which in the strict sense is no holonomic constraint; it acts as one",
         "The c constraint can only push: it stays in contact as long as N ≥ 0, that is,",
     ):
