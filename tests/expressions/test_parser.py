@@ -255,6 +255,7 @@ def check_reading(text: str) -> None:
 
 
 NAMES = {s.name for s in (x, y, theta, phi, theta_1, x1, u, m, l, g, R, c, lambda_rod, t)} | {"k", "e"}
+NAMES |= {f"{d}({name})" for d in ("d", "delta") for name in NAMES}  # in a form
 
 
 @given(NONSENSE)

@@ -286,6 +286,7 @@ def test_a_file_of_many_expressions_has_one_budget() -> None:
         text += f"  a{n}: {' + '.join(f'sin({i + 100 * n}*x + y)*x^{i % 7}' for i in range(100))} = y\n"
     (found,) = mistakes(text)
     assert found.code == "given-up"
+    assert "shorter" in (found.help or "")
 
 
 def test_differentials_of_vectors() -> None:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from lagrange.document.derivation import Detail
 from lagrange.explain.report import report
 from lagrange.mechanics.constraints.classification import Classification, classify
 from lagrange.mechanics.constraints.quasi_coordinates import quasi_coordinates
@@ -63,6 +64,9 @@ def test_what_is_said_and_checked(problem: Read) -> None:
     text = latex.render([(found.derivation, found.notation)])
     assert "is exact" not in text
     assert "a quasi-coordinate: the time integral of a component of an angular velocity, which determines no" in text
+    complete = latex.render([(found.derivation, found.notation)], detail=Detail.FULL)
+    assert "is exact" not in complete
+    assert "Frobenius' condition fails for the rolling 1 constraint" in complete
 
 
 @pytest.mark.parametrize(

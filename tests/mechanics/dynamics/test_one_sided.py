@@ -8,6 +8,7 @@ from collections.abc import Callable
 import pytest
 import sympy as sp
 
+from lagrange.document.derivation import Detail
 from lagrange.explain.report import report
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import solve
@@ -106,6 +107,9 @@ def test_what_is_written(problem: Read) -> None:
         "The c constraint can only push: it stays in contact as long as N ≥ 0, that is,",
     ):
         assert words in " ".join(page.split())
+    complete = terminal.text(told.derivation, told.notation, 120, detail=Detail.FULL)
+    said = "(3) is one-sided. As long as there is contact, the two sides are equal, and the equation is used below."
+    assert said in " ".join(complete.split())
     written = in_json.as_object(told)
     assert written["constraints"][0]["one_sided"] == "x^2 + y^2 - l^2 >= 0"
     contact = written["reactions"]["c"]["contact"]
