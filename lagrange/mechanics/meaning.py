@@ -35,6 +35,8 @@ MOST_OPERATIONS = 60
 """Of equations whose limits are sought."""
 LONGEST_LIMIT = 18
 """The most operations of an equation in a limit that is worth showing."""
+LONGEST_WITH_UNITS = 1000
+"""The most operations of an equation whose terms are compared in their units; it is multiplied out for that."""
 MOST_LIMITS = 2
 """The most limits of one problem."""
 LONGEST_PART = 10
@@ -239,9 +241,12 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:
     problem, motion = solution.problem, view.motion
     assert motion is not None
-    terms = sp.Add.make_args(_expanded(motion.final[0].expression))
     units = {q.symbol: q.unit for q in problem.coordinates} | {p.symbol: p.unit for p in problem.parameters}
     known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
+    equation = motion.final[0].expression
+    if not known or equation.count_ops() > LONGEST_WITH_UNITS:
+        return None
+    terms = sp.Add.make_args(_expanded(equation))
     angles = {q for q in view.configuration.slots.coordinates if q not in known and _is_angle(q, terms)}
     known |= dict.fromkeys(angles, NO_DIMENSION)
     found = {dimension(term, known) for term in terms}

@@ -20,7 +20,7 @@ from math import gcd, lcm
 
 import sympy as sp
 
-from lagrange.algebra.fourier.limits import PRODUCTS_PER_UNIT, TERMS_PER_UNIT
+from lagrange.algebra.fourier.limits import MANY_TERMS, PRODUCTS_PER_UNIT, TERMS_PER_UNIT
 from lagrange.algebra.fourier.polynomials import LARGEST, WIDTH, lowest, pack, unpack
 from lagrange.core.effort import spend
 from lagrange.core.records import record
@@ -329,7 +329,7 @@ class Basis:
 
     def element(self, terms: Terms, denominator: int = 1) -> Element:
         """The element with these terms, in its reduced form."""
-        spend(len(terms) / TERMS_PER_UNIT)
+        spend(len(terms) / TERMS_PER_UNIT if len(terms) < MANY_TERMS else 2 * len(terms))
         if self.related and any(self._excess(monomial) for monomial, _ in terms):
             return self._reduced(terms, denominator)
         terms = {key: value for key, value in terms.items() if value[0] or value[1]}

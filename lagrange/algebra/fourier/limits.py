@@ -7,6 +7,8 @@ All bound the time of one step or the length of what is printed. A number in bra
 # Terms of a result for a unit of work (`core.effort`), and products of two terms, which are looked up and added.
 TERMS_PER_UNIT = 2
 PRODUCTS_PER_UNIT = 20
+# From here on a term costs four times as much, for the memory: sin sin ... sin x, twenty deep, filled 900 MB.
+MANY_TERMS = 20_000
 
 # Powers read into the ring (`ring`): terms of a power multiplied out [45], and the highest multiple of an angle, or
 # power of a sum, that is one [10]. cos^60 has 31 terms; cos(10^6 θ) becomes an angle of its own (test_trigonometry).
