@@ -126,7 +126,7 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
     if answers.steady:
         from lagrange.answers.equilibria import check_equilibria
 
-        conditions = [v.steady.about.equilibrium for v in solution.views if v.steady is not None]
+        conditions = [v.steady.general for v in solution.views if v.steady is not None]
         if conditions:
             verdict = check_equilibria(answers.steady, conditions, reference_of_solution(solution))
             missing = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""

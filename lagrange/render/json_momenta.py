@@ -37,10 +37,11 @@ def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:
 def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
     """One entry for each solution of the conditions, with the linear equations about it at constant momenta."""
     entries = []
-    for b, s in zip(found.about.branches, found.about.at, strict=True):
+    branches = [(f, *pair) for f in found.families for pair in zip(f.about.branches, f.about.at, strict=True)]
+    for family, b, s in branches:
         entry: dict[str, Any] = {
             "cyclic": [q.name for q in found.cyclic],
-            "conditions": [f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations],
+            "conditions": [f"{write(r.lhs)} = {write(r.rhs)}" for r in family.relations(b)],
             "exists_where": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions],
         }
         if s is not None:

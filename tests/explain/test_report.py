@@ -100,7 +100,7 @@ def test_a_right_answer_loads_nothing_for_wrong_ones() -> None:
         "import sys; from lagrange.problem.loader import load; from lagrange.explain.report import report;"
         "report(load('problems/chapter6/ex18-double-pendulum.yaml'), complete=False);"
         "print([m for m in sys.modules if m in ('lagrange.answers.diagnosis', 'lagrange.answers.models.search',"
-        "'lagrange.answers.written.working')])"
+        "'lagrange.answers.written.working', 'lagrange.mechanics.equilibrium.linearization')])"
     )
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True, timeout=120

@@ -204,7 +204,7 @@ def free_top_quasi() -> tuple[Route, ...]:
     return (literature("phi theta psi p q r", book, kinematic=rates),)
 
 
-def rolling_disc() -> tuple[Route, ...]:
+def rolling_disc(uniform: bool = False) -> tuple[Route, ...]:
     """Neimark and Fufaev (heading phi, tilt theta, spin psi): moments about the point of contact.
 
     With w1 = theta', w2 = phi' sin theta, w3 = phi' cos theta + psi' about the horizontal diameter, the steepest radius and
@@ -216,6 +216,8 @@ def rolling_disc() -> tuple[Route, ...]:
     """
     x, y, phi, theta, psi = moving("x y phi theta psi")
     m, g, radius, a, c = constants("m g R A C")
+    if uniform:
+        a, c = m * radius**2 / 4, m * radius**2 / 2
     w1, w2, w3 = d(theta), d(phi) * sin(theta), d(phi) * cos(theta) + d(psi)
     k = m * radius**2
     tilt = cos(theta) / sin(theta)

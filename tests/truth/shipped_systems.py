@@ -547,6 +547,7 @@ SHIPPED: dict[str, Textbook] = {
     "pole-on-cart": Textbook(pole_on_cart, HOLONOMIC, 2, 0),
     "rocking-half-cylinder": Textbook(rocking_half_cylinder, HOLONOMIC, 1, 1),
     "rolling-disc": Textbook(of_bodies("rolling_disc"), NONHOLONOMIC, 3, 0, ROLLING),
+    "disc-that-rolls-steadily": Textbook(lambda: bodies.rolling_disc(uniform=True), NONHOLONOMIC, 3, 0, ROLLING),
     "rough-wedge": Textbook(rough_wedge, HOLONOMIC, 2, 2),
     "shortening-pendulum": Textbook(shortening_pendulum, RHEONOMIC, 1, 1),
     "sleigh": Textbook(sleigh, NONHOLONOMIC, 2, 0, ("blade",)),

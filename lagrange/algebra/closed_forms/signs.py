@@ -9,6 +9,7 @@ Parameters may have a range (`ranges`). An undecidable sign is None, and becomes
 from __future__ import annotations
 
 from collections.abc import Iterable
+from functools import lru_cache
 
 import sympy as sp
 
@@ -89,6 +90,7 @@ def _of_bounded(f: sp.Expr) -> int | None:
     return None if most > abs(number) else 1 if number > 0 else -1
 
 
+@lru_cache(maxsize=1000)
 def _of_quadratic(f: sp.Expr, known: tuple[sp.Expr, ...]) -> int | None:
     """The sign of a x² + b x + c without real roots."""
     for x in sorted(f.free_symbols, key=str):

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -20,11 +21,14 @@ from lagrange.explain.rest.statics import stability_in_short
 from lagrange.explain.words import branch_conditions, in_words, sign_conditions
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.equilibrium.linear_stability import Ground
-from lagrange.mechanics.equilibrium.linearization import Linearization
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.questions.results import AnswerBranch, Asked
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.values import values_of
+
+if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.linearization import Linearization
+    from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 
 LONGEST = 120
 """The most operations of the equations in the result at the head."""
@@ -102,8 +106,7 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     yield Rule.EQUILIBRIUM, [*_equilibria(view)]
     yield Rule.FRICTION_AT_REST, [*_friction(view)]
     if view.steady is not None:
-        branches = view.steady.about.branches
-        yield Rule.STEADY, [e for b in branches for e in _branch(b) if _operations(e) <= LONGEST_ANSWER]
+        yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_ANSWER]
     if view.linearization is not None:
         yield Rule.LINEARIZATION, [*_frequencies(view.linearization)]
 
@@ -114,6 +117,23 @@ def _branch(b: Branch, *more: Part) -> list[Equation]:
     words = (*condition, "; " if condition else "", *more) if more else condition
     lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
     return [*lines[:-1], replace(lines[-1], condition=words)] if lines else []
+
+
+def _steady(found: SteadyMotions) -> Iterator[Equation]:
+    """The steady motions, each with its stability."""
+    for family in found.families:
+        for b, s in zip(family.about.branches, family.about.at, strict=True):
+            stability = None if s is None else s.judgement.stability
+            words: tuple[Part, ...] = ()
+            if stability is not None and sum(c.lhs.count_ops() for c in stability.conditions) <= LONGEST_WORDS:
+                firm = stability.conditions and stability.verdict is StabilityVerdict.CONDITIONAL
+                words = ("stable where ", *sign_conditions(stability.conditions)) if firm else ()
+            rates = [Equation((v, value)) for v, value in family.rates.items()]
+            if not b.equations:
+                yield from ([*rates[:-1], replace(rates[-1], condition=words)] if rates else ())
+                continue
+            given = (*listed(math(*e.sides) for e in rates), ": " if words else "") if rates else ()
+            yield from _branch(b, *(("with ",) if given else ()), *given, *words)
 
 
 def _equilibria(view: InCoordinates) -> Iterator[Equation]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
-from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.solution_sets import Branch, Relation
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
@@ -112,10 +112,16 @@ def _names(linearization: Linearization) -> Block:
 
 
 def explain_about(
-    n: int, b: Branch, s: SmallOscillations | None, linearization: Linearization, noun: str = "equilibrium"
+    n: int,
+    b: Branch,
+    s: SmallOscillations | None,
+    linearization: Linearization,
+    noun: str = "equilibrium",
+    relations: Sequence[Relation] | None = None,
 ) -> Iterator[Block]:
-    """The linear equations about one equilibrium, or whatever `noun` says."""
-    place: Part = Ref(label_of(linearization, "at-rest", n)) if b.equations else "any position"
+    """The linear equations about one equilibrium, or whatever `noun` says; its relations are those of the branch."""
+    is_stated = bool(b.equations if relations is None else relations)
+    place: Part = Ref(label_of(linearization, "at-rest", n)) if is_stated else "any position"
     if s is None:
         if n > MOST_EQUILIBRIA or b.left or b.special:
             return
@@ -141,7 +147,7 @@ def explain_about(
     yield from _bound(s, linearization)
     yield from _matrices(s)
     yield from _characteristic(n, s, linearization, Detail.FULL if hidden else Detail.STEPS)
-    named = (f"the {noun} ", place) if b.equations else ("every position of rest",)
+    named = (f"the {noun} ", place) if is_stated else ("every position of rest",)
     yield from _verdict(named, s)
 
 

@@ -6,30 +6,37 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
 from lagrange.explain.rest.oscillations import explain_about, label_of
 from lagrange.explain.words import are, branch_conditions, plural, title_in
-from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+from lagrange.mechanics.equilibrium.linearization import SmallOscillations
+from lagrange.mechanics.momenta.steady_motions import Family, SteadyMotions
 
 ZERO = sp.S.Zero
 
 
 def explain_steady(found: SteadyMotions) -> Step:
     """The step on steady motions in one set of coordinates."""
-    about = found.about
     body = [*_conditions(found), *_branches(found)]
-    if any(s is not None for s in about.at):
+    if any(s is not None for f in found.families for s in f.about.at):
         body.append(_at_constant_momenta(found))
-    for n, (b, s) in enumerate(zip(about.branches, about.at, strict=True), start=1):
-        body += explain_about(n, b, s, about, "steady motion")
-    return Step(Rule.STEADY, title_in("Steady motions", about.configuration.name), tuple(body))
+    for n, (family, b, s) in enumerate(_solutions(found), start=1):
+        body += explain_about(n, b, s, family.about, "steady motion", family.relations(b))
+    return Step(Rule.STEADY, title_in("Steady motions", found.motion.configuration.name), tuple(body))
+
+
+def _solutions(found: SteadyMotions) -> Iterator[tuple[Family, Branch, SmallOscillations | None]]:
+    for family in found.families:
+        for b, s in zip(family.about.branches, family.about.at, strict=True):
+            yield family, b, s
 
 
 def _conditions(found: SteadyMotions) -> Iterator[Block]:
     """Which coordinates are cyclic, and what the equations of motion require of the others."""
-    about = found.about
+    about = found.families[0].about
     cyclic = [math(q) for q in found.cyclic]
     rates = [math(prime(q)) for q in found.cyclic]
     others = [math(q) for q in about.configuration.slots.coordinates]
@@ -37,7 +44,7 @@ def _conditions(found: SteadyMotions) -> Iterator[Block]:
                   " do not appear in the equations of motion, only their velocities do: they are cyclic.")  # fmt: skip
     rest: tuple[Part, ...] = (", and ", *listed(others), are(others), "constant too") if others else ()
     steady = prose("In a steady motion ", *listed(rates), are(rates), "constant", *rest, ".")
-    shown = list(dict.fromkeys(c.expression for c in about.equilibrium.conditions))
+    shown = list(dict.fromkeys(c.expression for c in found.general.conditions))
     if not shown:
         yield paragraph(prose(*listed(cyclic), verb), steady, prose("The equations of motion then hold."))
         return
@@ -48,21 +55,22 @@ def _conditions(found: SteadyMotions) -> Iterator[Block]:
 
 def _branches(found: SteadyMotions) -> Iterator[Block]:
     """The solutions of the conditions, and the positions left out."""
-    about = found.about
-    if not about.branches:
+    solutions = [*_solutions(found)]
+    if not solutions:
         nowhere = "They cannot be satisfied: there are no steady motions."
         open_ = "Solutions were not found in closed form."
-        yield prose(nowhere if about.complete else open_, detail=Detail.BRIEF)
+        yield prose(nowhere if found.complete else open_, detail=Detail.BRIEF)
     else:
-        yield prose("This holds for" if about.complete else "Among other solutions, perhaps, this holds for")
-    for n, b in enumerate(about.branches, start=1):
-        lines = [Equation((r.lhs, r.rhs)) for r in b.equations]
+        yield prose("This holds for" if found.complete else "Among other solutions, perhaps, this holds for")
+    for n, (family, b, _) in enumerate(solutions, start=1):
+        lines = [Equation((r.lhs, r.rhs)) for r in family.relations(b)]
         if not lines:
             yield prose("all values of the coordinates.")
             continue
-        lines[-1] = Equation(lines[-1].sides, label=label_of(about, "at-rest", n), condition=branch_conditions(b))
+        label = label_of(family.about, "at-rest", n)
+        lines[-1] = Equation(lines[-1].sides, label=label, condition=branch_conditions(b))
         yield display(*lines, boxed=True, detail=Detail.BRIEF)
-    poles = [r for b in about.equilibrium.poles for r in b.equations]
+    poles = [r for b in found.general.poles for r in b.equations]
     if poles:
         places = listed((math(r.lhs, r.rhs) for r in poles), " or ")
         yield prose("Where ", *places, ", the coordinates fail.")
@@ -70,15 +78,20 @@ def _branches(found: SteadyMotions) -> Iterator[Block]:
 
 def _at_constant_momenta(found: SteadyMotions) -> Block:
     """ξ, and what becomes of the cyclic velocities."""
-    about = found.about
+    about = found.families[0].about
     coordinates = about.configuration.slots.coordinates
-    small = listed(math(x) for x in about.displacements)
+    small = [*listed(math(x) for x in about.displacements)]
     be = prose("Let ", *small, plural(len(coordinates), " be a small change of ", " be small changes of "),
                *listed(math(q) for q in coordinates), ".")  # fmt: skip
-    rates = listed(math(prime(q)) for q in found.cyclic)
+    rates = [*listed(math(prime(q)) for q in found.cyclic)]
     momenta = plural(len(found.cyclic), "the momentum of ", "the momenta of ")
     kept = plural(len(found.cyclic), " keeps its value", " keep their values")
     change = plural(len(found.cyclic), "the momentum", "the momenta")
+    if found.motion.configuration.rows:
+        held = prose(*rates, plural(len(found.cyclic), " changes", " change"), " with ", *small, " so that ",
+                     plural(len(found.cyclic), "its equation of motion holds", "their equations of motion hold"),
+                     ", which to first order can be integrated.")  # fmt: skip
+        return paragraph(be, held, prose("Terms of second order are neglected."))
     held = prose(*rates, plural(len(found.cyclic), " changes", " change"), " with ", *small, " so that ", momenta,
                  *listed(math(q) for q in found.cyclic), kept, f": a change of {change} leads to another steady "
                  "motion nearby.")  # fmt: skip

@@ -14,29 +14,35 @@ Routh's function:
 
     M̃ = M_oo − M_oc M_cc⁻¹ M_co ,   D̃ = D_oo − M_oc M_cc⁻¹ D_co − D_oc M_cc⁻¹ M_co ,   K̃ = K_oo − D_oc M_cc⁻¹ D_co .
 
-Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84.
+With constraints on the velocities the same is done with the independent coordinates (`reduced_form`). The momenta are
+then not constant, but their equations integrate to first order in the same way wherever K_co = 0 and D_cc = 0 .
+
+Where the conditions have no closed solution for the coordinates, they may have one for a constant rate: a disc that
+rolls in a circle has ψ' = F(θ, φ'). What its denominator excludes, φ' = 0, is a family of its own: the disc that rolls
+straight on.
+
+Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84; Neimark and Fufaev, ch. VI.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Matrix
-from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.algebra.closed_forms.solution_sets import Branch, Relation
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.ring import FourierRing
-from lagrange.algebra.fourier.textbook_form import Textbook
+from lagrange.algebra.fourier.textbook_form import Textbook, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, partial, variation
-from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
+from lagrange.core.symbols import partial, variation
 from lagrange.mechanics.constraints.displacements import Elimination
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
@@ -61,37 +67,58 @@ from lagrange.mechanics.equilibrium.linearization import (
 from lagrange.mechanics.equilibrium.relative_equilibrium import branches_at_rest, is_time
 from lagrange.mechanics.equilibrium.sampled_checks import HOW, Samples, determinant_in_numbers, exists
 from lagrange.mechanics.equilibrium.stability import on_branch
+from lagrange.mechanics.momenta.reduced_form import independent_first, only, rates_of_dependent, reduced_form
 
 ZERO = sp.S.Zero
 
 
 @record
-class SteadyMotions:
-    """The steady motions in one set of free coordinates.
+class Family:
+    """Steady motions in which some of the constant rates are given.
 
-    motion  the equations of motion
-    cyclic  shape (c,): the coordinates whose velocities are constant
-    about   the conditions, as an equilibrium of the other coordinates, and the linear equations of these at constant
-            momenta of the cyclic ones
+    rates  of cyclic coordinates: 0, or in terms of the other rates and of the coordinates that rest
+    about  the conditions, as an equilibrium of the other coordinates, and the linear equations of these at constant
+           momenta of the cyclic ones
+    """
+
+    rates: Mapping[sp.Symbol, sp.Expr]
+    about: Linearization
+
+    def relations(self, b: Branch) -> tuple[Relation, ...]:
+        """What determines one of its branches."""
+        return (*b.equations, *(Relation(v, value) for v, value in self.rates.items()))
+
+
+@record
+class SteadyMotions:
+    """The steady motions in one set of coordinates.
+
+    motion      the equations of motion
+    form        M and f of the independent coordinates
+    cyclic      shape (c,): the coordinates whose velocities are constant
+    general     the conditions, as an equilibrium of the other coordinates, whatever the constant rates
+    families    the steady motions
+    complete    whether these are all
     """
 
     motion: EquationsOfMotion
+    form: MatrixForm
     cyclic: tuple[sp.Symbol, ...]
-    about: Linearization
+    general: Equilibrium
+    families: tuple[Family, ...]
+    complete: bool
 
 
 def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMotions:
-    """The steady motions of a system in free coordinates.
+    """The steady motions of a system in free coordinates, or with constraints on velocities.
 
     taken  names that the letters of the linear equations must not use
 
-    Raises NotCoveredError if the coordinates are not free, time occurs, or no coordinate is cyclic.
+    Raises NotCoveredError if the coordinates are not free and `reduced_form` cannot help, time occurs, or no coordinate
+    is cyclic.
     """
-    configuration = motion.configuration
-    if configuration.rows:
-        names = ", ".join(f"`{r.name}`" for r in configuration.rows)
-        raise NotCoveredError(f"steady motions in coordinates that are not free: {names} still acts on them, so they")
-    form = matrix_form(motion)
+    form = reduced_form(motion) if motion.configuration.rows else matrix_form(motion)
+    configuration = form.configuration
     slots = configuration.slots
     symbols = {s for e in (*form.force, *(e for row in form.mass for e in row)) for s in e.free_symbols}
     if any(is_time(s, configuration) for s in symbols):
@@ -103,25 +130,44 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         raise NotCoveredError("steady motions of a system without a cyclic coordinate")
     others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
     steady = {slots.velocities[k]: ZERO for k in others}
-    remaining = _without(configuration, [slots.coordinates[k] for k in others])
-    resting = _without_poles(_conditions(remaining, [form.force[k].xreplace(steady) for k in others]), form)
-    branches, complete = branches_at_rest(resting)
+    forces = [form.force[k].xreplace(steady) for k in others]
+    remaining = only(configuration, [slots.coordinates[k] for k in others])
     small = displacement_names(remaining.slots.coordinates, taken)
-    omega, exponent = letters_of(taken)
-    at = tuple(
-        _about(b, form, cyclic, resting, small, omega, exponent) if n < MOST_EQUILIBRIA else None
-        for n, b in enumerate(branches)
-    )
-    about = Linearization(
-        replace(motion, configuration=remaining), resting, branches, complete, small, omega, exponent, False, at
-    )
-    return SteadyMotions(motion, tuple(slots.coordinates[k] for k in cyclic), about)
+    letters = letters_of(taken)
+
+    def family(rates: Mapping[sp.Symbol, sp.Expr]) -> Family:
+        resting = _without_poles(_conditions(remaining, [f.xreplace(dict(rates)) for f in forces]), form, rates)
+        branches, complete = branches_at_rest(resting)
+        at = tuple(
+            _about(b, form, cyclic, resting, small, *letters, rates) if n < MOST_EQUILIBRIA else None
+            for n, b in enumerate(branches)
+        )
+        of_others = replace(motion, configuration=remaining)
+        return Family(rates, Linearization(of_others, resting, branches, complete, small, *letters, False, at))
+
+    general = family({})
+    families, complete = (general,), general.about.complete
+    rates = [slots.velocities[k] for k in cyclic]
+    solved = None if complete else _rate_from([c.expression for c in general.about.equilibrium.conditions], rates)
+    if solved is not None:
+        [value] = solved.values()
+        denominator = sp.fraction(sp.together(value))[1]
+        excluded = [v for v in rates if v in denominator.free_symbols]
+        families = (family(solved), *(family({v: ZERO}) for v in excluded))
+    turning = tuple(slots.coordinates[k] for k in cyclic)
+    return SteadyMotions(motion, form, turning, general.about.equilibrium, families, complete)
 
 
-def _without(configuration: Configuration, others: Sequence[sp.Symbol]) -> Configuration:
-    """The configuration in the other coordinates alone; the cyclic velocities in it are constants."""
-    slots = Slots(tuple(others), configuration.slots.prescribed)
-    return replace(configuration, constrained=ConstrainedSystem(slots, ()))
+def _rate_from(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
+    """A constant rate from a single condition that is linear in it."""
+    if len(conditions) != 1:
+        return None
+    [condition] = conditions
+    for rate in rates:
+        slope = partial(condition, rate)
+        if slope != 0 and rate not in slope.free_symbols:
+            return {rate: textbook_form(-condition.xreplace({rate: ZERO}) / slope)}
+    return None
 
 
 def _conditions(remaining: Configuration, forces: Sequence[sp.Expr]) -> Equilibrium:
@@ -137,9 +183,9 @@ def _conditions(remaining: Configuration, forces: Sequence[sp.Expr]) -> Equilibr
     return equilibrium(remaining, free, work=work)
 
 
-def _without_poles(resting: Equilibrium, form: MatrixForm) -> Equilibrium:
+def _without_poles(resting: Equilibrium, form: MatrixForm, rates: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
     """The steady motions without positions where M is singular: there the coordinates fail, as an azimuth at a pole."""
-    mass = sp.Matrix(form.mass).det(method="berkowitz")
+    mass = sp.Matrix(form.mass).det(method="berkowitz").xreplace(dict(rates))
 
     def is_pole(b: Branch) -> bool:
         value = None if b.left or b.special else on_branch(b, mass, resting)
@@ -160,12 +206,13 @@ def _about(
     names: Sequence[sp.Symbol],
     omega: sp.Symbol,
     exponent: sp.Symbol,
+    rates: Mapping[sp.Symbol, sp.Expr],
 ) -> SmallOscillations | None:
     """The linear equations about the steady motions of one branch, at constant momenta."""
     if b.left or b.special or not names or len(names) > MOST_OSCILLATING:
         return None
     try:
-        matrices = reduced_matrices(b, form, cyclic, resting)
+        matrices = reduced_matrices(b, form, cyclic, resting, rates)
     except (DivisionByZeroError, ZeroDivisionError):
         return None
     if matrices is None:
@@ -176,12 +223,12 @@ def _about(
 
 
 def reduced_matrices(
-    b: Branch, form: MatrixForm, cyclic: Sequence[int], resting: Equilibrium
+    b: Branch, form: MatrixForm, cyclic: Sequence[int], resting: Equilibrium, rates: Mapping[sp.Symbol, sp.Expr]
 ) -> tuple[Matrix, Matrix, Matrix] | None:
     """M̃, D̃, K̃ on a branch; None if the momenta are not constant to first order, or there is no closed form."""
     slots = form.configuration.slots
     others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
-    steady = {slots.velocities[k]: ZERO for k in others}
+    steady = {slots.velocities[k]: ZERO for k in others} | dict(rates)
 
     def matrix(rows: Sequence[Sequence[sp.Expr]]) -> sp.Matrix | None:
         values = [[on_branch(b, e.xreplace(steady), resting, in_parameters=True) for e in row] for row in rows]
@@ -220,40 +267,57 @@ def reduced_matrices(
 def check_steady(found: SteadyMotions) -> list[Check]:
     """The steady motions against Lagrange's equations, and their linear equations by determinants, in numbers.
 
-    At drawn parameters and a drawn p, det(K + p D + p² M) of all coordinates must be p^2c det M_cc times that of the
-    reduced equations: nothing of the elimination of the η is used.
+    At drawn parameters and a drawn p, det(K + p D + p² M) of all independent coordinates must be p^2c det M_cc times
+    that of the reduced equations. Neither the equations of d'Alembert nor the elimination of the η are used.
     """
-    configuration, about = found.motion.configuration, found.about
-    slots = configuration.slots
-    left = lagrange_equations(configuration).left
-    steady = dict.fromkeys((*about.configuration.slots.velocities, *slots.accelerations), ZERO)
-    tables = [
-        [[partial(e, s).xreplace(steady) for s in symbols] for e in left]
-        for symbols in (slots.coordinates, slots.velocities, slots.accelerations)
-    ]
-    balance = [e.xreplace(steady) for e in left]
+    slots = found.form.configuration.slots
+    left = _lagrange(found.motion)
+    others = [v for q, v in zip(slots.coordinates, slots.velocities, strict=True) if q not in found.cyclic]
+    steady = dict.fromkeys((*others, *slots.accelerations), ZERO)
     c = [slots.coordinates.index(q) for q in found.cyclic]
     hold: list[bool] = []
     linear: list[bool] = []
-    for b, s in zip(about.branches, about.at, strict=True):
-        for point in _points(b, about.equilibrium):
-            try:
-                hold.append(all(point.is_zero(e) for e in balance))
-                if s is not None:
-                    p = point.arithmetic.sample()
-                    full = [point.matrix(t) for t in tables]
-                    reduced = [point.matrix(m) for m in (s.system.stiffness, s.system.damping, s.system.mass)]
-                    inner = determinant_in_numbers([[full[2][i][j] for j in c] for i in c])
-                    product = p ** (2 * len(c)) * inner * determinant_in_numbers(_pencil(reduced, p))
-                    total = determinant_in_numbers(_pencil(full, p))
-                    linear.append(point.arithmetic.vanishes((total - product) / (abs(total) + abs(product))))
-            except (InadmissibleError, UnsupportedError, DivisionByZeroError):
-                continue
+    for family in found.families:
+        given = steady | dict(family.rates)
+        tables = [
+            [[partial(e, s).xreplace(given) for s in symbols] for e in left]
+            for symbols in (slots.coordinates, slots.velocities, slots.accelerations)
+        ]
+        balance = [e.xreplace(given) for e in left]
+        for b, s in zip(family.about.branches, family.about.at, strict=True):
+            for point in _points(b, family.about.equilibrium):
+                try:
+                    hold.append(all(point.is_zero(e) for e in balance))
+                    if s is not None:
+                        p = point.arithmetic.sample()
+                        full = [point.matrix(t) for t in tables]
+                        reduced = [point.matrix(m) for m in (s.system.stiffness, s.system.damping, s.system.mass)]
+                        inner = determinant_in_numbers([[full[2][i][j] for j in c] for i in c])
+                        product = p ** (2 * len(c)) * inner * determinant_in_numbers(_pencil(reduced, p))
+                        total = determinant_in_numbers(_pencil(full, p))
+                        linear.append(point.arithmetic.vanishes((total - product) / (abs(total) + abs(product))))
+                except (InadmissibleError, UnsupportedError, DivisionByZeroError):
+                    continue
     statements = [
         ("the steady motions satisfy Lagrange's equations", hold),
         ("the linear equations about them have the exponents of Lagrange's equations", linear),
     ]
-    return [Check(name, all(v), HOW, configuration.name) for name, v in statements if v]
+    return [Check(name, all(v), HOW, found.motion.configuration.name) for name, v in statements if v]
+
+
+def _lagrange(motion: EquationsOfMotion) -> list[sp.Expr]:
+    """Lagrange's equations of the independent displacements, L_I + Bᵀ L_D, each zero, in independent velocities."""
+    configuration = motion.configuration
+    left = lagrange_equations(configuration).left
+    if not configuration.rows:
+        return list(left)
+    solved = independent_first(motion)
+    rates = rates_of_dependent(solved, configuration.slots)
+    combined = (
+        left[k] + sp.Add(*(row[n] * left[d] for d, row in zip(solved.dependent, solved.solution, strict=True)))
+        for n, k in enumerate(solved.independent)
+    )
+    return [e.xreplace(rates) for e in combined]
 
 
 def _points(b: Branch, resting: Equilibrium) -> Iterator[RealPoint]:

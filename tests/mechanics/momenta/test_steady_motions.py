@@ -65,7 +65,7 @@ def period(rates: Callable[[float, np.ndarray], list[float]], start: list[float]
 
 def test_the_conical_pendulum() -> None:
     found = found_in(CONICAL)
-    [branch] = found.about.branches
+    [branch] = found.families[0].about.branches
     [relation] = branch.equations
     l, g, turn = 0.9, 9.8, 4.1
     rest = float(sp.acos(sp.Float(number(relation.rhs, l=l, g=g, phi_=turn))))
@@ -76,33 +76,33 @@ def test_the_conical_pendulum() -> None:
         around = momentum / sin(y[0]) ** 2
         return [y[1], around**2 * sin(y[0]) * cos(y[0]) - g / l * sin(y[0])]
 
-    [frequency] = found.about.at[0].frequencies
+    [frequency] = found.families[0].about.at[0].frequencies
     stated = sqrt(number(frequency.square, l=l, g=g, phi_=turn))
     assert stated == pytest.approx(turn * sqrt(1 + 3 * cos(rest) ** 2))  # Whittaker, § 56
     assert period(rates, [rest + 1e-4, 0.0], rest) == pytest.approx(2 * pi / stated, rel=1e-4)
-    assert found.about.at[0].judgement.stability.verdict is StabilityVerdict.STABLE
-    assert len(found.about.equilibrium.poles) == 2  # θ = 0 and π, where φ has no meaning
+    assert found.families[0].about.at[0].judgement.stability.verdict is StabilityVerdict.STABLE
+    assert len(found.general.poles) == 2  # θ = 0 and π, where φ has no meaning
 
 
 def test_an_orbit_closes() -> None:
     found = found_in(ORBIT)
-    [branch] = found.about.branches
+    [branch] = found.families[0].about.branches
     assert str(branch.equations[0].lhs) == "r**3"  # Kepler's third law
-    [frequency] = found.about.at[0].frequencies
+    [frequency] = found.families[0].about.at[0].frequencies
     assert frequency.square == sp.Symbol("phi'", real=True) ** 2
 
 
 def test_a_particle_in_a_cone() -> None:
     found = found_in(CONE)
     g, alpha, turn = 9.8, 0.5, 3.0
-    rest = number(found.about.branches[0].equations[0].rhs, g=g, alpha=alpha, phi_=turn)
+    rest = number(found.families[0].about.branches[0].equations[0].rhs, g=g, alpha=alpha, phi_=turn)
     assert rest == pytest.approx(g / (turn**2 * sin(alpha) * tan(alpha)))
     momentum = rest**2 * turn
 
     def rates(_: float, y: np.ndarray) -> list[float]:
         return [y[1], momentum**2 / y[0] ** 3 * sin(alpha) ** 2 - g * cos(alpha)]
 
-    [frequency] = found.about.at[0].frequencies
+    [frequency] = found.families[0].about.at[0].frequencies
     stated = sqrt(number(frequency.square, g=g, alpha=alpha, phi_=turn))
     assert period(rates, [rest * 1.0001, 0.0], rest) == pytest.approx(2 * pi / stated, rel=1e-4)
 
@@ -111,7 +111,7 @@ def test_the_sleeping_top_is_stable_where_it_spins_fast() -> None:
     found = found_in(TOP)
     upright = [
         s
-        for b, s in zip(found.about.branches, found.about.at, strict=True)
+        for b, s in zip(found.families[0].about.branches, found.families[0].about.at, strict=True)
         if s is not None and all(r.rhs == 0 for r in b.equations)
     ]
     [s] = upright
@@ -122,9 +122,65 @@ def test_the_sleeping_top_is_stable_where_it_spins_fast() -> None:
     assert sp.expand(condition.lhs - condition.rhs - (C**2 * spin**2 - 4 * A * m * g * l)) == 0
 
 
+DISC = """coordinates: {x: x, y: y, phi: heading, theta: {meaning: tilt, range: [0, pi]}, psi: spin}
+parameters: [m, R, g]
+bodies:
+  disc: {mass: m, inertia: [m*R^2/4, m*R^2/4, m*R^2/2], position: x*i + y*j + R*sin(theta)*k,
+         orientation: {axes: 313, angles: [phi, theta, psi]}}
+constraints: {rolling: "r_disc' + cross(omega_disc, -R*n2_disc) = 0"}
+gravity: -g*k
+"""
+
+
+def wobble(tilt: float, turn: float, spin: float) -> float:
+    """The frequency of small wobbles of a rolling disc, R = g = 1, from the equations of Neimark and Fufaev."""
+
+    def rates(_: float, y: np.ndarray) -> list[float]:
+        theta, rate, across, about = y  # θ, θ', φ' sin θ, ψ' + φ' cos θ; m R² = 4, A = 1, C = 2, m g R = 4
+        along = across / tan(theta)  # φ' cos θ
+        return [
+            rate,
+            (across * along - 6 * about * across - 4 * cos(theta)) / 5,
+            -rate * along + 2 * rate * about,
+            4 * rate * across / 6,
+        ]
+
+    def turns(_: float, y: np.ndarray) -> float:
+        return y[1]
+
+    turns.direction = 1  # type: ignore[attr-defined]
+    start = [tilt + 1e-7, 0.0, turn * sin(tilt), spin + turn * cos(tilt)]
+    motion = solve_ivp(rates, (0, 40), start, events=turns, rtol=1e-12, atol=1e-15)
+    first, *_, last = motion.t_events[0][1:]
+    return 2 * pi * (len(motion.t_events[0]) - 2) / (last - first)
+
+
+def test_a_disc_rolls_in_a_circle_or_straight_on() -> None:
+    circle, straight = found_in(DISC).families
+    turn, spin = (sp.Symbol(f"{q}'", real=True) for q in ("phi", "psi"))
+    assert {*circle.rates} == {spin}
+    assert straight.rates == {turn: 0}
+    [of_straight] = straight.about.at
+    [condition] = of_straight.judgement.stability.conditions
+    R, g = (sp.Symbol(name, positive=True) for name in "Rg")
+    assert sp.expand(3 * R * spin**2 - g - (condition.lhs - condition.rhs)) == 0  # Routh, § 244
+    [frequency] = of_straight.frequencies
+    assert wobble(pi / 2, 0.0, 1.7) == pytest.approx(sqrt(number(frequency.square, R=1, g=1, psi_=1.7)), rel=1e-4)
+    [of_circle] = circle.about.at
+    tilt, rate = 1.2, 0.8
+    turned = number(circle.rates[spin], R=1, g=1, theta=tilt, phi_=rate)
+    [frequency] = of_circle.frequencies
+    stated = number(frequency.square, R=1, g=1, theta=tilt, phi_=rate)
+    assert wobble(tilt, rate, turned) == pytest.approx(sqrt(stated), rel=1e-4)
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
+        ("coordinates: [x, y]\nparameters: [m, Omega]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
+         "constraints: {belt: x' + y' = Omega}\n", "rest does not satisfy"),
+        ("coordinates: [x, y]\nparameters: [m]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
+         "constraints: {blade: x' = (1 + x^2 + y^2)*y'}\n", "depends on `[xy]`"),
         ("coordinates: [x, y]\nparameters: [m, l]\nparticles: {P: {mass: m, position: x*i + y*j}}\n"
          "constraints: {rod: x^2 + y^2 = l^2}\n", "not free"),
         ("coordinates: [x]\nparameters: [m, k]\nparticles: {P: {mass: m, position: x*i}}\n"
