@@ -32,9 +32,10 @@ class Rewritten(OneEquation):
     latex: bool = False
 
     def span(self, start: int, end: int) -> Span:
-        """The place of characters `start` to `end` in the source."""
-        last = self.places[max(min(end, len(self.text)) - 1, 0)] + 1 if end > start else self.places[start]
-        return self.outer.span(self.places[min(start, len(self.text))], max(last, self.places[start]))
+        """The place of characters `start` to `end` in the source; the end of the text may be meant as well."""
+        first = self.places[min(start, len(self.text))]
+        last = self.places[max(min(end, len(self.text)) - 1, 0)] + 1 if end > start else first
+        return self.outer.span(first, max(last, first))
 
 
 class Draft:

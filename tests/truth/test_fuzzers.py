@@ -13,3 +13,13 @@ NUMBERS = {"problems": 40, "grammar": 12, "answers": 60, "journals": 60}
 def test_a_broken_input_ends_in_a_result_or_a_message(kind: str, seed: int) -> None:
     """Any exception but the project's own would leave the call."""
     assert KINDS[kind](seed)
+
+
+@pytest.mark.parametrize(
+    "seed",
+    [
+        pytest.param(1717, id="an equation without an equals sign, rewritten, is marked at its end"),
+    ],
+)
+def test_faults_found_before(seed: int) -> None:
+    assert KINDS["answers"](seed) == "unreadable"

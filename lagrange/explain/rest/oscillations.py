@@ -8,7 +8,8 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Frequency
-from lagrange.algebra.closed_forms.solution_sets import Branch, Relation
+from lagrange.algebra.closed_forms.single_equation import Relation
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step

@@ -33,7 +33,8 @@ from typing import Any
 import sympy as sp
 
 from lagrange.algebra.closed_forms.eigenmodes import Matrix
-from lagrange.algebra.closed_forms.solution_sets import Branch, Relation
+from lagrange.algebra.closed_forms.single_equation import Relation
+from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.algebra.exact.expression_graph import DivisionByZeroError, UnsupportedError
 from lagrange.algebra.exact.prime_field import InadmissibleError
 from lagrange.algebra.exact.real_points import RealPoint
@@ -146,7 +147,8 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
         return Family(rates, Linearization(of_others, resting, branches, complete, small, *letters, False, at))
 
     general = family({})
-    families, complete = (general,), general.about.complete
+    families: tuple[Family, ...] = (general,)
+    complete = general.about.complete
     rates = [slots.velocities[k] for k in cyclic]
     solved = None if complete else _rate_from([c.expression for c in general.about.equilibrium.conditions], rates)
     if solved is not None:
