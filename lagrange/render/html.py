@@ -172,6 +172,11 @@ def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = 
     return "\n".join([*lines, "</main>", "</body>", "</html>"]) + "\n"
 
 
+def fragment(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS, prefix: str = "") -> str:
+    """What one derivation contributes to a page; its ids begin with `prefix`, by default the slug of its title."""
+    return "\n".join(_Article(derivation, notation, detail, prefix or slug(derivation.title)).all()) + "\n"
+
+
 def escape(text: str) -> str:
     """Text as HTML that shows it, with the apostrophes of a printer; a derivative's prime is not between letters."""
     return html_escape(APOSTROPHE.sub("’", printable(text)))
@@ -196,7 +201,8 @@ class _Article(Emitter[str]):
 
     def all(self) -> Iterator[str]:
         yield f'<article id="{self.prefix}">'
-        yield f"<h1>{escape(self.derivation.title)}</h1>"
+        if self.derivation.title:
+            yield f"<h1>{escape(self.derivation.title)}</h1>"
         if self.derivation.source:
             yield f'<p class="source">{escape(self.derivation.source)}</p>'
         number = 0
