@@ -154,7 +154,15 @@ class Picture:
     detail: Detail = Detail.STEPS
 
 
-Block = Prose | Display | Table | Matrices | CheckMark | Picture
+@record
+class Room:
+    """Empty room for the work of whoever fills a worksheet in; `lines` of handwriting."""
+
+    lines: int
+    detail: Detail = Detail.BRIEF
+
+
+Block = Prose | Display | Table | Matrices | CheckMark | Picture | Room
 
 
 @record

@@ -27,6 +27,7 @@ from lagrange.document.derivation import (
     Picture,
     Prose,
     Ref,
+    Room,
     Table,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
@@ -285,6 +286,9 @@ class _Article(Emitter[str]):
             yield from figure(scene, printable(block.alt), self.in_pictures.plain)
             yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
             yield "</figure>"
+
+    def room(self, block: Room) -> Iterator[str]:
+        yield f'<div style="height: {1.7 * block.lines:.1f}rem"></div>'
 
     def matrices(self, block: Matrices) -> Iterator[str]:
         """Those that fit on a line side by side, the others entry by entry."""

@@ -25,6 +25,7 @@ from lagrange.document.derivation import (
     Picture,
     Prose,
     Ref,
+    Room,
     Table,
 )
 from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
@@ -198,6 +199,9 @@ class _Article(Emitter[str]):
             yield from picture(scene, self.typesetter.writer.plain)
             yield rf"\\[1.5ex] {{\small {self.prose(block.caption)}}}"
             yield r"\end{center}"
+
+    def room(self, block: Room) -> Iterator[str]:
+        yield rf"\par\nopagebreak\vspace*{{{block.lines}\baselineskip}}"
 
     def matrices(self, block: Matrices) -> Iterator[str]:
         for line in self.typesetter.matrices(block.named, LATEX_LINE):

@@ -29,6 +29,7 @@ from lagrange.document.derivation import (
     Part,
     Prose,
     Ref,
+    Room,
     Step,
     Table,
 )
@@ -225,6 +226,9 @@ class _Page(Emitter[Text]):
         yield from (Text("  " + line if line else "") for line in side_by_side(drawn, room))
         for name, rows in wide:
             yield from block_lines(written_out(name, rows), self)
+
+    def room(self, block: Room) -> Iterator[Text]:
+        return (Text() for _ in range(block.lines))
 
     def table(self, block: Table) -> Iterator[Text]:
         grid: Grid = [[self.words([part]) for part in row] for row in (block.header, *block.rows)]
