@@ -155,14 +155,15 @@ class Picture:
 
 
 @record
-class Room:
-    """Empty room for the work of whoever fills a worksheet in; `lines` of handwriting."""
+class Task:
+    """What is to be done on a worksheet, and room for it: so many lines of handwriting."""
 
+    parts: tuple[Part, ...]
     lines: int
     detail: Detail = Detail.BRIEF
 
 
-Block = Prose | Display | Table | Matrices | CheckMark | Picture | Room
+Block = Prose | Display | Table | Matrices | CheckMark | Picture | Task
 
 
 @record

@@ -27,8 +27,8 @@ from lagrange.document.derivation import (
     Picture,
     Prose,
     Ref,
-    Room,
     Table,
+    Task,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
 from lagrange.render.escape import slug
@@ -80,6 +80,7 @@ mover > mo { font-size: 1.15em; }
 .number { color: var(--quiet); font-variant-numeric: tabular-nums; }
 .result { border: 1px solid var(--accent); border-radius: 4px; background: var(--box); padding: .6rem .8rem .6rem 0; }
 .scroll { margin: .8rem 0; overflow-x: auto; overflow-y: hidden; }
+.task { break-inside: avoid; }
 table { border-collapse: collapse; margin-left: 1.6rem; font-size: .98em; }
 th, td { text-align: left; padding: .25rem .9rem .25rem 0; vertical-align: baseline; font-weight: normal; }
 thead th { border-bottom: 1px solid var(--ink); color: var(--quiet); }
@@ -287,8 +288,10 @@ class _Article(Emitter[str]):
             yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
             yield "</figure>"
 
-    def room(self, block: Room) -> Iterator[str]:
-        yield f'<div style="height: {1.7 * block.lines:.1f}rem"></div>'
+    def task(self, block: Task) -> Iterator[str]:
+        yield f'<div class="task" style="min-height: {1.7 * block.lines + 3:.1f}rem">'
+        yield f"<p>{self.prose(block.parts)}</p>"
+        yield "</div>"
 
     def matrices(self, block: Matrices) -> Iterator[str]:
         """Those that fit on a line side by side, the others entry by entry."""

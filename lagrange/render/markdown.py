@@ -34,7 +34,7 @@ from lagrange.document.derivation import (
 )
 from lagrange.document.math_writer import LATEX, UNICODE, WIDE_LATEX, Notation, Writer
 from lagrange.render.escape import escape as tex
-from lagrange.render.escape import slug
+from lagrange.render.escape import prefixes_of, slug
 from lagrange.render.limits import MARKDOWN_LINE
 from lagrange.render.notes.flavours import Flavour, Labels
 from lagrange.render.notes.svg_file import Figures, svg_file
@@ -69,10 +69,8 @@ def render(
     figures: Figures | None = None,
 ) -> str:
     """The derivations, one after the other; their pictures are added to `figures`, without which there are none."""
-    pages = (
-        body(derivation, notation, detail, flavour, figures, prefix)
-        for (derivation, notation), prefix in zip(derivations, prefixes([d.title for d, _ in derivations]), strict=True)
-    )
+    prefixes = prefixes_of([derivation.title for derivation, _ in derivations])
+    pages = (body(*both, detail, flavour, figures, p) for both, p in zip(derivations, prefixes, strict=True))
     return vectors.written("\n".join(pages))
 
 
@@ -85,15 +83,8 @@ def body(
     prefix: str = "",
 ) -> str:
     """One derivation; its labels begin with `prefix`, by default the slug of its title."""
-    page = Page(derivation, notation, detail, flavour, figures, prefix or slug(derivation.title))
+    page = _Page(derivation, notation, detail, flavour, figures, prefix or slug(derivation.title))
     return "\n\n".join(page.all()) + "\n"
-
-
-def prefixes(titles: Sequence[str]) -> list[str]:
-    """The slugs of titles, each once."""
-    slugs = [slug(title) for title in titles]
-    again = (slugs[:n].count(s) for n, s in enumerate(slugs))
-    return [f"{s}-{n + 1}" if n else s for s, n in zip(slugs, again, strict=True)]
 
 
 def escape(text: str) -> str:
@@ -108,7 +99,7 @@ def dialect(code: str) -> str:
     return code
 
 
-class Page(Emitter[str]):
+class _Page(Emitter[str]):
     """One derivation: paragraphs and displays, which empty lines will separate."""
 
     def __init__(
@@ -242,6 +233,10 @@ class Page(Emitter[str]):
     def checks(self, run: Sequence[CheckMark]) -> Iterator[str]:
         ways = (f" — {escape(check.how)}" if check.how else "" for check in run)
         yield "\n".join(f"- {MARKS[c.passed]} {self.prose(c.name)}{how}" for c, how in zip(run, ways, strict=True))
+
+
+Page = _Page
+"""One derivation, for layouts that are made of its pieces."""
 
 
 def _text(words: str) -> str:

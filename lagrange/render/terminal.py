@@ -29,9 +29,9 @@ from lagrange.document.derivation import (
     Part,
     Prose,
     Ref,
-    Room,
     Step,
     Table,
+    Task,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
@@ -227,8 +227,9 @@ class _Page(Emitter[Text]):
         for name, rows in wide:
             yield from block_lines(written_out(name, rows), self)
 
-    def room(self, block: Room) -> Iterator[Text]:
-        return (Text() for _ in range(block.lines))
+    def task(self, block: Task) -> Iterator[Text]:
+        yield from fill(self.words(block.parts), self.room)
+        yield from (Text() for _ in range(block.lines))
 
     def table(self, block: Table) -> Iterator[Text]:
         grid: Grid = [[self.words([part]) for part in row] for row in (block.header, *block.rows)]

@@ -1,13 +1,13 @@
 """What readers of Markdown write differently: labels of equations, references, figures, folds, exercises.
 
     github   numbers are part of the formulas, which is what GitHub, Jupyter, pandoc and all others show alike
-    myst     Sphinx with myst-parser, Jupyter Book, mystmd: `$$ ... $$ (label)`, `` {eq}`label` ``, `{figure}`, `{exercise}`
+    myst     Sphinx with myst-parser, Jupyter Book: `$$ ... $$ (label)`, `` {eq}`label` ``, `{figure}`, `{exercise}`
     quarto   `$$ ... $$ {#eq-label}`, `@eq-label`, `![caption](file){#fig-label}`, divs `#exr-` and `.solution`
 
 MyST: https://myst-parser.readthedocs.io/en/latest/syntax/math.html and .../syntax/images_and_figures.html; exercises:
 https://ebp-sphinx-exercise.readthedocs.io/en/latest/syntax.html. Quarto:
-https://quarto.org/docs/authoring/cross-references.html and https://quarto.org/docs/authoring/callouts.html. Quarto wants
-labels in lower case, so all labels are.
+https://quarto.org/docs/authoring/cross-references.html and https://quarto.org/docs/authoring/callouts.html. Quarto
+wants labels in lower case, so all labels are.
 """
 
 from __future__ import annotations
