@@ -47,7 +47,6 @@ DIGITS = click.IntRange(1, 14)
     "lagsolve",
     cls=CommandLine,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    no_args_is_help=True,
     epilog="""\b
 A first problem of your own:
   lagsolve new bead.yaml     write a template, or a copy with --from ex11
