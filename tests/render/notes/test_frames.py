@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -17,6 +19,11 @@ from tests.support.tex import faults_of_tex, needs_tex
 def talk(*names: str) -> str:
     found = [reported(name) for name in names]
     return frames.render([(r.derivation, r.notation) for r in found])
+
+
+def has_beamer() -> bool:
+    found = shutil.which("kpsewhich")
+    return found is not None and subprocess.run([found, "-q", "beamer.cls"], capture_output=True).returncode == 0
 
 
 def test_every_step_is_a_frame() -> None:
@@ -40,6 +47,7 @@ def test_frames_alone() -> None:
 
 
 @needs_tex
+@pytest.mark.skipif(not has_beamer(), reason="beamer is not installed")
 @pytest.mark.parametrize("names", [("ex11-ideal-pendulum", "leaving-a-sphere")])
 def test_a_talk_compiles(names: tuple[str, ...], tmp_path: Path) -> None:
     assert faults_of_tex(talk(*names), tmp_path) == []
