@@ -36,7 +36,7 @@ def _lines() -> Iterator[str]:
         yield f".SH {'SOLVING' if name == 'solve' else escape(name.upper())}"
         yield rf"\fB{escape(context.command_path)}\fR {escape(' '.join(command.collect_usage_pieces(context)))}"
         yield from (".PP", *_paragraphs(command.help or ""))
-        for option in command.params:
+        for option in (p for p in command.params if isinstance(p, click.Option)):
             record = option.get_help_record(context)
             if record is not None:
                 yield from (".TP", rf"\fB{escape(record[0])}\fR", escape(" ".join(record[1].split())))
