@@ -166,7 +166,9 @@ def _task(solution: Solution, steps: Sequence[Step]) -> tuple[str, tuple[Part, .
 def _about_constraints(solution: Solution, rules: set[Rule]) -> tuple[str, tuple[Part, ...]]:
     number = len(solution.problem.constraints)
     if not number:
-        return "Degrees of freedom", ("How many degrees of freedom has the system, and which virtual displacements?",)
+        return "Degrees of freedom", (
+            "How many degrees of freedom has the system? What are its virtual displacements?",
+        )
     words = [
         plural(number, "Is the constraint", "Is each constraint") + " geometric or kinematic? ",
         plural(number, "Write it as a condition", "Write them as conditions"),

@@ -101,7 +101,7 @@ def test_statics_asks_for_the_equilibrium() -> None:
 
 def test_no_question_about_constraints_where_there_are_none() -> None:
     text = words(both("double-pendulum-small-oscillations")[1])
-    assert "How many degrees of freedom has the system, and which virtual displacements?" in text
+    assert "How many degrees of freedom has the system? What are its virtual displacements?" in text
     assert "onstraint" not in text
 
 
