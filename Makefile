@@ -10,7 +10,7 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 p
 # Where it is set, every child process of the tests would compile all modules again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-all lint sweep bench golden picture figures clean
+.PHONY: demo test test-all lint sweep bench golden picture figures gallery api man clean
 
 $(VENV)/installed: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
@@ -26,6 +26,13 @@ $(VENV)/installed: pyproject.toml
 
 demo: $(VENV)/installed
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
+	@echo
+	@echo "What to do next:"
+	@echo "  $(BIN)/lagsolve new mine.yaml       a problem of your own, every key explained; then $(BIN)/lagsolve mine.yaml"
+	@echo "  $(BIN)/lagsolve list                more problems to look at; $(BIN)/lagsolve ex18 -o page.html makes a web page"
+	@echo "  $(BIN)/lagsolve check ex11 -e \"l theta'' - g sin theta = 0\""
+	@echo "                                      what is wrong with these equations?"
+	@echo "README.md goes on from there."
 
 # The slow tests that `make test` runs: a twentieth of them, another one every day; `make test PART=3` says which.
 PART ?= today
@@ -58,6 +65,21 @@ picture: $(VENV)/installed
 # A sheet of all figures, to be looked through before a release: figures.html, and photographs of it in figures/.
 figures: $(VENV)/installed
 	$(BIN)/python -m tests.support.figure_sheet --out figures.html --png figures
+
+# A static site of all shipped problems in gallery/, for any web server: index with figures and search, a page for each.
+gallery: $(VENV)/installed
+	@$(BIN)/python -m lagsolve.gallery gallery
+
+# The reference of `import lagrange`, from its docstrings, as web pages in api/. Pdoc comes with the extra `docs`.
+api: $(VENV)/installed
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	@$(BIN)/python -m pdoc --output-directory api --docformat markdown lagrange '!lagrange.core' \
+		'!lagrange.algebra' '!lagrange.answers' '!lagrange.document' '!lagrange.explain' '!lagrange.expressions' \
+		'!lagrange.mechanics' '!lagrange.pictures' '!lagrange.problem' '!lagrange.render' '!lagrange.values'
+
+# The manual page lagsolve.1, from the help of the command.
+man: $(VENV)/installed
+	@$(BIN)/python -m lagsolve.man_page > lagsolve.1
 
 # Seconds that every shipped problem takes, and chains of 2 to 16 links, and how long other things take, and against what;
 # no test depends on it.

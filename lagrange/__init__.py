@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from lagrange.core.diagnostics import NotCoveredError, ProblemError, UndecidedError
     from lagrange.problem.model import Problem
 
+    __version__: str
+
 __all__ = [
     "Formulation",
     "Judgement",
@@ -34,6 +36,7 @@ __all__ = [
     "RightHandSide",
     "UndecidedError",
     "Verdict",
+    "__version__",
     "check",
     "load",
     "loads",
@@ -53,6 +56,9 @@ _HOMES = {
 
 def __getattr__(name: str) -> Any:
     """A public name, imported when it is first used."""
+    if name == "__version__":
+        globals()[name] = _version()
+        return globals()[name]
     for home, names in _HOMES.items():
         if name in names:
             found = getattr(import_module(f"lagrange.{home}"), name)
@@ -62,4 +68,14 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *__all__})
+    return sorted(__all__)
+
+
+def _version() -> str:
+    """The version of the distribution; "0+unknown" where these files are used without being installed."""
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("lagsolve")
+    except PackageNotFoundError:
+        return "0+unknown"

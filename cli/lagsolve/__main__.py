@@ -8,6 +8,7 @@ def run() -> None:
     """Runs the command line."""
     _import_nothing_from_here()
     try:
+        _refuse_another_lagrange()
         from lagsolve.main import main
 
         main(prog_name="lagsolve")
@@ -34,6 +35,21 @@ def _import_nothing_from_here() -> None:
         return
     if here not in own:
         sys.path[:] = [p for p in sys.path if p and os.path.realpath(p) != here]
+
+
+def _refuse_another_lagrange() -> None:
+    """Ends where `lagrange` is the package of somebody else: one for interpolation has this name on the index too."""
+    import lagrange
+
+    if "loads" in getattr(lagrange, "__all__", ()):
+        return
+    where = getattr(lagrange, "__file__", None) or "another folder"
+    sys.stderr.write(
+        f"error[another-lagrange]: `lagrange` in {where} is not the package of lagsolve\n"
+        "  = help: another package of this name is installed over it, or lies before it on the path; install lagsolve "
+        "into an environment of its own, or: pip uninstall lagrange, then pip install --force-reinstall lagsolve\n"
+    )
+    sys.exit(2)
 
 
 def _leave_at_once(status: object) -> None:

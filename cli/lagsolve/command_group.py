@@ -97,6 +97,18 @@ def use_utf8() -> None:
 COMMANDS = ("solve", "check", "grade", "list", "show", "new", "schema", "completion")
 """In the order of the help page."""
 
+FIRST_STEPS = """\
+lagsolve derives the equations of motion of a mechanical system, step by step, and checks them.
+
+  lagsolve ex11                  an example: the ideal pendulum (-o page.html for a web page)
+  lagsolve new mine.yaml         a problem of your own to start from; lagsolve mine.yaml solves it
+  lagsolve check ex11 -e "l theta'' + g sin theta = 0"
+                                 are these equations right, and if not, what is wrong?
+
+lagsolve list has more examples, lagsolve --help everything else.
+"""
+"""What the command prints that is called without anything."""
+
 FLAGS = ("-h", "--help", "--version")
 
 
@@ -105,6 +117,9 @@ class CommandLine(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Prepends `solve` where no command is named; `help COMMAND` is `COMMAND --help`."""
+        if not args:
+            click.echo(FIRST_STEPS, nl=False)
+            ctx.exit(OK)
         if args[:1] == ["help"]:
             args = [*(name for name in args[1:2] if name in self.commands), "--help"]
         if args and args[0] not in self.commands and args[0] not in FLAGS:

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
+READERS = ("github", "myst", "quarto")
 VECTORS = ("bold", "underlined", "arrow")
 SECONDS = click.FloatRange(0, 86_400, min_open=True)
 MEGABYTES = click.IntRange(256)
@@ -46,7 +47,6 @@ DIGITS = click.IntRange(1, 14)
     "lagsolve",
     cls=CommandLine,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    no_args_is_help=True,
     epilog="""\b
 A first problem of your own:
   lagsolve new bead.yaml     write a template, or a copy with --from ex11
@@ -84,6 +84,10 @@ def main() -> None:
     "--choice", metavar="NAME", help="Only this choice of generalized coordinates; `all` shows every choice in full."
 )
 @click.option("--vectors", type=click.Choice(VECTORS), help="How vectors are set in LaTeX and Markdown. Default: bold.")
+@click.option("--for", "reader", type=click.Choice(READERS), help="Whose Markdown: labels, blocks. Default: github.")
+@click.option("--worksheet", is_flag=True, help="The statement, the figure, and room for each part.")
+@click.option("--solution", is_flag=True, help="The solution with the numbers of the worksheet.")
+@click.option("--beamer", is_flag=True, help="LaTeX frames for a talk.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A parameter's value; may be repeated.")
 @click.option("--digits", type=DIGITS, default=4, show_default=True, metavar="N", help="Of results in numbers.")
 @click.option("--timeout", type=SECONDS, metavar="SECONDS", help="Work for so long. Default: so many operations.")
@@ -98,6 +102,10 @@ def solve(
     method: str,
     choice: str | None,
     vectors: str | None,
+    reader: str | None,
+    worksheet: bool,
+    solution: bool,
+    beamer: bool,
     settings: tuple[str, ...],
     digits: int,
     timeout: float | None,
@@ -113,14 +121,15 @@ def solve(
     Exit status: 0 done, and every check held; 2 the command line or a file cannot be read, or contradicts itself; 3 not
     completed, undecided, or a check failed; 130 interrupted by Ctrl-C.
     """
-    from lagsolve.output import Destination
+    from lagsolve.output import Destination, Layout
     from lagsolve.solve_task import Task
 
     if watch and "-" in problems:
         raise click.UsageError("--watch needs a file: standard input cannot be read again")
     if problems.count("-") > 1:
         raise click.UsageError("standard input cannot be two problems")
-    destination = Destination.of(format_, output, fragment, detail, vectors)
+    layout = Layout(worksheet, solution, beamer, reader or "github")
+    destination = Destination.of(format_, output, fragment, detail, vectors, layout)
     destination.refuse_overwrite(problems)
     task = Task(problems, choice, method, destination, settings, digits, timeout, memory)
     if watch:

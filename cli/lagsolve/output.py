@@ -19,10 +19,61 @@ from lagsolve.progress_line import stage_shown
 if TYPE_CHECKING:
     from lagrange.answers.verdicts import Judgement
     from lagrange.core.diagnostics import ProblemError
+    from lagrange.document.derivation import Derivation
+    from lagrange.document.notation import Notation
     from lagrange.explain.report import Report
+    from lagrange.render.notes.exercises import Sheet
+    from lagrange.render.notes.svg_file import Figures
     from lagsolve.grading.table import TableRow
 
 ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json", ".txt": "pretty"}
+
+
+@record
+class Layout:
+    """What a page is made for: a worksheet, its solution, a talk; and for which reader Markdown is written."""
+
+    worksheet: bool = False
+    solution: bool = False
+    beamer: bool = False
+    reader: str = "github"
+
+    @property
+    def is_exercise(self) -> bool:
+        """Whether a worksheet or its solution is wanted."""
+        return self.worksheet or self.solution
+
+    @property
+    def format(self) -> str | None:
+        """The format, where neither `--format` nor the output says it."""
+        return "latex" if self.beamer else "markdown" if self.reader != "github" else None
+
+    def check(self, format_: str, detail: str) -> None:
+        """Raises a usage error where the options contradict one another."""
+        if self.beamer and format_ != "latex":
+            raise click.UsageError("--beamer goes with --format latex: frames are LaTeX")
+        if self.reader != "github" and format_ != "markdown":
+            raise click.UsageError(f"--for {self.reader} goes with --format markdown")
+        if self.is_exercise and format_ == "json":
+            raise click.UsageError("--worksheet and --solution are pages to be read: JSON has all of it")
+        if (self.is_exercise or self.beamer) and detail != "steps":
+            raise click.UsageError(f"--detail {detail} does not go with --worksheet, --solution or --beamer")
+
+    def derivations(self, reports: Sequence[Report]) -> list[tuple[Derivation, Notation]]:
+        """What is written, one after the other."""
+        if not self.is_exercise:
+            return [(r.derivation, r.notation) for r in reports]
+        sheets = [(self.sheet(r), r.notation) for r in reports]
+        return [(d, notation) for s, notation in sheets for d in (s.exercise, s.solution) if d is not None]
+
+    def sheet(self, report: Report) -> Sheet:
+        """The worksheet of a problem, its solution, or both."""
+        from lagrange.explain.page.worksheets import worked_solution, worksheet
+        from lagrange.render.notes.exercises import Sheet
+
+        both = report.solution, report.derivation
+        exercise = worksheet(*both) if self.worksheet else None
+        return Sheet(exercise, worked_solution(*both) if self.solution else None, report.notation)
 
 
 @record
@@ -34,10 +85,17 @@ class Destination:
     fragment: bool
     detail: str
     vectors: str = "bold"
+    layout: Layout = Layout()
 
     @classmethod
     def of(
-        cls, format_: str | None, output: str | None, fragment: bool, detail: str, vectors: str | None = None
+        cls,
+        format_: str | None,
+        output: str | None,
+        fragment: bool,
+        detail: str,
+        vectors: str | None = None,
+        layout: Layout | None = None,
     ) -> Destination:
         """The destination that the options describe. Raises a usage error where they contradict one another."""
         path = Path(output) if output not in (None, "-") else None
@@ -49,12 +107,14 @@ class Destination:
             raise click.UsageError(
                 f"the extension of {path} does not determine the format; use --format, or one of {extensions}"
             )
-        chosen = format_ or by_extension or ("latex" if fragment else "pretty")
+        layout = layout or Layout()
+        chosen = format_ or by_extension or layout.format or ("latex" if fragment else "pretty")
         if fragment and chosen != "latex":
             raise click.UsageError("--fragment goes with --format latex")
         if vectors and chosen not in ("latex", "markdown"):
             raise click.UsageError("--vectors goes with --format latex or markdown")
-        return cls(chosen, path, fragment, detail, vectors or "bold")
+        layout.check(chosen, detail)
+        return cls(chosen, path, fragment, detail, vectors or "bold", layout)
 
     @property
     def is_complete(self) -> bool:
@@ -70,21 +130,34 @@ class Destination:
 
     def write(self, reports: Sequence[Report | None]) -> None:
         """Prints the reports, or writes them to the file. None stands for a problem that could not be solved."""
-        with stage_shown("writing the page"):
-            text = self._text(reports)
         if self.path is None:
+            with stage_shown("writing the page"):
+                text = self._text(reports)
             write_stdout(text)
             return
-        from lagsolve.written_files import write_file
+        from lagsolve.written_files import write_figures, write_file
 
+        figures = self._figures()
+        with stage_shown("writing the page"):
+            text = self._text(reports, figures)
+        if figures is not None:
+            write_figures(self.path.parent, figures.files)
         write_file(self.path, text)
 
-    def _text(self, reports: Sequence[Report | None]) -> str:
+    def _figures(self) -> Figures | None:
+        """The pictures of a page of Markdown, which are files beside it."""
+        if self.format != "markdown" or self.path is None or not self.path.suffix:
+            return None
+        from lagrange.render.notes.svg_file import Figures
+
+        return Figures(self.path.stem)
+
+    def _text(self, reports: Sequence[Report | None], figures: Figures | None = None) -> str:
         from lagrange.document.derivation import Detail
         from lagrange.render.tex_layout import Vectors
 
         detail = Detail[self.detail.upper()]
-        solved = [(r.derivation, r.notation) for r in reports if r is not None]
+        solved = self.layout.derivations([r for r in reports if r is not None])
         if self.format == "json":
             from lagrange.render import json
 
@@ -92,11 +165,23 @@ class Destination:
         if self.format == "latex":
             from lagrange.render import latex
 
-            return latex.render(solved, self.fragment, detail, Vectors(self.vectors))
+            if self.layout.beamer:
+                from lagrange.render.notes import frames
+
+                return frames.render(solved, self.fragment, Vectors(self.vectors))
+            apart = "\n\\clearpage\n" if self.layout.is_exercise else "\n"
+            return latex.render(solved, self.fragment, detail, Vectors(self.vectors), apart)
         if self.format == "markdown":
             from lagrange.render import markdown
+            from lagrange.render.notes.flavours import Flavour
 
-            return markdown.render(solved, detail, Vectors(self.vectors))
+            flavour, vectors = Flavour(self.layout.reader), Vectors(self.vectors)
+            if self.layout.is_exercise and flavour.labels:
+                from lagrange.render.notes import exercises
+
+                sheets = [self.layout.sheet(r) for r in reports if r is not None]
+                return exercises.render(sheets, vectors, flavour, figures)
+            return markdown.render(solved, detail, vectors, flavour, figures)
         if self.format == "html":
             from lagrange.render import html
 

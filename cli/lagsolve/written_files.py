@@ -12,6 +12,7 @@ import errno
 import os
 import secrets
 import stat
+from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
@@ -40,6 +41,30 @@ def write_file(path: Path, text: str, *, follow: bool = True) -> None:
             _replace(target, data, old)
     except (OSError, ValueError) as error:  # ValueError: a NUL in the name
         raise unwritable(str(path), error) from None
+
+
+def write_figures(folder: Path, files: Mapping[str, str]) -> None:
+    """Writes the figures of a page beside it. Raises ProblemError where one would overwrite a file of somebody else."""
+    from lagrange.render.notes.svg_file import MARK
+
+    for name in files:
+        if not _is_ours(folder / name, MARK):
+            message = f"{folder / name} would be overwritten, and it is no figure that lagsolve has written"
+            help_ = "give the page another name with -o, or move that file: the figures are called after the page"
+            raise ProblemError(Diagnostic("cannot-write", message, help=help_))
+    for name, text in files.items():
+        write_file(folder / name, text)
+
+
+def _is_ours(path: Path, mark: str) -> bool:
+    """Whether a file may be replaced: it is not there, or begins with the mark."""
+    try:
+        with path.open(encoding="utf-8", errors="replace") as file:
+            return file.read(len(mark)) in (mark, "")
+    except FileNotFoundError:
+        return True
+    except OSError:
+        return False
 
 
 def unwritable(what: str, error: Exception) -> ProblemError:

@@ -6,17 +6,20 @@ calculated here that `solve` has not found, except numbers.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import field
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from lagrange.api.notebook import Equations, Formula, coordinates_in_html, equation_of, formula
 from lagrange.api.numerical import RightHandSide, Values
 from lagrange.api.time_functions import TIME, Given, in_functions_of_time
 from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.records import record
+from lagrange.document.derivation import Picture
 from lagrange.document.notation import Notation
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.motion import Motion
@@ -46,11 +49,13 @@ class Formulation:
     problem   the problem that was solved
     notation  how symbols are written
     view      the solution in these coordinates
+    figure    finds the picture of the system in them
     """
 
     problem: Problem
     notation: Notation
     view: InCoordinates
+    figure: Callable[[], Picture | None] = field(default=lambda: None, compare=False)
 
     @property
     def name(self) -> str:
@@ -88,15 +93,16 @@ class Formulation:
         return self.view.signs
 
     @property
-    def constraints(self) -> tuple[sp.Expr, ...]:
+    def constraints(self) -> Equations:
         """The constraints on these coordinates, each zero, shape (m,): g(q, t), or φ(q, q', t)."""
-        slots = self.configuration.slots
-        return tuple(r.velocity_form(slots) if r.finite is None else r.finite for r in self.configuration.rows)
+        slots, rows = self.configuration.slots, self.configuration.rows
+        return Equations((r.velocity_form(slots) if r.finite is None else r.finite for r in rows), self.notation)
 
     @property
-    def equations(self) -> tuple[sp.Expr, ...]:
+    def equations(self) -> Equations:
         """The equations of motion, each zero, shape (k,); `constraints` complete them."""
-        return () if self.view.motion is None else tuple(e.expression for e in self.view.motion.final)
+        final = () if self.view.motion is None else self.view.motion.final
+        return Equations((e.expression for e in final), self.notation)
 
     @property
     def conditions(self) -> tuple[sp.Expr, ...]:
@@ -104,10 +110,10 @@ class Formulation:
         return () if self.view.motion is None else self.view.motion.conditions
 
     @property
-    def equations_with_multipliers(self) -> tuple[sp.Eq, ...]:
+    def equations_with_multipliers(self) -> Equations:
         """D_k = Σ λ_j a_jk for each coordinate, shape (n,); empty if no constraint is left."""
-        form = self._with_multipliers
-        return () if form is None else tuple(sp.Eq(a, b, evaluate=False) for a, b in form.equations)
+        pairs = () if self._with_multipliers is None else self._with_multipliers.equations
+        return Equations((sp.Eq(a, b, evaluate=False) for a, b in pairs), self.notation)
 
     @property
     def multipliers(self) -> tuple[sp.Symbol, ...]:
@@ -192,6 +198,13 @@ class Formulation:
         """Numbers in, accelerations out: `values` and `accelerations`."""
         return self.view.spot
 
+    def formula(self, *sides: object) -> Formula:
+        """a = b = c in the notation of the problem, which a notebook shows: `formula(angle.tensions["rod"])`.
+
+        Sides are expressions, vectors or numbers; one `Eq` is a formula too. Raises TypeError at anything else.
+        """
+        return formula(sides, self.notation)
+
     def in_time(self, expression: sp.Expr, time: sp.Symbol = TIME) -> sp.Expr:
         """An expression with functions of time: `theta''` as `Derivative(theta(t), (t, 2))`; t is `Symbol("t")`.
 
@@ -271,8 +284,17 @@ class Formulation:
         where = f"choice {self.name}" if self.name else "the file's own coordinates"
         return f"<Formulation in {listed}: {where}>"
 
+    def _repr_html_(self) -> str:
+        """The figure, the coordinates that are replaced, the equations of motion and the constraints."""
+        equations = [equation_of(e) for e in (*self.equations, *self.constraints)]
+        title = f"{self.problem.title}: {self.name}" if self.name else self.problem.title
+        return coordinates_in_html(title, self.notation, self.substitution.items(), equations, self.figure())
+
+    def _repr_latex_(self) -> str | None:
+        return Equations((*self.equations, *self.constraints), self.notation)._repr_latex_()
+
     def _repr_markdown_(self) -> str:
-        """The equations of motion and the constraints, for a notebook."""
+        """The equations of motion and the constraints, where a notebook shows neither HTML nor TeX."""
         from lagrange.document.math_writer import latex
 
         expressions = (*self.equations, *self.constraints)

@@ -16,6 +16,7 @@ from typing import IO
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.references import reference_of_solution
 from lagrange.answers.verdicts import Judgement, notation_of_problem
+from lagrange.api.notebook import problem_in_html
 from lagrange.api.result import Result
 from lagrange.api.time_functions import answer_of
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
@@ -25,6 +26,8 @@ from lagrange.problem.library import is_file_name, path_of
 from lagrange.problem.loader import read_problem
 from lagrange.problem.model import Answers, Problem
 from lagrange.problem.sources import decode, read_source
+
+Problem.in_html = staticmethod(problem_in_html)
 
 
 def load(problem: str | os.PathLike[str] | IO[str] | IO[bytes]) -> Problem:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from types import MappingProxyType
 
 import sympy as sp
 
 from lagrange.answers.verdicts import AnswerVerdict
 from lagrange.api.formulation import Formulation
+from lagrange.api.notebook import Equations, figure_of
 from lagrange.core.diagnostics import Diagnostic, suggestion
 from lagrange.core.records import record
 from lagrange.document.derivation import Derivation, Detail
@@ -18,7 +19,7 @@ from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.checks import Check
-from lagrange.mechanics.results import Solution
+from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
@@ -60,14 +61,16 @@ class Result:
         return self.classification.constraints
 
     @property
-    def possible_displacements(self) -> tuple[sp.Expr, ...]:
+    def possible_displacements(self) -> Equations:
         """Σ a_k d(q_k) + a_t d(t) of each constraint, each zero, shape (m,)."""
-        return tuple(possible_displacement(r, self.problem.slots) for r in self.classification.rows)
+        forms = (possible_displacement(r, self.problem.slots) for r in self.classification.rows)
+        return Equations(forms, self.report.notation)
 
     @property
-    def virtual_displacements(self) -> tuple[sp.Expr, ...]:
+    def virtual_displacements(self) -> Equations:
         """Σ a_k delta(q_k) of each constraint, each zero, shape (m,)."""
-        return tuple(virtual_displacement(r, self.problem.slots) for r in self.classification.rows)
+        forms = (virtual_displacement(r, self.problem.slots) for r in self.classification.rows)
+        return Equations(forms, self.report.notation)
 
     @property
     def dependent_displacements(self) -> Mapping[sp.Symbol, sp.Expr]:
@@ -75,22 +78,26 @@ class Result:
         return self.solution.own.elimination.solved(self.problem.slots)
 
     @property
-    def newton(self) -> tuple[sp.Eq, ...]:
+    def newton(self) -> Equations:
         """Newton's law with reactions, component by component; empty if the coordinates define no free bodies."""
         law = self.solution.law
         pairs = (law.newton.equations if law else None) or ()
-        return tuple(sp.Eq(a, b, evaluate=False) for a, b in pairs)
+        return Equations((sp.Eq(a, b, evaluate=False) for a, b in pairs), self.report.notation)
 
     @cached_property
     def own(self) -> Formulation:
         """The problem in the file's own coordinates."""
-        return Formulation(self.problem, self.report.notation, self.solution.own)
+        return self._in_coordinates(self.solution.own)
 
     @cached_property
     def choices(self) -> Mapping[str, Formulation]:
         """The problem in each choice of generalized coordinates, by name."""
-        made = (Formulation(self.problem, self.report.notation, c) for c in self.solution.choices)
+        made = (self._in_coordinates(c) for c in self.solution.choices)
         return MappingProxyType({f.name: f for f in made})
+
+    def _in_coordinates(self, view: InCoordinates) -> Formulation:
+        figure = partial(figure_of, self.derivation, view.name)
+        return Formulation(self.problem, self.report.notation, view, figure)
 
     def __getitem__(self, choice: str) -> Formulation:
         """The problem in the choice of this name; the empty name is the file's own coordinates. Raises KeyError."""
@@ -171,8 +178,14 @@ class Result:
         listed = f"; choices: {', '.join(self.choices)}" if self.choices else ""
         return f"<Result of {self.problem.title!r}: {', '.join([freedom, *classes])}{listed}>"
 
+    def _repr_html_(self) -> str:
+        """The derivation with its figures, for a notebook."""
+        from lagrange.render.notes.notebook import cell
+
+        return cell(self.derivation, self.report.notation)
+
     def _repr_markdown_(self) -> str:
-        """The derivation, for a notebook."""
+        """The derivation without figures, where a notebook shows no HTML."""
         from lagrange.render import markdown
 
         return markdown.body(self.report.derivation, self.report.notation)

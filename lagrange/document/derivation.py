@@ -154,7 +154,16 @@ class Picture:
     detail: Detail = Detail.STEPS
 
 
-Block = Prose | Display | Table | Matrices | CheckMark | Picture
+@record
+class Task:
+    """What is to be done on a worksheet, and room for it: so many lines of handwriting."""
+
+    parts: tuple[Part, ...]
+    lines: int
+    detail: Detail = Detail.BRIEF
+
+
+Block = Prose | Display | Table | Matrices | CheckMark | Picture | Task
 
 
 @record

@@ -56,6 +56,9 @@ def help_for_symbol(name: str, scope: Scope) -> str:
     near = nearest(name[:MAX_NAME], names)
     if (near is None or near.casefold() != name.casefold()) and (alike := _alike(name, scope)):
         return f"did you mean `{alike}`?"
+    if near and len(name) == 1 and near.casefold() != name.casefold():
+        # A letter by itself is seldom a misprint: a mass `m` beside a coefficient of friction `mu` is another quantity.
+        return f"a quantity of its own goes under `parameters` of the problem file; or did you mean `{near}`?"
     if near:
         return f"did you mean `{near}`?"
     declared = [f"`{n}`" for n in names if n not in RESERVED]

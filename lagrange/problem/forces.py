@@ -44,7 +44,7 @@ from lagrange.problem.sections import (
     mapping_of,
     scalar_of,
 )
-from lagrange.problem.yaml.nodes import Node, Scalar
+from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar
 
 _EXAMPLE = "forces: {push: {on: P, vector: F*i}}"
 
@@ -71,6 +71,12 @@ def read_forces(node: Node | None, context: LoadContext, constraints: Iterable[C
 
 def _force(name: str, key: Scalar, node: Node, context: LoadContext, tensions: Scope) -> Force:
     what = f"the force `{name}`"
+    acceleration = _acceleration(node) if name == "gravity" else None
+    if acceleration is not None:
+        message = "`gravity` is not one of the forces: it acts on every mass"
+        written = acceleration.text or "-g*j"
+        help_ = f"write it beside `forces`, as a key of the problem: `gravity: {written}`"
+        raise ProblemError(Diagnostic("misplaced-gravity", message, key.span, help=help_))
     mapping = mapping_of(node, what, f"{name}: {{on: P, vector: F*i}}")
     kinds = [k for k in FORCES if any(entry.text == k for entry, _ in mapping.entries)]
     if len(kinds) > 1:
@@ -87,6 +93,13 @@ def _force(name: str, key: Scalar, node: Node, context: LoadContext, tensions: S
         raise ProblemError(Diagnostic("force-kind", message, key.span, help=f"give it one of {listed}"))
     section.form = FORCES[kind]
     return _READERS[kind](_Entry(name, what, key, section, context, tensions))
+
+
+def _acceleration(node: Node) -> Scalar | None:
+    """A vector that acts on nothing; None for a force that is only called gravity."""
+    if isinstance(node, MappingNode) and [key.text for key, _ in node.entries] == ["vector"]:
+        node = node.entries[0][1]
+    return node if isinstance(node, Scalar) else None
 
 
 _ANY_FORCE = Form("a force", tuple({key.name: key for form in FORCES.values() for key in form.keys}.values()))

@@ -39,7 +39,7 @@ from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
 from lagrange.problem.questions import read_initial, read_questions, scope_of_questions
-from lagrange.problem.sections import Section, entries_of, items_of, scalar_of
+from lagrange.problem.sections import OTHER_QUESTIONS, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
 from lagrange.problem.values import check_dimensions, with_settings
@@ -170,7 +170,8 @@ def _find(node: Node | None, problem: Problem, diagnostics: Diagnostics) -> tupl
 def _question(node: Node) -> Find:
     scalar = scalar_of(node, "`find`")
     if scalar.text not in set(Find):
-        help_ = suggestion(scalar.text, [*Find], "questions")
+        meant = OTHER_QUESTIONS.get(re.sub("[^a-z]+", " ", scalar.text.lower()).strip())
+        help_ = f"write `{meant}`" if meant else suggestion(scalar.text, [*Find], "questions")
         several = [q for q in Find if q.value in scalar.text.lower()]
         if len(several) > 1:
             help_ = f"several questions are a list: `find: [{', '.join(several)}]`"

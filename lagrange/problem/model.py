@@ -8,8 +8,9 @@ forces are `Vector`s. A constraint is f(q, q', t) = 0, where f is the difference
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import field
+from typing import ClassVar
 
 import sympy as sp
 
@@ -439,6 +440,12 @@ class Problem:
     answers: Answers | None = None
     notes: tuple[Diagnostic, ...] = ()
     figure: Figure = Figure()
+
+    in_html: ClassVar[Callable[[Problem], str] | None] = None
+    """What shows a problem in a notebook; `lagrange.api`, which knows pictures and pages, sets it."""
+
+    def _repr_html_(self) -> str | None:
+        return None if Problem.in_html is None else Problem.in_html(self)
 
     def __repr__(self) -> str:
         """Title and names; all fields would fill pages with places in the file."""

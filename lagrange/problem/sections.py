@@ -30,7 +30,7 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, nearest, s
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, differential, t, variation
 from lagrange.problem.diagnostic_collector import Diagnostics
-from lagrange.problem.keys import Form
+from lagrange.problem.keys import Assumption, Form
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 
@@ -105,6 +105,29 @@ def first_refused(
     return None
 
 
+OTHER_QUESTIONS = {
+    **dict.fromkeys(("statics", "static", "rest", "virtual work", "equilibria", "balance"), "equilibrium"),
+    **dict.fromkeys(
+        ("dynamics", "kinetics", "equations", "equations of motion", "equation of motion", "eom"), "motion"
+    ),
+    **dict.fromkeys(("oscillations", "small oscillations", "vibrations", "modes", "normal modes"), "linearization"),
+    **dict.fromkeys(("frequencies", "frequency", "stability", "linear"), "linearization"),
+    **dict.fromkeys(("hamilton", "hamilton s equations", "canonical equations", "momenta"), "hamiltonian"),
+    **dict.fromkeys(("steady motion", "steady motions", "stationary", "relative equilibrium"), "steady"),
+    **dict.fromkeys(("classification", "degrees of freedom", "dof", "kinematics"), "constraints"),
+}
+"""What a textbook calls a question, and what a file calls it."""
+OTHER_KEYS = {
+    "masses": "particles", "points": "particles", "rigid_bodies": "bodies", "constants": "parameters",
+    "params": "parameters", "variables": "coordinates", "choices": "generalized_coordinates",
+    "generalised_coordinates": "generalized_coordinates", "name": "title", "springs": "forces", "dampers": "forces",
+    "loads": "forces", "potential": "forces", "friction": "forces", "questions": "ask", "initial_conditions": "initial",
+    "g": "gravity", "expect": "answers", "solution": "answers", "solutions": "answers", "text": "description",
+    "quasi_velocities": "speeds", "quasivelocities": "speeds",
+}  # fmt: skip
+"""Keys as one might guess them, of the sections that have those keys."""
+
+
 class Section:
     """A mapping whose keys are known.
 
@@ -126,7 +149,7 @@ class Section:
 
     def _unknown(self, key: Scalar, value: Node) -> None:
         message = f"`{key.text}` is not a key of {self.what}"
-        help_ = suggestion(key.text, self.form.names, "keys")
+        help_ = self._help_for(key)
         self.diagnostics.report(Diagnostic("unknown-key", message, key.span, help=help_))
         self.diagnostics.mute(value.span)
         meant = nearest(key.text, self.form.names)
@@ -134,6 +157,17 @@ class Section:
             self.strange.append(value)
         else:
             self._values[meant] = (key, value)
+
+    def _help_for(self, key: Scalar) -> str:
+        """What was meant by a key: an assumption, a key in other words, or the key that is spelt nearly so."""
+        if "assume" in self.form.names and key.text in [*Assumption]:
+            return f"write `assume: {key.text}`"
+        if "range" in self.form.names and key.text in ("min", "max", "between"):
+            return "write `range: [a, b]`"
+        other = OTHER_KEYS.get(key.text.lower())
+        if other in self.form.names:
+            return f"write `{other}`"
+        return suggestion(key.text, self.form.names, "keys")
 
     def _entry(self, key: str) -> tuple[Scalar, Node] | None:
         """A key of the form with its value; None where it is absent."""

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from collections.abc import Sequence
 
 from lagrange.document.names import GREEK
 
@@ -80,6 +81,13 @@ def slug(title: str) -> str:
     """The title as a label: `ideal-pendulum`."""
     plain = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode().lower()
     return re.sub(r"[^a-z0-9]+", "-", plain).strip("-") or "derivation"
+
+
+def prefixes_of(titles: Sequence[str]) -> list[str]:
+    """What the labels of derivations begin with: the slugs of their titles, each once."""
+    slugs = [slug(title) for title in titles]
+    again = (slugs[:n].count(s) for n, s in enumerate(slugs))
+    return [f"{s}-{n + 1}" if n else s for s, n in zip(slugs, again, strict=True)]
 
 
 def _dotted(pair: str) -> str:

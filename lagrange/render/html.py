@@ -28,6 +28,7 @@ from lagrange.document.derivation import (
     Prose,
     Ref,
     Table,
+    Task,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
 from lagrange.render.escape import slug
@@ -79,6 +80,7 @@ mover > mo { font-size: 1.15em; }
 .number { color: var(--quiet); font-variant-numeric: tabular-nums; }
 .result { border: 1px solid var(--accent); border-radius: 4px; background: var(--box); padding: .6rem .8rem .6rem 0; }
 .scroll { margin: .8rem 0; overflow-x: auto; overflow-y: hidden; }
+.task { break-inside: avoid; }
 table { border-collapse: collapse; margin-left: 1.6rem; font-size: .98em; }
 th, td { text-align: left; padding: .25rem .9rem .25rem 0; vertical-align: baseline; font-weight: normal; }
 thead th { border-bottom: 1px solid var(--ink); color: var(--quiet); }
@@ -172,6 +174,11 @@ def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = 
     return "\n".join([*lines, "</main>", "</body>", "</html>"]) + "\n"
 
 
+def fragment(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS, prefix: str = "") -> str:
+    """What one derivation contributes to a page; its ids begin with `prefix`, by default the slug of its title."""
+    return "\n".join(_Article(derivation, notation, detail, prefix or slug(derivation.title)).all()) + "\n"
+
+
 def escape(text: str) -> str:
     """Text as HTML that shows it, with the apostrophes of a printer; a derivative's prime is not between letters."""
     return html_escape(APOSTROPHE.sub("’", printable(text)))
@@ -196,7 +203,8 @@ class _Article(Emitter[str]):
 
     def all(self) -> Iterator[str]:
         yield f'<article id="{self.prefix}">'
-        yield f"<h1>{escape(self.derivation.title)}</h1>"
+        if self.derivation.title:
+            yield f"<h1>{escape(self.derivation.title)}</h1>"
         if self.derivation.source:
             yield f'<p class="source">{escape(self.derivation.source)}</p>'
         number = 0
@@ -279,6 +287,11 @@ class _Article(Emitter[str]):
             yield from figure(scene, printable(block.alt), self.in_pictures.plain)
             yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
             yield "</figure>"
+
+    def task(self, block: Task) -> Iterator[str]:
+        yield f'<div class="task" style="min-height: {1.7 * block.lines + 3:.1f}rem">'
+        yield f"<p>{self.prose(block.parts)}</p>"
+        yield "</div>"
 
     def matrices(self, block: Matrices) -> Iterator[str]:
         """Those that fit on a line side by side, the others entry by entry."""

@@ -22,6 +22,7 @@ from lagrange.document.derivation import (
     Prose,
     Ref,
     Table,
+    Task,
 )
 
 Write = Callable[[Any], str]
@@ -41,7 +42,7 @@ def block(block: Block, write: Write) -> dict[str, Any]:
             return {"matrices": {name.name: [[write(e) for e in row] for row in rows] for name, rows in named}}
         case CheckMark(name=name, passed=passed, how=how):
             return {"check": _sentence(name, write), "passed": passed, "how": how}
-        case Picture():
+        case Picture() | Task():
             return {}
 
 

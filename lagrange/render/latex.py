@@ -26,9 +26,10 @@ from lagrange.document.derivation import (
     Prose,
     Ref,
     Table,
+    Task,
 )
 from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
-from lagrange.render.escape import escape, slug
+from lagrange.render.escape import escape, prefixes_of, slug
 from lagrange.render.limits import LATEX_LINE, TALL_BOX
 from lagrange.render.selection import shown
 from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, ems, with_ampersand
@@ -63,12 +64,11 @@ def render(
     fragment: bool = False,
     detail: Detail = Detail.STEPS,
     vectors: Vectors = Vectors.BOLD,
+    apart: str = "\n",
 ) -> str:
-    """A document with these derivations, or the fragment that goes into one."""
-    titles = [slug(derivation.title) for derivation, _ in derivations]
-    again = (titles[:n].count(title) for n, title in enumerate(titles))
-    prefixes = (f"{title}-{n + 1}" if n else title for title, n in zip(titles, again, strict=True))
-    bodies = "\n".join(body(*both, detail, prefix) for both, prefix in zip(derivations, prefixes, strict=True))
+    """A document with these derivations, or the fragment that goes into one; `apart` is between two of them."""
+    prefixes = prefixes_of([derivation.title for derivation, _ in derivations])
+    bodies = apart.join(body(*both, detail, prefix) for both, prefix in zip(derivations, prefixes, strict=True))
     bodies = vectors.written(bodies)
     if fragment:
         return FRAGMENT.replace("PICTURES", PICTURES if r"\begin{tikzpicture}" in bodies else "") + bodies
@@ -199,6 +199,11 @@ class _Article(Emitter[str]):
             yield rf"\\[1.5ex] {{\small {self.prose(block.caption)}}}"
             yield r"\end{center}"
 
+    def task(self, block: Task) -> Iterator[str]:
+        yield r"\begin{minipage}{\linewidth}"  # no page break parts a task from its room
+        yield self.prose(block.parts) + rf"\par\vspace*{{{block.lines}\baselineskip}}"
+        yield r"\end{minipage}"
+
     def matrices(self, block: Matrices) -> Iterator[str]:
         for line in self.typesetter.matrices(block.named, LATEX_LINE):
             if isinstance(line, str):
@@ -226,6 +231,10 @@ class _Article(Emitter[str]):
             how = f" --- {escape(check.how)}" if check.how else ""
             yield rf"\item[{MARKS[check.passed]}] {self.prose(check.name)}{how}"
         yield r"\end{itemize}"
+
+
+Article = _Article
+"""One derivation, for layouts that are made of its pieces."""
 
 
 def _tabular(cells: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -3,13 +3,16 @@ r"""A derivation in Markdown with `$...$`, as GitHub, Jupyter, Quarto and pandoc
 What all of them accept is less than LaTeX. Numbers follow the equations as `\qquad (3)`, because not all know `\tag`;
 several equations are one `aligned`, because `align` inside `$$` is an error in LaTeX. Some read a backslash before
 punctuation as Markdown's, so there is no `\,` and no `\{`; for some an underscore after a brace begins emphasis unless
-a space precedes it; and there is no dollar inside mathematics.
+a space precedes it; and there is no dollar inside mathematics. For MyST and Quarto equations have labels instead of
+numbers (`notes.flavours`): one for each formula, so that several numbered equations are several formulas. Pictures are
+files beside the page, where there is a page to put them beside.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import groupby
 
 from lagrange.core.printable import printable
@@ -23,13 +26,18 @@ from lagrange.document.derivation import (
     Math,
     Matrices,
     Part,
+    Picture,
     Prose,
     Ref,
+    Step,
     Table,
 )
-from lagrange.document.math_writer import LATEX, WIDE_LATEX, Notation, Writer
+from lagrange.document.math_writer import LATEX, UNICODE, WIDE_LATEX, Notation, Writer
 from lagrange.render.escape import escape as tex
+from lagrange.render.escape import prefixes_of, slug
 from lagrange.render.limits import MARKDOWN_LINE
+from lagrange.render.notes.flavours import Flavour, Labels
+from lagrange.render.notes.svg_file import Figures, svg_file
 from lagrange.render.selection import shown
 from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations, with_ampersand
 from lagrange.render.walk import Emitter, block_lines
@@ -49,22 +57,34 @@ _DIALECT = (
     (">", r"\gt "),
     ("](", "] ("),
 )
-_SIGNS = re.compile(r"([\\`*_\[\]<>$|~])")
-_OPENING = re.compile(r"^(\s*\d*)([#+.)-])(?=\s|$)")
+_SIGNS = re.compile(r"([\\`*_\[\]<>$|~{}@])")
+_OPENING = re.compile(r"^(\s*\d*)([#+.)-](?=\s|$)|:::|%|\+\+\+|---)")
 
 
 def render(
     derivations: Sequence[tuple[Derivation, Notation]],
     detail: Detail = Detail.STEPS,
     vectors: Vectors = Vectors.BOLD,
+    flavour: Flavour = Flavour.GITHUB,
+    figures: Figures | None = None,
 ) -> str:
-    """The derivations, one after the other."""
-    return vectors.written("\n".join(body(derivation, notation, detail) for derivation, notation in derivations))
+    """The derivations, one after the other; their pictures are added to `figures`, without which there are none."""
+    prefixes = prefixes_of([derivation.title for derivation, _ in derivations])
+    pages = (body(*both, detail, flavour, figures, p) for both, p in zip(derivations, prefixes, strict=True))
+    return vectors.written("\n".join(pages))
 
 
-def body(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS) -> str:
-    """One derivation."""
-    return "\n\n".join(_Page(derivation, notation, detail).all()) + "\n"
+def body(
+    derivation: Derivation,
+    notation: Notation,
+    detail: Detail = Detail.STEPS,
+    flavour: Flavour = Flavour.GITHUB,
+    figures: Figures | None = None,
+    prefix: str = "",
+) -> str:
+    """One derivation; its labels begin with `prefix`, by default the slug of its title."""
+    page = _Page(derivation, notation, detail, flavour, figures, prefix or slug(derivation.title))
+    return "\n\n".join(page.all()) + "\n"
 
 
 def escape(text: str) -> str:
@@ -82,26 +102,46 @@ def dialect(code: str) -> str:
 class _Page(Emitter[str]):
     """One derivation: paragraphs and displays, which empty lines will separate."""
 
-    def __init__(self, derivation: Derivation, notation: Notation, detail: Detail) -> None:
+    def __init__(
+        self,
+        derivation: Derivation,
+        notation: Notation,
+        detail: Detail,
+        flavour: Flavour = Flavour.GITHUB,
+        figures: Figures | None = None,
+        prefix: str = "",
+    ) -> None:
         self.derivation = derivation
+        self.flavour = flavour
+        self.figures = figures
+        self.drawn = 0
+        self.labels = Labels(prefix or slug(derivation.title), {})
+        self.in_pictures = Writer(UNICODE, notation)
         self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
-        self.content = shown(derivation, detail)
+        self.content = shown(derivation, detail, pictures=figures is not None)
 
     def all(self) -> Iterator[str]:
         yield f"# {escape(self.derivation.title)}"
         if self.derivation.source:
             yield f"*{escape(self.derivation.source).strip()}*"
+        yield from self.steps(self.content.steps)
+
+    def steps(self, steps: Iterable[Step], inside: bool = False) -> Iterator[str]:
+        """The steps; `inside` a block, where MyST and Quarto have no headings, their titles are paragraphs."""
         number = 0
-        for folded, steps in groupby(self.content.steps, key=lambda step: step.folded):
+        for folded, together in groupby(steps, key=lambda step: step.folded):
+            first, last = self.flavour.folded(self.prose(folded)) if folded else ("", "")
             if folded:
-                yield f"<details><summary>{self.prose(folded)}</summary>"
-            for step in steps:
+                yield first
+            for step in together:
                 if step.title:
                     number += 1
-                    yield f"## {number}. {escape(step.title)}"
+                    title = f"{number}. {escape(step.title)}"
+                    plain = inside or (folded and self.flavour.labels)
+                    yield f"**{title.replace('.', chr(92) + '.', 1)}**" if plain else f"## {title}"
                 yield from block_lines(step.body, self)
             if folded:
-                yield "</details>"
+                yield last
 
     def paragraphs(self, run: Sequence[Prose]) -> Iterator[str]:
         return (_OPENING.sub(r"\1\\\2", self.prose(block.parts)) for block in run)
@@ -113,6 +153,8 @@ class _Page(Emitter[str]):
         match self.content.resolved(part):
             case Math(sides=sides, relation=relation):
                 return f"${dialect(self.typesetter.inline(sides, relation, MARKDOWN_LINE))}$"
+            case Ref(label=label) if self.flavour.labels:
+                return self.flavour.reference(self.labels.of(label))
             case Ref(label=label):
                 return f"({self.content.numbers[label]})"
             case Emphasis(word=word):
@@ -121,6 +163,10 @@ class _Page(Emitter[str]):
                 return escape(text)
 
     def display(self, block: Display) -> Iterator[str]:
+        if self.flavour.labels and len(block.equations) > 1 and any(e.label for e in block.equations):
+            for equation in block.equations:  # a formula has one label
+                yield from self.display(replace(block, equations=(equation,)))
+            return
         systems = [self.rows(equation) for equation in block.equations]
         rows = [row for system in systems for row in system]
         if len(rows) == 1:
@@ -130,14 +176,19 @@ class _Page(Emitter[str]):
             lines = " \\\\\n".join(with_ampersand(row, at_relation) for row in rows)
             code = f"\\begin{{aligned}}\n{lines}\n\\end{{aligned}}"
         code = dialect(code)
-        yield f"$$\n\\boxed{{{code}}}\n$$" if block.boxed else f"$$\n{code}\n$$"
+        [label, *_] = [self.label(e) for e in block.equations] or [None]
+        yield self.flavour.formula(f"\\boxed{{{code}}}" if block.boxed else code, label)
 
     def rows(self, equation: Equation) -> list[str]:
         """The rows of an equation, with its number after the last one; a condition may follow below."""
         codes, below = self.typesetter.rows(equation, MARKDOWN_LINE, self.condition(equation.condition))
-        if number := self.content.number(equation):
+        if not self.flavour.labels and (number := self.content.number(equation)):
             codes[-1] += rf" \qquad {number}"
         return [*codes, *below]
+
+    def label(self, equation: Equation) -> str | None:
+        """The label of an equation that is numbered, where the reader numbers."""
+        return self.labels.of(equation.label) if self.flavour.labels and equation.label else None
 
     def condition(self, parts: Iterable[Part]) -> str:
         """Words and mathematics inside a displayed equation, where a dollar would end it."""
@@ -147,10 +198,25 @@ class _Page(Emitter[str]):
                 case Math(sides=sides, relation=relation):
                     codes.append(self.typesetter.writer.relation(sides, relation))
                 case Ref(label=label):
-                    codes.append(_text(f"({self.content.numbers[label]})"))
+                    codes.append(self.inside(label))
                 case Emphasis(word=text) | str(text):
                     codes.append(_text(text))
         return " ".join(code for code in codes if code)
+
+    def inside(self, label: str) -> str:
+        """A reference inside a formula, where no label is read: the number, or the equation where it has a label."""
+        if not self.flavour.labels:
+            return _text(f"({self.content.numbers[label]})")
+        equation = self.content.equation(label)
+        return "" if equation is None else self.typesetter.writer.relation(equation.sides, equation.relation)
+
+    def picture(self, block: Picture) -> Iterator[str]:
+        scene = block.draw()
+        if scene is not None and self.figures is not None:
+            file = self.figures.add(svg_file(scene, block.alt, self.in_pictures.plain))
+            self.drawn += 1
+            label = self.labels.of(f"figure-{self.drawn}")
+            yield self.flavour.figure(file, self.prose(block.caption), escape(block.alt), label)
 
     def matrices(self, block: Matrices) -> Iterator[str]:
         for line in self.typesetter.matrices(block.named, MARKDOWN_LINE):
@@ -167,6 +233,10 @@ class _Page(Emitter[str]):
     def checks(self, run: Sequence[CheckMark]) -> Iterator[str]:
         ways = (f" — {escape(check.how)}" if check.how else "" for check in run)
         yield "\n".join(f"- {MARKS[c.passed]} {self.prose(c.name)}{how}" for c, how in zip(run, ways, strict=True))
+
+
+Page = _Page
+"""One derivation, for layouts that are made of its pieces."""
 
 
 def _text(words: str) -> str:

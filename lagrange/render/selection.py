@@ -169,6 +169,10 @@ class ShownSteps:
     def _labelled(self) -> dict[str | None, Equation]:
         return {e.label: e for steps in self.sources for e in _equations(steps)}
 
+    def equation(self, label: str) -> Equation | None:
+        """The equation with this label, shown or not."""
+        return self._labelled.get(label)
+
     def number(self, equation: Equation) -> str:
         """The number of an equation in parentheses; empty where it has none."""
         number = self.numbers.get(equation.label or "")

@@ -31,6 +31,7 @@ from lagrange.document.derivation import (
     Ref,
     Step,
     Table,
+    Task,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
@@ -225,6 +226,10 @@ class _Page(Emitter[Text]):
         yield from (Text("  " + line if line else "") for line in side_by_side(drawn, room))
         for name, rows in wide:
             yield from block_lines(written_out(name, rows), self)
+
+    def task(self, block: Task) -> Iterator[Text]:
+        yield from fill(self.words(block.parts), self.room)
+        yield from (Text() for _ in range(block.lines))
 
     def table(self, block: Table) -> Iterator[Text]:
         grid: Grid = [[self.words([part]) for part in row] for row in (block.header, *block.rows)]

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from typing import Protocol, TypeVar
 
-from lagrange.document.derivation import Block, CheckMark, Display, Matrices, Picture, Prose, Table
+from lagrange.document.derivation import Block, CheckMark, Display, Matrices, Picture, Prose, Table, Task
 
 Line = TypeVar("Line", covariant=True)
 
@@ -39,6 +39,10 @@ class Emitter(Protocol[Line]):
         del block
         return ()
 
+    def task(self, block: Task) -> Iterable[Line]:
+        """A task on a worksheet; without room in a format on which nobody writes."""
+        return self.paragraphs((Prose(block.parts),))
+
 
 def block_lines(blocks: Iterable[Block], emitter: Emitter[Line]) -> Iterator[Line]:
     """The lines of some blocks in one format."""
@@ -62,5 +66,7 @@ def _block(block: Block, emitter: Emitter[Line]) -> Iterable[Line]:
             return emitter.matrices(block)
         case Picture():
             return emitter.picture(block)
+        case Task():
+            return emitter.task(block)
         case Prose() | CheckMark():
             raise AssertionError("these come in runs")

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import json
 import re
+import shlex
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -164,7 +165,6 @@ def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None
         ("A.TEX", "latex"),
         ("a.json", "json"),
         ("a.txt", "pretty"),
-        ("a.md", "markdown"),
     ]:
         result = run(SKATE, "-o", name)
         assert (result.exit_code, result.stdout, result.stderr) == (0, "", "")
@@ -205,8 +205,14 @@ def test_what_the_command_line_cannot_mean(arguments: list[str], said: str, file
     assert Path(text).read_text() == OSCILLATOR
 
 
-def test_no_arguments_are_answered_by_the_help() -> None:
-    assert "Usage: lagsolve PROBLEM..." in run().output
+def test_no_arguments_are_answered_by_the_three_most_useful_commands() -> None:
+    """Each of which runs; the help is for whoever asks for it."""
+    result = run()
+    assert (result.exit_code, result.stderr) == (0, "")
+    commands = re.findall(r"^  (lagsolve .*?)(?:  .*)?$", result.stdout, re.MULTILINE)
+    assert [c.split()[1] for c in commands] == ["ex11", "new", "check"]
+    assert run(*shlex.split(commands[2])[1:]).stdout.startswith("equivalent")
+    assert "Usage: lagsolve PROBLEM..." in run("--help").output
 
 
 def test_method_detail_and_choice() -> None:

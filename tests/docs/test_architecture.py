@@ -46,7 +46,7 @@ MOST_MODULES = 20
 ROOMS = {
     "click": {
         *("lagsolve.main", "lagsolve.command_group", "lagsolve.output", "lagsolve.problem_commands"),
-        "lagsolve.new_file",
+        *("lagsolve.new_file", "lagsolve.man_page"),
     },
     "rich": {"lagrange.render.terminal", "lagrange.render.terminal_layout", "lagsolve.grading.table"},
     "distributed": {"lagsolve.grading.pool"},

@@ -77,12 +77,14 @@ def _shown() -> Iterator[Any]:
 
 
 def test_the_notebook_runs(shown: list[Any]) -> None:
-    problem, result, angles, mass, equation, verdict, (state, before, after), tension = shown
+    problem, result, angles, tension_formula, mass, equation, verdict, (state, before, after), tension = shown
     assert "Double pendulum" in repr(problem)
     assert isinstance(result, Result)
     assert result._repr_markdown_().startswith("# Double pendulum")
     assert isinstance(angles, Formulation)
     assert angles._repr_markdown_().count(r"\ddot{\phi}") == 2
+    assert all("<svg" in shown._repr_html_() for shown in (problem, result, angles))
+    assert tension_formula._repr_latex_().startswith("$\\displaystyle T = ")
     assert mass.shape == (2, 2)
     assert "Derivative(phi(t), (t, 2))" in str(equation)
     assert isinstance(verdict, Judgement)

@@ -57,6 +57,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "words-in-equation": ("Words stand beside an equation, not in it.", r"\theta = 0 + \text{a constant} + x"),
     "bad-exponent": ("A superscript is an integer.", "x⁻ = 0"),
     "bad-number": ("A number has one decimal point.", "1.2.3 = x"),
+    "misplaced-gravity": ("Gravity acts on every mass: it is a key of the problem, and not one of its forces.", problem(
+        PARTICLE + "forces: {gravity: -g*j}\n")),
     "components": ("A vector has two or three components.", problem("gravity: '[1, 2, 3, 4]'")),
     "constant-too-involved": ("A constant is worked out exactly; write it more simply, or as a parameter.", None),
     "division-by-vector": ("Divide by the length of the vector.", problem("let: {n: '(x*i)/(y*j)'}")),

@@ -1,0 +1,53 @@
+"""What people write instead of what a file says: understood, with the cure."""
+
+from __future__ import annotations
+
+import pytest
+
+import lagrange
+from lagrange.problem import keys
+from lagrange.problem.sections import OTHER_KEYS, OTHER_QUESTIONS
+
+HEAD = "title: a\ncoordinates: [x]\n"
+PARTICLE = "particles: {P: {mass: m, position: x*i}}\n"
+FREE = HEAD + "parameters: [m, g]\n" + PARTICLE
+
+
+@pytest.mark.parametrize(
+    ("text", "cure"),
+    [
+        (FREE + "find: statics\n", "help: write `equilibrium`"),
+        (FREE + "find: Equations_of_Motion\n", "help: write `motion`"),
+        (FREE + "find: [small oscillations, dof]\n", "help: write `linearization`"),
+        (FREE + "find: equilibriun\n", "did you mean `equilibrium`?"),
+        (HEAD + "parameters: {m: {positive: true}}\n" + PARTICLE, "help: write `assume: positive`"),
+        (HEAD + "parameters: {m: {min: 0}}\n" + PARTICLE, "help: write `range: [a, b]`"),
+        (HEAD + "parameters: [m]\nmasses: {P: {mass: m, position: x*i}}\n", "help: write `particles`"),
+        (FREE + "forces: {gravity: -g*i}\n", "as a key of the problem: `gravity: -g*i`"),
+        (FREE + "forces: {gravity: {vector: g*i}}\n", "as a key of the problem: `gravity: g*i`"),
+    ],
+)
+def test_the_cure(text: str, cure: str) -> None:
+    with pytest.raises(lagrange.ProblemError) as found:
+        lagrange.loads(text)
+    assert cure in found.value.show()
+
+
+def test_a_letter_is_one_more_quantity_rather_than_a_misprint() -> None:
+    with pytest.raises(lagrange.ProblemError) as found:
+        lagrange.loads(HEAD + "parameters: [mu, g]\n" + PARTICLE)
+    text = " ".join(found.value.show().split())
+    assert "`m` is not declared" in text
+    assert "a quantity of its own goes under `parameters` of the problem file; or did you mean `mu`?" in text
+
+
+def test_a_force_that_is_only_called_gravity_is_a_force() -> None:
+    assert lagrange.loads(FREE + "forces: {gravity: {on: P, vector: -m*g*i}}\n").forces[0].name == "gravity"
+
+
+def test_other_words_are_no_keys_and_mean_keys() -> None:
+    questions = {q.value for q in keys.Find}
+    assert set(OTHER_QUESTIONS.values()) <= questions
+    assert not questions & set(OTHER_QUESTIONS)
+    assert set(OTHER_KEYS.values()) <= set(keys.PROBLEM.names)
+    assert not set(OTHER_KEYS) & set(keys.PROBLEM.names)
