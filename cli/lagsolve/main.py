@@ -78,6 +78,7 @@ def main() -> None:
     help="Write to a file: .tex .md .html .json .txt",
 )
 @click.option("--fragment", is_flag=True, help="LaTeX without a preamble, to \\input in your own notes.")
+@click.option("--static", is_flag=True, help="A web page without a figure that moves, and without scripts.")
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
 @click.option(
@@ -94,6 +95,7 @@ def solve(
     format_: str | None,
     output: str | None,
     fragment: bool,
+    static: bool,
     detail: str,
     method: str,
     choice: str | None,
@@ -120,7 +122,7 @@ def solve(
         raise click.UsageError("--watch needs a file: standard input cannot be read again")
     if problems.count("-") > 1:
         raise click.UsageError("standard input cannot be two problems")
-    destination = Destination.of(format_, output, fragment, detail, vectors)
+    destination = Destination.of(format_, output, fragment, detail, vectors, static)
     destination.refuse_overwrite(problems)
     task = Task(problems, choice, method, destination, settings, digits, timeout, memory)
     if watch:

@@ -27,17 +27,20 @@ ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json",
 
 @record
 class Destination:
-    """Format and destination, as the command line asks; `path` is None for standard output."""
+    """Format and destination, as the command line asks; `path` is None for standard output, `static` a page on which
+    nothing moves.
+    """
 
     format: str
     path: Path | None
     fragment: bool
     detail: str
     vectors: str = "bold"
+    static: bool = False
 
     @classmethod
     def of(
-        cls, format_: str | None, output: str | None, fragment: bool, detail: str, vectors: str | None = None
+        cls, format_: str | None, output: str | None, fragment: bool, detail: str, vectors: str | None = None, static: bool = False
     ) -> Destination:
         """The destination that the options describe. Raises a usage error where they contradict one another."""
         path = Path(output) if output not in (None, "-") else None
@@ -54,7 +57,9 @@ class Destination:
             raise click.UsageError("--fragment goes with --format latex")
         if vectors and chosen not in ("latex", "markdown"):
             raise click.UsageError("--vectors goes with --format latex or markdown")
-        return cls(chosen, path, fragment, detail, vectors or "bold")
+        if static and chosen != "html":
+            raise click.UsageError("--static goes with --format html")
+        return cls(chosen, path, fragment, detail, vectors or "bold", static)
 
     @property
     def is_complete(self) -> bool:
@@ -98,9 +103,10 @@ class Destination:
 
             return markdown.render(solved, detail, Vectors(self.vectors))
         if self.format == "html":
+            from lagrange.animation.moving import moving_figure
             from lagrange.render import html
 
-            return html.render(solved, detail)
+            return html.render(solved, detail, () if self.static else [moving_figure(r.solution) for r in reports if r])
         from lagrange.render import terminal
 
         if self.path is None:

@@ -1,0 +1,429 @@
+"""A system that can be moved on a web page: its program in JavaScript and what the page has to know besides.
+
+The page integrates
+
+    M q'' − Aᵀ λ = f ,      A q'' = b ,      y = (q, q', t)
+
+in the coordinates of a choice that satisfies the constraints by itself, where there is one, otherwise in those of the
+file with the constraints kept by projection. The reactions come from the same equations in the coordinates of the
+file, at the state z = (Q, Q', t, q) that belongs to y. At rest it has the generalized forces in place of M.
+
+What cannot be written as JavaScript (a function that the file leaves open) makes a page without motion; `Still` says
+why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from lagrange.animation.elements import Elements
+from lagrange.animation.figure import EquilibriumButton, MovingFigure, Still
+from lagrange.animation.javascript import UnprintableError, function, names_of
+from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS
+from lagrange.animation.values import (
+    Slider,
+    angles_in,
+    coordinate_slider,
+    initial_state,
+    parameter_slider,
+)
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.conservation import ConservedQuantity
+from lagrange.mechanics.dynamics.energies import is_weight, potential_energy
+from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
+from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.pictures.floats import NoValueError
+from lagrange.pictures.poses import Pose
+from lagrange.pictures.systems import SystemPicture, system_in_file, system_posed_in_choice
+from lagrange.problem.model import Keeper
+
+
+def moving_figure(solution: Solution) -> MovingFigure | Still:
+    """The figure that moves, or why there is none."""
+    moves = solution.own.dynamics is not None
+    if not moves and all(v.equilibrium is None for v in solution.views):
+        return Still("the problem asks for no motion and no equilibrium")
+    if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
+        return Still("the system has too many coordinates")
+    view = _best(solution)
+    try:
+        return _Maker(solution, view).made()
+    except (UnprintableError, NoValueError) as error:
+        return Still(str(error))
+
+
+def _best(solution: Solution) -> InCoordinates:
+    """Free coordinates without square roots, otherwise those of the file."""
+
+    def rank(v: InCoordinates) -> tuple[bool, bool, int]:
+        done = v.dynamics is not None or v.equilibrium is not None
+        return (not done, bool(v.signs), len(v.configuration.rows))
+
+    return min(solution.views, key=rank)
+
+
+@dataclass
+class _Maker:
+    """Makes the figure of one solution in one set of coordinates."""
+
+    solution: Solution
+    view: InCoordinates
+    functions: dict[str, str] = field(default_factory=dict)
+    rule: dict[sp.Basic, sp.Basic] = field(default_factory=dict)
+    drives: list[Slider] = field(default_factory=list)
+    drive_symbols: list[sp.Symbol] = field(default_factory=list)
+
+    @property
+    def own(self) -> InCoordinates:
+        return self.solution.own
+
+    def made(self) -> MovingFigure:
+        solution, view = self.solution, self.view
+        system, pose = self._posed()
+        drawn = dict(system.pose.values) if system else {}
+        slots = view.configuration.slots
+        self._drive(slots, drawn)
+        expressions = self._expressions(system, pose)
+        signs = view.dynamics.signs if view.dynamics else {}
+        symbols = sorted(
+            set().union(*(e.free_symbols for group in expressions.values() for e in group)) - self._state_symbols(),
+            key=str,
+        )
+        self._refuse_unknown(symbols, signs)
+        along = {s for _, names in (self.elements.curves if self.elements else ()) for s in names}
+        traced = {prime(q, 0) for q in ()}
+        parameters = [s for s in symbols if s not in along and s not in traced]
+        names = self._names(parameters)
+        return self._assembled(expressions, names, parameters, drawn, pose, system)
+
+    # What the page has to know
+
+    def _posed(self) -> tuple[SystemPicture | None, Pose | None]:
+        if self.view.is_own:
+            system = system_in_file(self.solution)
+            return system, None if system is None else system.pose
+        posed = system_posed_in_choice(self.solution, self.view.coordinates.configuration)
+        return posed if posed is not None else (system_in_file(self.solution), None)
+
+    def _drive(self, slots: Slots, drawn: Mapping[sp.Symbol, float]) -> None:
+        """Prescribed motions u(t) become u_0 + a sin(w t), each with its own mean, amplitude and circular frequency."""
+        for u in slots.prescribed:
+            mean, size, rate = (sp.Dummy(f"{u.name}_{what}", real=True) for what in ("mean", "amplitude", "frequency"))
+            motion = mean + size * sp.sin(rate * t)
+            for order in range(5):
+                self.rule[prime(u, order) if order else u] = motion.diff(t, order) if order else motion
+            start = drawn.get(u, 0.5)
+            for symbol, what, value, low, high in (
+                (mean, "mean of", start, -2 * abs(start) - 0.5, 2 * abs(start) + 0.5),
+                (size, "amplitude of", 0.3, 0.0, 1.0),
+                (rate, "frequency of", 2.0, 0.0, 6.0),
+            ):
+                self.drive_symbols.append(symbol)
+                self.drives.append(Slider(u, value, low, high, meaning=what))
+
+    def _state_symbols(self) -> set[sp.Symbol]:
+        view, own = self.view.configuration.slots, self.own.configuration.slots
+        return {*view.coordinates, *view.velocities, *own.coordinates, *own.velocities, t}
+
+    def _names(self, parameters: Sequence[sp.Symbol]) -> dict[str, dict[sp.Symbol, str]]:
+        view, own = self.view.configuration.slots, self.own.configuration.slots
+        p = names_of("p", parameters)
+        y = names_of("y", (*view.coordinates, *view.velocities, t))
+        z = names_of("z", (*own.coordinates, *own.velocities, t, *(() if self.view.is_own else view.coordinates)))
+        return {"y": {**p, **y}, "z": {**p, **z}, "p": p}
+
+    def _refuse_unknown(self, symbols: Iterable[sp.Symbol], signs: Mapping[Sign, sp.Expr]) -> None:
+        for s in symbols:
+            if s in signs:
+                raise UnprintableError("the sense of a friction force depends on the motion")
+            if s.name.endswith("'"):
+                raise UnprintableError(f"the velocity {s.name} is not determined")
+
+    def put(self, e: sp.Expr) -> sp.Expr:
+        """An expression with the prescribed motions that the page takes."""
+        return sp.sympify(e, strict=True).xreplace(self.rule) if self.rule else sp.sympify(e, strict=True)
+
+    # Expressions of all functions, by name
+
+    def _expressions(self, system: SystemPicture | None, pose: Pose | None) -> dict[str, list[sp.Expr]]:
+        view, configuration = self.view, self.view.configuration
+        out: dict[str, list[sp.Expr]] = {}
+        self.shape: dict[str, Any] = {}
+        if not view.is_own:
+            out["own"] = self._own()
+        if view.dynamics is not None:
+            out["eq"] = self._equations(view, "eq")
+            out["con"] = self._constraints(view)
+            if not view.is_own and self.own.dynamics is not None:
+                out["rea"] = self._equations(self.own, "rea")
+        else:
+            out["con"] = self._constraints(view)
+            out["sta"] = self._statics()
+        potential = potential_energy(configuration)
+        self.potential = self.put(potential)
+        kinetic = kinetic_energy(configuration) if view.dynamics is not None else sp.S.Zero
+        integrals = view.conserved.integrals if view.conserved else ()
+        self.integrals = [i for i in integrals if i.expression.free_symbols - {*configuration.slots.accelerations} and not
+                          i.expression.free_symbols & {*configuration.slots.accelerations}]  # fmt: skip
+        out["ene"] = [self.put(e) for e in (kinetic, potential, *(i.expression for i in self.integrals))]
+        out["act"] = self._acting()
+        self.elements = None
+        if system is not None:
+            elements = Elements(system, pose)
+            try:
+                elements.all()
+            except NoValueError:
+                elements.items = [i for i in elements.items if i["k"] in ("dot", "line")]
+            self.elements = elements
+            out["fig"] = [self.put(e) for e in elements.cells.expressions]
+            for n, (point, _) in enumerate(elements.curves):
+                out[f"cur{n}"] = [self.put(e) for e in point.fixed().components]
+            for n, (f, own, position) in enumerate(elements.traced):
+                parts = [f, *(f.diff(q) for q in own), *position.components]
+                parts += [c.diff(q) for q in own for c in position.components]
+                out[f"tra{n}"] = [self.put(e) for e in parts]
+        out.update(self._equilibria())
+        return out
+
+    def _own(self) -> list[sp.Expr]:
+        own, view = self.own.configuration.slots, self.view.configuration
+        rule = view.substitution
+        places = [self.put(sp.sympify(rule.get(q, q), strict=True)) for q in own.coordinates]
+        speeds = [self.put(sp.sympify(rule.get(prime(q), prime(q)), strict=True)) for q in own.coordinates]
+        return [*places, *speeds, t, *view.slots.coordinates]
+
+    def _equations(self, view: InCoordinates, name: str) -> list[sp.Expr]:
+        assert view.dynamics is not None
+        form = view.dynamics.matrices
+        unused = view.dynamics.equations.elimination.unused
+        used = [n for n in range(len(form.configuration.rows)) if n not in unused]
+        self.shape[name] = [len(form.force), len(used)]
+        rows = [e for n in used for e in form.constraint_matrix[n]]
+        parts = [*(e for row in form.mass for e in row), *form.force, *rows, *(form.constraint_vector[n] for n in used)]
+        return [self.put(e) for e in parts]
+
+    def _used(self, view: InCoordinates) -> list[int]:
+        return [n for n in range(len(view.configuration.rows)) if n not in view.elimination.unused]
+
+    def _constraints(self, view: InCoordinates) -> list[sp.Expr]:
+        """g (0 for constraints on velocities), their rates, ∂g/∂t or a_t, and A."""
+        configuration = view.configuration
+        rows = [configuration.rows[n] for n in self._used(view)]
+        self.shape["con"] = [len(configuration.slots.coordinates), len(rows), [int(r.finite is not None) for r in rows]]
+        finite = [sp.S.Zero if r.finite is None else r.finite for r in rows]
+        rates = [r.velocity_form(configuration.slots) for r in rows]
+        parts = [*finite, *rates, *(r.drift for r in rows), *(e for r in rows for e in r.coefficients)]
+        return [self.put(e) for e in parts]
+
+    def _statics(self) -> list[sp.Expr]:
+        """Q of the coordinates of the page, then Q and A in those of the file."""
+        assert self.view.equilibrium is not None
+        own = self.own
+        assert own.equilibrium is not None
+        rows = [own.configuration.rows[n] for n in self._used(own)]
+        n = len(self.view.equilibrium.work.forces)
+        self.shape["sta"] = [n, len(own.configuration.slots.coordinates), len(rows)]
+        in_file = [*own.equilibrium.work.forces, *(e for r in rows for e in r.coefficients)]
+        rule = self.view.configuration.substitution
+        here = list(self.view.equilibrium.work.forces)
+        return [self.put(e) for e in (*here, *(sp.sympify(e, strict=True).xreplace(rule) for e in in_file))]
+
+    def _reactions(self) -> list[Reaction]:
+        law = self.solution.law
+        if law is None:
+            return []
+        unused = self.own.elimination.unused
+        rows = self.own.configuration.rows
+        kept = {rows[n].name for n in range(len(rows)) if n not in unused}
+        by_name = {r.name: r for r in law.newton.reactions if r.name in kept}
+        return [by_name[rows[n].name] for n in range(len(rows)) if rows[n].name in by_name]
+
+    def _acting(self) -> list[sp.Expr]:
+        """Applied forces with their points; then for each reaction its factor and its forces for λ = 1."""
+        configuration = self.own.configuration
+        if self.own.dynamics is not None:
+            configuration = self.own.dynamics.equations.configuration
+        out: list[sp.Expr] = []
+        loads = []
+        for f in configuration.loads:
+            parts = (*f.point.fixed().components, *f.vector.fixed().components)
+            if any(sp.sympify(c, strict=True).has(Unspecified) for c in parts):
+                continue
+            out += [self.put(c) for c in parts]
+            loads.append(int(f.name == "weight"))
+        self.loads = loads
+        self.bound = []
+        self.reaction_list = self._reactions()
+        places = {p.name: p.position for p in configuration.points}
+        turning = {r.name for r in configuration.rotations}
+        for r in self.reaction_list:
+            factor = sp.S.One if r.single is None else r.single.factor
+            forces = []
+            for body, vector in (r.directions or {}).items():
+                force = vector.fixed()
+                at = places[body].fixed()
+                moment = r.moments.get(body)
+                if moment is not None and body in turning:
+                    square = force.dot(force)
+                    if square != 0:
+                        at = at + force.cross(moment.fixed()) * (1 / square)
+                forces.append((at, force))
+            out.append(self.put(factor))
+            for at, force in forces:
+                out += [self.put(c) for c in (*at.components, *force.components)]
+            self.bound.append(len(forces))
+        return out
+
+    def _guards(self) -> list[int]:
+        """For each reaction the sign that it must have, 0 if any."""
+        signs = []
+        for r in self.reaction_list:
+            if r.constraint.side is not None:
+                # λ pushes to the permitted side; the factor turns it into the force
+                signs.append(r.constraint.side)
+            elif r.constraint.by is Keeper.STRING and r.tension is not None:
+                signs.append(2)
+            else:
+                signs.append(0)
+        return signs
+
+    def _equilibria(self) -> dict[str, list[sp.Expr]]:
+        """The coordinates of each equilibrium in closed form."""
+        out: dict[str, list[sp.Expr]] = {}
+        self.buttons: list[EquilibriumButton] = []
+        self.button_parts: list[list[int]] = []
+        equilibrium = self._equilibrium()
+        if equilibrium is None:
+            return out
+        coordinates = self.view.configuration.slots.coordinates
+        verdicts = self.view.stability.verdicts if self.view.stability is not None else ()
+        for n, b in enumerate(equilibrium.branches):
+            values = _values(b.relations, coordinates)
+            if not values or b.left:
+                continue
+            stability = str(verdicts[n].verdict.value) if n < len(verdicts) else ""
+            out[f"eql{len(self.buttons)}"] = [self.put(e) for e in values.values()]
+            self.button_parts.append([coordinates.index(q) for q in values])
+            relations = tuple((r.lhs, r.rhs) for r in b.relations if r.lhs.free_symbols & set(coordinates))
+            self.buttons.append(EquilibriumButton(relations, stability))
+        return out
+
+    def _equilibrium(self) -> Equilibrium | None:
+        view = self.view
+        return view.equilibrium or (view.linearization.equilibrium if view.linearization else None)
+
+    # Everything together
+
+    def _assembled(
+        self,
+        expressions: Mapping[str, Sequence[sp.Expr]],
+        names: Mapping[str, Mapping[sp.Symbol, str]],
+        parameters: Sequence[sp.Symbol],
+        drawn: Mapping[sp.Symbol, float],
+        pose: Pose | None,
+        system: SystemPicture | None,
+    ) -> MovingFigure:
+        problem, configuration = self.solution.problem, self.view.configuration
+        slots = configuration.slots
+        operations = sum(sp.count_ops(e) for group in expressions.values() for e in group)
+        if operations > MOST_OPERATIONS:
+            raise UnprintableError("its equations are too long")
+        code = []
+        for name, group in expressions.items():
+            if name.startswith("cur"):
+                assert self.elements is not None
+                along = names_of("u", self.elements.curves[int(name[3:])][1])
+                code.append(f"{name}: {function('z, p, u', group, {**names['z'], **along})}")
+            elif name.startswith("eql"):
+                code.append(f"{name}: {function('p', group, names['p'])}")
+            elif name in ("rea", "fig", "act") or name.startswith("tra"):
+                code.append(f"{name}: {function('z, p', group, names['z'])}")
+            else:
+                code.append(f"{name}: {function('y, p', group, names['y'])}")
+        written = "{\n" + ",\n".join(code) + "\n}"
+        if len(written) > LONGEST_PROGRAM:
+            raise UnprintableError("its equations are too long")
+        everything = [e for group in expressions.values() for e in group]
+        angles = angles_in(everything)
+        drives = dict(zip(self.drive_symbols, self.drives, strict=True))
+        knobs = [drives.get(s) or parameter_slider(s, problem, drawn, s in angles) for s in parameters]
+        numbers = {s: k.value for s, k in zip(parameters, knobs, strict=True)} | {t: 0.0}
+        start = {} if pose is None else {q: pose.values[q] for q in pose.coordinates if q in pose.values}
+        state, released = initial_state(problem, configuration, start, numbers, self.potential)
+        sliders = tuple(coordinate_slider(q, problem, state[q], q in angles) for q in slots.coordinates)
+        elements = self.elements
+        planar = system.view if system else None
+        data = {
+            "n": len(slots.coordinates),
+            "shape": self.shape,
+            "y": [state[s] for s in (*slots.coordinates, *slots.velocities)] + [0.0],
+            "p": [k.value for k in knobs],
+            "angles": [int(s.angle) for s in sliders],
+            "items": elements.items if elements else [],
+            "along": [len(names_) for _, names_ in elements.curves] if elements else [],
+            "traced": [[self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced]
+            if elements
+            else [],
+            "units": [list(u) for u in planar.units] if planar else [[1, 0], [0, 1], [0, 0]],
+            "shown": list(planar.shown) if planar else [],
+            "planar": int(planar.planar) if planar else 1,
+            "axes": int(elements is not None and "axes" not in elements.hidden),
+            "loads": self.loads,
+            "bound": self.bound,
+            "guards": self._guards(),
+            "points": self._points(elements),
+            "conserved": [self._kind(i.quantity) for i in self.integrals],
+            "buttons": self.button_parts,
+            "moves": int(self.view.dynamics is not None),
+            "newton": int(any("kg" in (p.unit or p.stated_unit) for p in problem.parameters)),
+            "rheonomic": int(any(e.has(t) for name in ("own", "con") for e in expressions.get(name, ()) if e != t)),
+        }
+        return MovingFigure(
+            code=written,
+            data=data,
+            labels=tuple(elements.labels) if elements else (),
+            coordinates=sliders,
+            parameters=tuple(knobs),
+            reactions=tuple(r.symbol_of_force if r.single and r.symbol_of_force is not None else r.multiplier for r in self.reaction_list),
+            conserved=tuple((i.quantity.value, i.expression) for i in self.integrals),
+            equilibria=tuple(self.buttons),
+            moves=self.view.dynamics is not None,
+            chosen=any(not k.given for k in knobs),
+            released=released,
+        )
+
+    def _points(self, elements: Elements | None) -> list[int]:
+        """The cells of the particles and mass centres: what leaves a trace."""
+        if elements is None:
+            return []
+        return [elements.at(p.position) for p in self.own.configuration.points if p.name not in elements.hidden]
+
+    @staticmethod
+    def _kind(quantity: ConservedQuantity) -> int:
+        return int(quantity in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI))
+
+
+def _values(relations: Sequence[Any], coordinates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that the relations of a branch determine in terms of parameters, cos θ = c as θ = arccos c."""
+    values: dict[sp.Symbol, sp.Expr] = {}
+    inverse = {sp.cos: sp.acos, sp.sin: sp.asin, sp.tan: sp.atan}
+    for r in relations:
+        left, right = r.lhs, sp.sympify(r.rhs, strict=True)
+        if isinstance(left, sp.sin | sp.cos | sp.tan) and left.args[0].is_Symbol:
+            left, right = left.args[0], inverse[type(left)](right)
+        if left not in coordinates:
+            continue
+        right = right.xreplace(values)
+        if right.free_symbols & {*coordinates}:
+            continue
+        values.setdefault(left, right)
+    return values

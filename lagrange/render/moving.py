@@ -1,0 +1,212 @@
+"""The figure of a web page that moves: its controls, its numbers, and the script that works them.
+
+The script is the same on every page (`moving.js`), followed by the functions of each figure, which the program has
+written itself. The texts of a file are in labels only, each escaped; the data of a figure are numbers. The page allows
+nothing but these very scripts and this very style sheet: its content security policy names their hashes, so that no
+other code runs even if some were smuggled in, and nothing is fetched from anywhere.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from functools import cache
+from importlib.resources import files
+
+import sympy as sp
+
+from lagrange.animation.figure import MovingFigure, Slider
+from lagrange.core.printable import printable
+from lagrange.core.symbols import prime
+from lagrange.document.math_writer import UNICODE, Writer
+from lagrange.document.notation import Notation
+from lagrange.render.escape import html_text as escape
+from lagrange.render.mathml import Formulas
+from lagrange.render.svg import content_of
+
+STEPS_OF_A_SLIDER = 400
+INTEGRALS = {
+    "energy": "energy",
+    "jacobi": "Jacobi’s integral",
+    "momentum": "momentum",
+    "angular-momentum": "angular momentum",
+}
+
+
+@cache
+def resource(name: str) -> str:
+    """The script or style sheet of this folder."""
+    return files("lagrange.render").joinpath(name).read_text(encoding="utf-8").strip()
+
+
+def call(place: int, figure: MovingFigure) -> str:
+    """The script of one figure."""
+    return f"\nlagsolveFigure({place}, {figure.code});\n"
+
+
+def moving_lines(figure: MovingFigure, place: int, notation: Notation, alt: str) -> Iterator[str]:
+    """The lines of the figure's element."""
+    return _Controls(figure, place, notation, alt).all()
+
+
+class _Controls:
+    """One figure with its controls."""
+
+    def __init__(self, figure: MovingFigure, place: int, notation: Notation, alt: str) -> None:
+        self.figure, self.place, self.alt = figure, place, escape(printable(alt))
+        self.formulas = Formulas.of(notation)
+        self.plain = Writer(UNICODE, notation).plain
+
+    def all(self) -> Iterator[str]:
+        figure = self.figure
+        does = "Drag the sliders, or press Play." if figure.moves else "Drag the sliders."
+        yield f'<figure class="moving" data-moving="{self.place}" hidden>'
+        yield f'<svg class="picture stage" role="img" tabindex="0" aria-label="{self.alt} {does}">'
+        yield '<g class="lines"></g><g class="labels">'
+        yield from (f"<text>{content_of(label, self.plain)}</text>" for label in figure.labels)
+        yield '</g><g class="tags"></g></svg>'
+        yield '<div class="controls">'
+        if figure.moves:
+            yield from self.transport()
+        yield from self.shows()
+        yield "</div>"
+        if figure.equilibria:
+            yield from self.equilibria()
+        yield '<p class="message" role="status" data-out="message"></p>'
+        yield '<div class="panels">'
+        yield from self.sliders("Position", figure.coordinates, "q")
+        yield from self.sliders("Parameters", figure.parameters, "p")
+        yield from self.readings()
+        yield "</div>"
+        yield from self.graphs()
+        yield f"<figcaption>{self.caption()}</figcaption>"
+        yield f'<script type="application/json">{_data(figure)}</script>'
+        yield "</figure>"
+
+    def math(self, e: sp.Expr | str) -> str:
+        return escape(e) if isinstance(e, str) else self.formulas.equation((e,), "=")
+
+    def transport(self) -> Iterator[str]:
+        yield '<button type="button" class="play" aria-pressed="false">▶ Play</button>'
+        yield '<button type="button" class="step">Step</button>'
+        yield '<button type="button" class="reset">Reset</button>'
+        speeds = (("0.1", "1/10"), ("0.25", "1/4"), ("1", "1"), ("4", "4"))
+        options = "".join(f'<option value="{v}"{" selected" * (v == "1")}>{t} ×</option>' for v, t in speeds)
+        yield f'<label>speed <select class="speed">{options}</select></label>'
+        yield '<label class="wide">time <input class="time" type="range" min="0" max="1" step="1" value="0"></label>'
+
+    def shows(self) -> Iterator[str]:
+        figure = self.figure
+        boxes = [("forces", "forces to scale", True)] if figure.data["loads"] or figure.data["bound"] else []
+        boxes += [("trace", "trace", True)] if figure.moves else []
+        boxes.append(("virtual", "virtual displacement δr", False))
+        boxes += [("possible", "possible displacement dr", False)] if figure.data["rheonomic"] else []
+        for name, words, checked in boxes:
+            yield f'<label><input type="checkbox" data-show="{name}"{" checked" * checked}> {words}</label>'
+        if len(figure.coordinates) > 1:
+            names = (f"δ{self.plain_name(s)}" for s in figure.coordinates)
+            options = "".join(f'<option value="{k}">{name}</option>' for k, name in enumerate(names))
+            yield f'<label>by <select class="which">{options}</select></label>'
+
+    def plain_name(self, slider: Slider) -> str:
+        return escape(slider.label if isinstance(slider.label, str) else self.plain(slider.label))
+
+    def equilibria(self) -> Iterator[str]:
+        yield '<div class="controls rest"><span>At rest:</span>'
+        for k, e in enumerate(self.figure.equilibria):
+            written = ", ".join(self.formulas.equation(pair, "=") for pair in e.relations)
+            how = f" <small>{escape(e.stability)}</small>" if e.stability in ("stable", "unstable") else ""
+            yield f'<button type="button" data-rest="{k}">{written}{how}</button>'
+        if self.figure.moves:
+            yield '<button type="button" class="push">Push</button>'
+        yield "</div>"
+
+    def sliders(self, title: str, sliders: Sequence[Slider], kind: str) -> Iterator[str]:
+        if not sliders:
+            return
+        yield f'<fieldset class="knobs"><legend>{title}</legend>'
+        for k, s in enumerate(sliders):
+            step = s.step or (s.high - s.low) / STEPS_OF_A_SLIDER
+            unit = f" {escape(s.unit)}" if s.unit and s.unit != "1" else ""
+            name = f"{escape(s.meaning)} {self.math(s.label)}" if isinstance(s.label, sp.Expr) and s.meaning.endswith(" of") else self.math(s.label)
+            title_ = f' title="{escape(s.meaning)}"' if s.meaning else ""
+            yield (
+                f"<label{title_}><span>{name}</span>"
+                f'<input type="range" data-{kind}="{k}" min="{s.low:.6g}" max="{s.high:.6g}" step="{step:.4g}" value="{s.value:.6g}"'
+                f' aria-label="{self.plain_name(s)}{": " if s.meaning else ""}{escape(s.meaning)}">'
+                f'<span class="value"><output data-{kind}="{k}"></output>{unit}</span></label>'
+            )
+        yield "</fieldset>"
+
+    def readings(self) -> Iterator[str]:
+        figure = self.figure
+        rows: list[tuple[str, str, str]] = []
+        joule = " J" if figure.data["newton"] else ""
+        newton = " N" if figure.data["newton"] else ""
+        if figure.moves:
+            rows.append(("time", "t", " s"))
+            for k, s in enumerate(figure.coordinates):
+                if isinstance(s.label, sp.Symbol):
+                    rows.append((self.math(prime(s.label)), f"@u{k}", ""))
+            rows += [("kinetic energy", "T", joule), ("potential energy", "V", joule), ("their sum", "E", joule)]
+        else:
+            rows.append(("potential energy", "V", joule))
+            rows += [(f"<span>force along</span> {self.math(s.label)}", f"Q{k}", "") for k, s in enumerate(figure.coordinates)]
+        for k, (kind, _) in enumerate(figure.conserved):
+            rows.append((f"conserved: {INTEGRALS.get(kind, escape(kind))}", f"I{k}", ""))
+        rows += [(self.math(r), f"R{k}", newton if isinstance(r, sp.Symbol) and not r.name.startswith("lambda") else "") for k, r in enumerate(figure.reactions)]
+        if 1 in figure.data["conserved"]:
+            rows.append(("relative error of the energy", "drift", ""))
+        if figure.data["shape"]["con"][1]:
+            rows.append(("error of the constraints", "error", ""))
+        yield '<dl class="readings">'
+        for name, out, unit in rows:
+            target = f'<output data-u="{out[2:]}"></output>' if out.startswith("@u") else f'<output data-out="{out}"></output>'
+            yield f"<div><dt>{name}</dt><dd>{target}{unit}</dd></div>"
+        yield "</dl>"
+
+    def graphs(self) -> Iterator[str]:
+        figure = self.figure
+        yield '<div class="graphs">'
+        if figure.moves:
+            boxes = "".join(
+                f'<label class="c{k % 5}"><input type="checkbox" data-plot="{k}"{" checked" * self.is_plotted(k)}> {self.math(s.label)}</label>'
+                for k, s in enumerate(figure.coordinates)
+            )
+            yield self.canvas("coordinates", "Coordinates over time", boxes)
+            if figure.reactions:
+                names = "".join(f'<span class="c{k % 5}">{self.math(r)}</span>' for k, r in enumerate(figure.reactions))
+                yield self.canvas("reactions", "Reactions over time", names)
+        options = "".join(f'<option value="{k}">{self.plain_name(s)}</option>' for k, s in enumerate(figure.coordinates))
+        choice = f'<label>of <select class="phase">{options}</select></label>' if len(figure.coordinates) > 1 else ""
+        yield self.canvas("phase", "Phase plane" if figure.moves else "Potential energy along the coordinate", choice)
+        yield "</div>"
+
+    def is_plotted(self, k: int) -> bool:
+        angles = [s.angle for s in self.figure.coordinates]
+        return angles[k] == angles[0] and k < 5
+
+    def canvas(self, name: str, title: str, beside: str) -> str:
+        head = f'<div class="head"><b>{title}</b>{beside}</div>'
+        return f'<div class="graph">{head}<canvas class="{name}" role="img" aria-label="{title}"></canvas></div>'
+
+    def caption(self) -> str:
+        figure = self.figure
+        chosen = [s for s in figure.parameters if not s.given]
+        parts = []
+        if chosen and len(chosen) == len(figure.parameters):
+            parts.append("The file gives no values: those of the sliders were chosen for this page.")
+        elif chosen:
+            names = ", ".join(dict.fromkeys(self.math(s.label) for s in chosen))
+            parts.append(f"Not given in the file, and chosen for this page: {names}.")
+        if figure.moves and not figure.released:
+            parts.append("So was the initial state.")
+        for left, right in figure.assumed:
+            parts.append(f"The file leaves {self.math(left)} open; the figure takes {self.math(right)}.")
+        return " ".join(parts)
+
+
+def _data(figure: MovingFigure) -> str:
+    """The numbers of a figure, with nothing in them that could end the element."""
+    text = json.dumps(figure.data, separators=(",", ":"), allow_nan=False)
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
