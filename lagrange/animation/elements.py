@@ -146,6 +146,11 @@ class Elements:
         for line in figure.lines:
             self.line(line)
 
+    def surface(self, point: Vector, along: tuple[sp.Symbol, ...], ends: Sequence[sp.Expr]) -> None:
+        """A surface in space; `ends`: from where to where each of its two symbols runs."""
+        self.curves.append((point, along))
+        self.add("surface", f=len(self.curves) - 1, b=[self.cells.scalar(e) for e in ends], c="curve")
+
     def round(self, kind: Drawn, centre: Vector, radius: sp.Expr, axis: Vector | None) -> None:
         """A disc, ring, sphere, circle or pulley."""
         if axis is None and not self.system.view.planar:

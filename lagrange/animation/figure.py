@@ -57,7 +57,7 @@ class MovingFigure:
     conserved    what is constant along the motion
     equilibria   where it can be at rest
     moves        whether there are equations of motion
-    chosen       whether some value is not the file's
+    rests        whether there are generalized forces that vanish at rest
     released     whether the file says how the motion begins
     assumed      what the page takes for functions that the file leaves open
     """
@@ -71,6 +71,6 @@ class MovingFigure:
     conserved: tuple[tuple[str, sp.Expr], ...]
     equilibria: tuple[EquilibriumButton, ...]
     moves: bool
-    chosen: bool
+    rests: bool
     released: bool
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()

@@ -21,22 +21,17 @@ from typing import Any
 import sympy as sp
 
 from lagrange.animation.elements import Elements
-from lagrange.animation.figure import EquilibriumButton, MovingFigure, Still
+from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still
 from lagrange.animation.javascript import UnprintableError, function, names_of
 from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS
-from lagrange.animation.values import (
-    Slider,
-    angles_in,
-    coordinate_slider,
-    initial_state,
-    parameter_slider,
-)
+from lagrange.animation.samples import Samples, put, sampled, samples, surfaces
+from lagrange.animation.values import angles_in, coordinate_slider, initial_state, parameter_slider, spins
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity
-from lagrange.mechanics.dynamics.energies import is_weight, potential_energy
+from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
@@ -49,9 +44,6 @@ from lagrange.problem.model import Keeper
 
 def moving_figure(solution: Solution) -> MovingFigure | Still:
     """The figure that moves, or why there is none."""
-    moves = solution.own.dynamics is not None
-    if not moves and all(v.equilibrium is None for v in solution.views):
-        return Still("the problem asks for no motion and no equilibrium")
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
     view = _best(solution)
@@ -81,14 +73,18 @@ class _Maker:
     rule: dict[sp.Basic, sp.Basic] = field(default_factory=dict)
     drives: list[Slider] = field(default_factory=list)
     drive_symbols: list[sp.Symbol] = field(default_factory=list)
+    samples: Samples = field(default_factory=dict)
 
     @property
     def own(self) -> InCoordinates:
         return self.solution.own
 
     def made(self) -> MovingFigure:
-        solution, view = self.solution, self.view
+        view = self.view
+        self.samples = samples(self.solution)
         system, pose = self._posed()
+        if system is None and view.dynamics is None:
+            raise UnprintableError("there is no drawing of this system")
         drawn = dict(system.pose.values) if system else {}
         slots = view.configuration.slots
         self._drive(slots, drawn)
@@ -100,19 +96,19 @@ class _Maker:
         )
         self._refuse_unknown(symbols, signs)
         along = {s for _, names in (self.elements.curves if self.elements else ()) for s in names}
-        traced = {prime(q, 0) for q in ()}
-        parameters = [s for s in symbols if s not in along and s not in traced]
+        parameters = [s for s in symbols if s not in along]
         names = self._names(parameters)
         return self._assembled(expressions, names, parameters, drawn, pose, system)
 
     # What the page has to know
 
     def _posed(self) -> tuple[SystemPicture | None, Pose | None]:
+        solution = sampled(self.solution, self.samples)
         if self.view.is_own:
-            system = system_in_file(self.solution)
+            system = system_in_file(solution)
             return system, None if system is None else system.pose
-        posed = system_posed_in_choice(self.solution, self.view.coordinates.configuration)
-        return posed if posed is not None else (system_in_file(self.solution), None)
+        posed = system_posed_in_choice(solution, self.view.coordinates.configuration)
+        return posed if posed is not None else (system_in_file(solution), None)
 
     def _drive(self, slots: Slots, drawn: Mapping[sp.Symbol, float]) -> None:
         """Prescribed motions u(t) become u_0 + a sin(w t), each with its own mean, amplitude and circular frequency."""
@@ -150,7 +146,8 @@ class _Maker:
 
     def put(self, e: sp.Expr) -> sp.Expr:
         """An expression with the prescribed motions that the page takes."""
-        return sp.sympify(e, strict=True).xreplace(self.rule) if self.rule else sp.sympify(e, strict=True)
+        e = put(sp.sympify(e, strict=True), self.samples)
+        return e.xreplace(self.rule) if self.rule else e
 
     # Expressions of all functions, by name
 
@@ -167,7 +164,8 @@ class _Maker:
                 out["rea"] = self._equations(self.own, "rea")
         else:
             out["con"] = self._constraints(view)
-            out["sta"] = self._statics()
+            if view.equilibrium is not None:
+                out["sta"] = self._statics()
         potential = potential_energy(configuration)
         self.potential = self.put(potential)
         kinetic = kinetic_energy(configuration) if view.dynamics is not None else sp.S.Zero
@@ -179,6 +177,10 @@ class _Maker:
         self.elements = None
         if system is not None:
             elements = Elements(system, pose)
+            for point, along, shift in surfaces(system.configuration) if self.samples else ():
+                if not system.view.planar:
+                    ends = (shift - 2, shift + 2, sp.Integer(-2), sp.Integer(2))
+                    elements.surface(Vector(point), along, ends)  # type: ignore[arg-type]
             try:
                 elements.all()
             except NoValueError:
@@ -256,8 +258,6 @@ class _Maker:
         loads = []
         for f in configuration.loads:
             parts = (*f.point.fixed().components, *f.vector.fixed().components)
-            if any(sp.sympify(c, strict=True).has(Unspecified) for c in parts):
-                continue
             out += [self.put(c) for c in parts]
             loads.append(int(f.name == "weight"))
         self.loads = loads
@@ -365,10 +365,12 @@ class _Maker:
         data = {
             "n": len(slots.coordinates),
             "shape": self.shape,
+            "kept": self._kept(slots),
             "y": [state[s] for s in (*slots.coordinates, *slots.velocities)] + [0.0],
             "p": [k.value for k in knobs],
             "angles": [int(s.angle) for s in sliders],
             "items": elements.items if elements else [],
+            "rest": int(self.view.dynamics is not None and not self.buttons and self._may_rest(expressions)),
             "along": [len(names_) for _, names_ in elements.curves] if elements else [],
             "traced": [[self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced]
             if elements
@@ -397,15 +399,34 @@ class _Maker:
             conserved=tuple((i.quantity.value, i.expression) for i in self.integrals),
             equilibria=tuple(self.buttons),
             moves=self.view.dynamics is not None,
-            chosen=any(not k.given for k in knobs),
+            rests=self.view.equilibrium is not None,
             released=released,
+            assumed=self._assumed(),
         )
+
+    def _assumed(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
+        """What is taken for functions and prescribed motions that the file leaves open."""
+        functions = (
+            (Unspecified.of(name, [a.name for a in names], *names), value)
+            for name, (names, value) in self.samples.items()
+        )
+        return tuple(functions)
+
+    def _may_rest(self, expressions: Mapping[str, Sequence[sp.Expr]]) -> bool:
+        """Whether the page looks for positions of rest itself: free coordinates, forces in which time does not occur."""
+        free = self.shape["eq"][1] == 0 and len(self.view.configuration.slots.coordinates) <= 3
+        return free and not any(e.has(t) for e in expressions["eq"])
 
     def _points(self, elements: Elements | None) -> list[int]:
         """The cells of the particles and mass centres: what leaves a trace."""
         if elements is None:
             return []
         return [elements.at(p.position) for p in self.own.configuration.points if p.name not in elements.hidden]
+
+    def _kept(self, slots: Slots) -> int:
+        """The velocity that stays when the others are fitted to the constraints: that of a spin, -1 if there is none."""
+        turning = spins(self.view.configuration)
+        return slots.coordinates.index(turning[0]) if turning else -1
 
     @staticmethod
     def _kind(quantity: ConservedQuantity) -> int:

@@ -15,7 +15,7 @@ import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from lagrange.animation.figure import Slider
-from lagrange.core.symbols import Bounded, Sign, prime
+from lagrange.core.symbols import Bounded, Sign
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.problem.model import Assumption, Parameter, Problem
@@ -66,6 +66,7 @@ def _sensible(
     by = _BY_UNIT.get(unit) or (None if unit in ("m", "kg", "rad", "1") else _BY_LETTER.get(letter))
     number = by if by is not None else drawn.get(symbol)
     number = 1.0 if number is None else number
+    number = float(f"{float(number):.2g}") if unit in ("m", "kg") or not declared else float(number)
     if angle and abs(number) > math.pi / 2:
         number = 0.5
     if isinstance(symbol, Bounded) and not symbol.low <= number <= symbol.high:
@@ -112,14 +113,15 @@ def initial_state(
     state: dict[sp.Symbol, float] = {}
     for q in slots.coordinates:
         state[q] = _number(stated[q], known) if q in stated else position.get(q, 0.5)
-    spins = _spins(configuration) if problem.gravity is not None else ()
+    turning = spins(configuration) if problem.gravity is not None else ()
+    spin = 5.0 if configuration.rows else SPIN
     for q, v in zip(slots.coordinates, slots.velocities, strict=True):
         if v in stated:
             state[v] = _number(stated[v], known)
         elif stated or potential.has(q):
             state[v] = 0.0
         else:
-            state[v] = SPIN if q in spins else 1.0
+            state[v] = spin if q in turning else 1.0 if not (turning and configuration.rows) else 0.0
     return state, bool(set(stated) & {*slots.coordinates, *slots.velocities})
 
 
@@ -130,18 +132,14 @@ def _number(e: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:
         return 0.0
 
 
-def _spins(configuration: Configuration) -> Sequence[sp.Symbol]:
+def spins(configuration: Configuration) -> Sequence[sp.Symbol]:
     """The coordinates that turn a body in space about its third axis: they do not move that axis."""
-    spins = []
+    turning = []
     for r in configuration.rotations:
         first, third = r.axes[0].fixed(), r.axes[2].fixed()
         moving = set().union(*(c.free_symbols for c in third.components))
-        if moving & {*configuration.slots.coordinates} and not configuration.rows:
+        if moving & {*configuration.slots.coordinates}:
             own = set().union(*(c.free_symbols for c in first.components)) - moving
-            spins += [q for q in configuration.slots.coordinates if q in own]
-    return spins
+            turning += [q for q in configuration.slots.coordinates if q in own]
+    return turning
 
-
-def speeds_of(coordinates: Sequence[sp.Symbol]) -> tuple[sp.Symbol, ...]:
-    """The velocities of coordinates."""
-    return tuple(prime(q) for q in coordinates)

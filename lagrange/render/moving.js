@@ -111,7 +111,7 @@ const lagsolveFigure = (() => {
       return y;
     }
     // The nearest state that satisfies the constraints; the coordinate `kept` does not change if that is possible.
-    function projected(y, p, kept) {
+    function projected(y, p, kept, speed = -1) {
       if (!m) return y;
       y = y.slice();
       for (const level of [0, 1]) for (let turn = 0; turn < 30; turn++) {
@@ -119,7 +119,7 @@ const lagsolveFigure = (() => {
         for (let i = 0; i < m; i++) if (level || finite[i]) rows.push(i);
         const off = rows.map(i => v[level * m + i]);
         if (off.every(x => Math.abs(x) < 1e-14) || !rows.length) break;
-        const a = rows.map(i => { const r = v.slice(3 * m + i * n, 3 * m + i * n + n); if (level == 0 && kept >= 0) r[kept] = 0; return r; });
+        const a = rows.map(i => { const r = v.slice(3 * m + i * n, 3 * m + i * n + n); const still = level ? speed : kept; if (still >= 0) r[still] = 0; return r; });
         const gram = a.map((r, i) => [...a.map(s => r.reduce((t, x, k) => t + x * s[k], 0)), off[i]]);
         const w = solved(gram, rows.length).x;
         let size = 0;
@@ -175,8 +175,9 @@ const lagsolveFigure = (() => {
     const one = s => root.querySelector(s), all = s => [...root.querySelectorAll(s)];
     const stage = one("svg.stage"), lines = one("g.lines"), texts = all("g.labels text");
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
-    let p = data.p.slice(), y = M.projected(data.y.slice(), p, -1), playing = false, speed = 1, message = "";
-    let history = [], reference = null, worst = 0, wrong = 0, shownAt = -1;
+    const begin = () => M.projected(data.y.slice(), data.p, -1, data.kept);
+    let p = data.p.slice(), y = begin(), playing = false, speed = 1, message = "";
+    let history = [], preview = [], reference = null, worst = 0, wrong = 0, shownAt = -1;
     let width = 600, height = 380, scale = 100, centre = [0, 0], force = 1, trace = [];
 
     // ---- State
@@ -206,6 +207,7 @@ const lagsolveFigure = (() => {
       if (trace.length > 900) trace.shift();
     }
     function run(seconds, piece = 1 / 60) {
+      if (!moving) return true;
       const end = y[2 * n] + seconds;
       while (end - y[2 * n] > 1e-9) {
         const part = Math.min(piece, end - y[2 * n]);
@@ -263,11 +265,13 @@ const lagsolveFigure = (() => {
       const w = box[1] - box[0], h = box[3] - box[2], reach = 0.9 * Math.max(w, h, 0.5);
       const most = [box[0] - reach, box[1] + reach, box[2] - reach, box[3] + reach];
       let strongest = forceSizes(y);
+      preview = [];
       if (moving) {
         let s = y; const start = performance.now();
         for (let k = 0; k < 160 && performance.now() - start < 60; k++) {
           s = M.advanced(s, p, 0.05);
           if (s === null || M.broken(s, p) >= 0) break;
+          preview.push({ y: s, r: data.bound.length ? M.forces(s, p).reactions.map(f => f.value) : [] });
           const v = cells(s), b = [Infinity, -Infinity, Infinity, -Infinity];
           data.points.forEach(c => { const f = flat(three(v, c)); b[0] = Math.min(b[0], f[0]); b[1] = Math.max(b[1], f[0]); b[2] = Math.min(b[2], f[1]); b[3] = Math.max(b[3], f[1]); });
           if (isFinite(b[0])) { box[0] = Math.max(most[0], Math.min(box[0], b[0])); box[1] = Math.min(most[1], Math.max(box[1], b[1])); box[2] = Math.max(most[2], Math.min(box[2], b[2])); box[3] = Math.min(most[3], Math.max(box[3], b[3])); }
@@ -625,14 +629,14 @@ const lagsolveFigure = (() => {
 
     // ---- Graphs
 
-    function graph(canvas, curves, window_) {
+    function graph(canvas, curves, window_, faint = []) {
       if (!canvas || !canvas.clientWidth) return;
       const W = canvas.clientWidth, H = canvas.clientHeight, r = devicePixelRatio || 1;
       if (canvas.width != Math.round(W * r)) { canvas.width = Math.round(W * r); canvas.height = Math.round(H * r); }
       const g = canvas.getContext("2d"), style = getComputedStyle(root), colour = k => style.getPropertyValue(`--curve${k % 5}`).trim() || "#555";
       g.setTransform(r, 0, 0, r, 0, 0); g.clearRect(0, 0, W, H);
-      const points = curves.flat().filter(q => q.every(isFinite));
-      if (points.length < 2 && !window_) return;
+      const points = [...curves, ...faint].flat().filter(q => q.every(isFinite) && (!window_?.x || (q[0] >= window_.x[0] && q[0] <= window_.x[1])));
+      if (points.length < 2) return;
       let [x0, x1] = window_?.x || [Math.min(...points.map(q => q[0])), Math.max(...points.map(q => q[0]))];
       let [y0, y1] = [Math.min(...points.map(q => q[1])), Math.max(...points.map(q => q[1]))];
       if (!(x1 - x0 > 1e-9)) { x0 -= 0.5; x1 += 0.5; }
@@ -644,24 +648,29 @@ const lagsolveFigure = (() => {
       for (const v of ticks(x0, x1, Math.max(2, W / 90))) { g.beginPath(); g.moveTo(X(v), T); g.lineTo(X(v), H - B); g.stroke(); g.fillText(number(v), X(v), H - B + 4); }
       g.textAlign = "right"; g.textBaseline = "middle";
       for (const v of ticks(y0, y1, Math.max(2, H / 45))) { g.beginPath(); g.moveTo(L, Y(v)); g.lineTo(W - R, Y(v)); g.stroke(); g.fillText(number(v), L - 5, Y(v)); }
-      curves.forEach((c, k) => {
+      g.save(); g.beginPath(); g.rect(L, 0, W - L - R, H - B); g.clip();
+      [...faint, ...curves].forEach((c, j) => {
+        const k = j % curves.length, pale = j < faint.length;
+        g.globalAlpha = pale ? 0.28 : 1;
         g.strokeStyle = g.fillStyle = colour(k); g.lineWidth = 1.6; g.beginPath();
         const every = Math.max(1, Math.floor(c.length / 1200)); let pen = false;
         c.forEach((q, i) => { if (i % every && i < c.length - 1) return; if (!q.every(isFinite)) { pen = false; return; } if (pen) g.lineTo(X(q[0]), Y(q[1])); else g.moveTo(X(q[0]), Y(q[1])); pen = true; });
         g.stroke();
         const end = window_?.mark?.[k] || c.at(-1);
-        if (end && end.every(isFinite)) { g.beginPath(); g.arc(X(end[0]), Y(end[1]), 3, 0, 7); g.fill(); }
+        if (!pale && end && end.every(isFinite)) { g.beginPath(); g.arc(X(end[0]), Y(end[1]), 3, 0, 7); g.fill(); }
       });
+      g.restore();
     }
     function graphs() {
       const shown = shownAt >= 0 ? history.slice(0, shownAt + 1) : history, now = y[2 * n];
       if (moving) {
-        const recent = shown.filter(h => h.y[2 * n] > now - 20), from = recent[0]?.y[2 * n] ?? 0, x = [from, Math.max(from + 5, now)];
+        const recent = shown.filter(h => h.y[2 * n] > now - 20), from = recent[0]?.y[2 * n] ?? 0, x = [from, Math.max(from + 8, now)], still = history.length < 2 && shownAt < 0;
+        const ahead = still ? preview.filter(h => h.y[2 * n] <= x[1]) : [];
         const chosen = all("input[data-plot]").filter(b => b.checked).map(b => Number(b.dataset.plot));
-        graph(one("canvas.coordinates"), [...Array(n).keys()].map(k => chosen.includes(k) ? recent.map(h => [h.y[2 * n], h.y[k]]) : []), { x });
-        graph(one("canvas.reactions"), data.bound.map((_, k) => recent.map(h => [h.y[2 * n], h.r[k]])), { x });
+        graph(one("canvas.coordinates"), [...Array(n).keys()].map(k => chosen.includes(k) ? recent.map(h => [h.y[2 * n], h.y[k]]) : []), { x }, still ? [...Array(n).keys()].map(k => chosen.includes(k) ? ahead.map(h => [h.y[2 * n], h.y[k]]) : []) : []);
+        graph(one("canvas.reactions"), data.bound.map((_, k) => recent.map(h => [h.y[2 * n], h.r[k]])), { x }, still ? data.bound.map((_, k) => ahead.map(h => [h.y[2 * n], h.r[k]])) : []);
         const k = Number(one("select.phase")?.value ?? 0);
-        graph(one("canvas.phase"), [shown.map(h => [h.y[k], h.y[n + k]])]);
+        graph(one("canvas.phase"), [shown.map(h => [h.y[k], h.y[n + k]])], null, still ? [preview.map(h => [h.y[k], h.y[n + k]])] : []);
       } else {
         const k = Number(one("select.phase")?.value ?? 0), input = one(`input[data-q="${k}"]`);
         if (!input) return;
@@ -698,7 +707,7 @@ const lagsolveFigure = (() => {
     play?.addEventListener("click", () => playing ? stop() : start());
     one("button.step")?.addEventListener("click", () => { if (playing) stop(); run(0.02); show(); scrub(); });
     one("button.reset")?.addEventListener("click", () => {
-      playing = false; shownAt = -1; p = data.p.slice(); y = M.projected(data.y.slice(), p, -1);
+      playing = false; shownAt = -1; p = data.p.slice(); y = begin();
       all("input[data-p]").forEach(i => { i.value = p[Number(i.dataset.p)]; });
       restart(); fit(); stop();
     });
@@ -716,17 +725,48 @@ const lagsolveFigure = (() => {
       p[k] = Number(i.value);
       const next = M.projected(y, p, -1);
       if (next.every(isFinite) && M.violation(next, p) < 1e-6) { y = next; shownAt = -1; restart(); message = ""; } else { p = before; message = "The constraints do not allow this value."; }
-      clearTimeout(waiting); waiting = setTimeout(() => { fit(); show(); }, playing ? 600 : 150);
+      clearTimeout(waiting); waiting = setTimeout(() => { fit(); if (data.rest) look(); show(); }, playing ? 600 : 150);
       show(); scrub();
     }));
     all("input[data-show], input[data-plot], select.phase, select.which").forEach(i => i.addEventListener("change", show));
+    // Positions of rest, f(q, 0) = 0, by Newton's method from several starts, where the page has none in closed form.
+    let rests = [];
+    function look() {
+      rests = [];
+      const force = q => { const s = [...q, ...new Array(n).fill(0), 0]; return F.eq(s, p).slice(n * n, n * n + n); };
+      const jacobian = q => q.map((_, j) => { const a = q.slice(), b = q.slice(); a[j] += 1e-5; b[j] -= 1e-5; const f = force(a), g = force(b); return f.map((x, i) => (x - g[i]) / 2e-5); });
+      const size = Math.max(1e-9, ...force(y.slice(0, n)).map(Math.abs), ...jacobian(y.slice(0, n)).flat().map(Math.abs).filter(isFinite));
+      for (let start = 0; start < Math.pow(4, n); start++) {
+        let q = y.slice(0, n).map((x, i) => { const c = Math.floor(start / Math.pow(4, i)) % 4; return data.angles[i] ? [0.2, 1.3, 2.9, -1.3][c] : [x, 0.1, 1.7 * x + 0.5, -x][c]; });
+        for (let turn = 0; turn < 60; turn++) {
+          const f = force(q), J = jacobian(q), rows = f.map((_, i) => [...f.map((_, j) => J.reduce((t, c) => t + c[i] * c[j], 0) + (i == j ? 1e-14 * size * size : 0)), f[i]]);
+          const w = solved(rows, n).x, d = J.map(c => c.reduce((t, x, i) => t + x * w[i], 0)), long = Math.hypot(...d);
+          q = q.map((x, j) => x - d[j] * Math.min(1, 0.5 / (long || 1)));
+          if (long < 1e-12 || !q.every(isFinite)) break;
+        }
+        if (!q.every(isFinite) || !(Math.max(...force(q).map(Math.abs)) < 1e-9 * size)) continue;
+        q = q.map((x, i) => data.angles[i] ? wrapped(x) : x).map(x => Math.abs(x) < 1e-9 ? 0 : x);
+        const idle = jacobian(q).map(c => c.every(x => Math.abs(x) < 1e-7 * size));
+        if (rests.every(r => r.q.some((x, i) => !idle[i] && Math.abs(data.angles[i] ? wrapped(x - q[i]) : x - q[i]) > 1e-5)) && rests.length < 6) rests.push({ q, idle });
+      }
+      const bar = one("span.found");
+      bar.textContent = rests.length ? "" : " none found";
+      rests.forEach((r, k) => {
+        const b = document.createElement("button");
+        b.type = "button";
+        b.textContent = r.q.map((x, i) => r.idle[i] && n > 1 ? "" : `${data.names[i]} = ${Math.abs(Math.abs(x) - Math.PI) < 1e-9 ? (x < 0 ? "−π" : "π") : number(x)}`).filter(Boolean).join(", ") || "anywhere";
+        b.addEventListener("click", () => settle(y.map((x, i) => i < n ? (r.idle[i] ? x : r.q[i]) : i < 2 * n ? 0 : x)));
+        bar.append(b);
+      });
+    }
+    const settle = s => { playing = false; y = M.projected(s, p, -1); shownAt = -1; restart(); fit(); stop(); };
     const equilibrium = k => F["eql" + k](p);
     function buttons() { all("button[data-rest]").forEach(b => { b.disabled = !equilibrium(Number(b.dataset.rest)).every(isFinite); }); }
     all("button[data-rest]").forEach(b => b.addEventListener("click", () => {
       const k = Number(b.dataset.rest), v = equilibrium(k), s = y.slice();
       data.buttons[k].forEach((q, i) => { s[q] = v[i]; });
       for (let i = 0; i < n; i++) s[n + i] = 0;
-      playing = false; y = M.projected(s, p, -1); shownAt = -1; restart(); fit(); stop();
+      settle(s);
     }));
     one("button.push")?.addEventListener("click", () => { const s = y.slice(); for (let i = 0; i < n; i++) s[n + i] += 0.05 * (1 + 0.3 * i); y = M.projected(s, p, -1); shownAt = -1; restart(); if (!playing) start(); });
     root.addEventListener("keydown", e => { if (e.target === stage && (e.key == " " || e.key == "Enter")) { e.preventDefault(); playing ? stop() : start(); } });
@@ -739,7 +779,7 @@ const lagsolveFigure = (() => {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", graphs);
     root.hidden = false;
     document.documentElement.classList.add("moves");
-    new ResizeObserver(() => { const W = stage.clientWidth; if (W && Math.abs(W - width) > 2) { fit(); show(); } }).observe(stage);
-    restart(); fit(); show(); scrub();
+    new ResizeObserver(() => { const W = stage.clientWidth; if (W && Math.abs(W - width) > 2) requestAnimationFrame(() => { fit(); show(); }); }).observe(stage);
+    restart(); fit(); if (data.rest) look(); show(); scrub();
   };
 })();

@@ -9,6 +9,7 @@ other code runs even if some were smuggled in, and nothing is fetched from anywh
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Sequence
 from functools import cache
 from importlib.resources import files
@@ -70,7 +71,7 @@ class _Controls:
             yield from self.transport()
         yield from self.shows()
         yield "</div>"
-        if figure.equilibria:
+        if figure.equilibria or figure.data["rest"]:
             yield from self.equilibria()
         yield '<p class="message" role="status" data-out="message"></p>'
         yield '<div class="panels">'
@@ -80,8 +81,14 @@ class _Controls:
         yield "</div>"
         yield from self.graphs()
         yield f"<figcaption>{self.caption()}</figcaption>"
-        yield f'<script type="application/json">{_data(figure)}</script>'
+        yield f'<script type="application/json">{self.data()}</script>'
         yield "</figure>"
+
+    def data(self) -> str:
+        """The numbers of the figure and the names of coordinates, with nothing in them that could end the element."""
+        names = [s.label if isinstance(s.label, str) else self.plain(s.label) for s in self.figure.coordinates]
+        text = json.dumps({**self.figure.data, "names": list(map(printable, names))}, separators=(",", ":"), allow_nan=False)
+        return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
     def math(self, e: sp.Expr | str) -> str:
         return escape(e) if isinstance(e, str) else self.formulas.equation((e,), "=")
@@ -117,6 +124,8 @@ class _Controls:
             written = ", ".join(self.formulas.equation(pair, "=") for pair in e.relations)
             how = f" <small>{escape(e.stability)}</small>" if e.stability in ("stable", "unstable") else ""
             yield f'<button type="button" data-rest="{k}">{written}{how}</button>'
+        if self.figure.data["rest"]:
+            yield '<span class="found controls"></span>'
         if self.figure.moves:
             yield '<button type="button" class="push">Push</button>'
         yield "</div>"
@@ -127,7 +136,7 @@ class _Controls:
         yield f'<fieldset class="knobs"><legend>{title}</legend>'
         for k, s in enumerate(sliders):
             step = s.step or (s.high - s.low) / STEPS_OF_A_SLIDER
-            unit = f" {escape(s.unit)}" if s.unit and s.unit != "1" else ""
+            unit = f" {_unit(s.unit)}" if s.unit and s.unit != "1" else ""
             name = f"{escape(s.meaning)} {self.math(s.label)}" if isinstance(s.label, sp.Expr) and s.meaning.endswith(" of") else self.math(s.label)
             title_ = f' title="{escape(s.meaning)}"' if s.meaning else ""
             yield (
@@ -141,6 +150,8 @@ class _Controls:
     def readings(self) -> Iterator[str]:
         figure = self.figure
         rows: list[tuple[str, str, str]] = []
+        kept = any(kind == "energy" for kind, _ in figure.conserved)
+        total = "their sum (conserved)" if kept else "their sum"
         joule = " J" if figure.data["newton"] else ""
         newton = " N" if figure.data["newton"] else ""
         if figure.moves:
@@ -148,11 +159,13 @@ class _Controls:
             for k, s in enumerate(figure.coordinates):
                 if isinstance(s.label, sp.Symbol):
                     rows.append((self.math(prime(s.label)), f"@u{k}", ""))
-            rows += [("kinetic energy", "T", joule), ("potential energy", "V", joule), ("their sum", "E", joule)]
-        else:
+            rows += [("kinetic energy", "T", joule), ("potential energy", "V", joule), (total, "E", joule)]
+        elif figure.rests:
             rows.append(("potential energy", "V", joule))
             rows += [(f"<span>force along</span> {self.math(s.label)}", f"Q{k}", "") for k, s in enumerate(figure.coordinates)]
         for k, (kind, _) in enumerate(figure.conserved):
+            if kind == "energy":
+                continue
             rows.append((f"conserved: {INTEGRALS.get(kind, escape(kind))}", f"I{k}", ""))
         rows += [(self.math(r), f"R{k}", newton if isinstance(r, sp.Symbol) and not r.name.startswith("lambda") else "") for k, r in enumerate(figure.reactions)]
         if 1 in figure.data["conserved"]:
@@ -177,6 +190,9 @@ class _Controls:
             if figure.reactions:
                 names = "".join(f'<span class="c{k % 5}">{self.math(r)}</span>' for k, r in enumerate(figure.reactions))
                 yield self.canvas("reactions", "Reactions over time", names)
+        if not figure.moves and not figure.rests:
+            yield "</div>"
+            return
         options = "".join(f'<option value="{k}">{self.plain_name(s)}</option>' for k, s in enumerate(figure.coordinates))
         choice = f'<label>of <select class="phase">{options}</select></label>' if len(figure.coordinates) > 1 else ""
         yield self.canvas("phase", "Phase plane" if figure.moves else "Potential energy along the coordinate", choice)
@@ -206,7 +222,7 @@ class _Controls:
         return " ".join(parts)
 
 
-def _data(figure: MovingFigure) -> str:
-    """The numbers of a figure, with nothing in them that could end the element."""
-    text = json.dumps(figure.data, separators=(",", ":"), allow_nan=False)
-    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+def _unit(unit: str) -> str:
+    """`m/s^2` as it is printed: m/s²."""
+    raised = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+    return escape(re.sub(r"\^\(?(-?\d+)\)?", lambda m: m[1].translate(raised), unit).replace("*", " "))
