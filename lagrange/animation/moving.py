@@ -25,7 +25,7 @@ from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, S
 from lagrange.animation.javascript import UnprintableError, function, names_of
 from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS
 from lagrange.animation.samples import Samples, put, sampled, samples, surfaces
-from lagrange.animation.values import angles_in, coordinate_slider, initial_state, parameter_slider, spins
+from lagrange.animation.values import angles_in, coordinate_slider, initial_state, parameter_slider, slipping, spins
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
@@ -166,6 +166,7 @@ class _Maker:
             out["con"] = self._constraints(view)
             if view.equilibrium is not None:
                 out["sta"] = self._statics()
+        out["sli"] = self._slips()
         potential = potential_energy(configuration)
         self.potential = self.put(potential)
         kinetic = kinetic_energy(configuration) if view.dynamics is not None else sp.S.Zero
@@ -283,6 +284,13 @@ class _Maker:
             self.bound.append(len(forces))
         return out
 
+    def _slips(self) -> list[sp.Expr]:
+        """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
+        forces = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
+        self.slips = [2 if f.speed is None else 1 if f.sense.is_number else 0 for f in forces]
+        return [self.put(f.slip.dot(f.slip) if f.speed is None else f.speed * f.sense if f.sense.is_number else f.speed)
+                for f in forces]  # fmt: skip
+
     def _guards(self) -> list[int]:
         """For each reaction the sign that it must have, 0 if any."""
         signs = []
@@ -359,6 +367,9 @@ class _Maker:
         numbers = {s: k.value for s, k in zip(parameters, knobs, strict=True)} | {t: 0.0}
         start = {} if pose is None else {q: pose.values[q] for q in pose.coordinates if q in pose.values}
         state, released = initial_state(problem, configuration, start, numbers, self.potential)
+        if not released:
+            known = [e if kind else sp.Abs(e) for e, kind in zip(expressions["sli"], self.slips, strict=True)] if self.slips else []
+            state = slipping(state, slots.velocities, known, numbers)
         sliders = tuple(coordinate_slider(q, problem, state[q], q in angles) for q in slots.coordinates)
         elements = self.elements
         planar = system.view if system else None
@@ -382,6 +393,7 @@ class _Maker:
             "loads": self.loads,
             "bound": self.bound,
             "guards": self._guards(),
+            "slips": self.slips,
             "points": self._points(elements),
             "conserved": [self._kind(i.quantity) for i in self.integrals],
             "buttons": self.button_parts,

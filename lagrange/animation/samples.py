@@ -17,7 +17,6 @@ from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem,
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.results import Solution
 
-GRAVITY = sp.Rational("9.81")
 Samples = dict[str, tuple[tuple[sp.Symbol, ...], sp.Expr]]
 """By name of a function: its arguments and what is taken for it."""
 
@@ -28,6 +27,7 @@ def samples(solution: Solution) -> Samples:
     relations = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
     bound = {f.name for r in relations for f in r.atoms(Unspecified)}
     out: Samples = {}
+    gravity = sp.Symbol("g", positive=True) if "g" not in solution.problem.scope.names() else sp.Integer(10)
     for declared in solution.problem.functions:
         names = tuple(sp.Symbol(a, real=True) for a in declared.arguments)
         squares = sp.Add(*(a**2 for a in names))
@@ -40,7 +40,7 @@ def samples(solution: Solution) -> Samples:
             taken = names[0] / 5
         else:
             part = _component(configuration, declared.name)
-            taken = -GRAVITY * part if part is not None and bound else sp.S.Zero
+            taken = -gravity * part if part is not None and bound else sp.S.Zero
         out[declared.name] = (names, sp.sympify(taken, strict=True))
     return out
 

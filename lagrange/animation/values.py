@@ -9,6 +9,7 @@ something happens. A spinning body spins fast, as a top does.
 from __future__ import annotations
 
 import math
+from itertools import product
 from collections.abc import Iterable, Mapping, Sequence
 
 import sympy as sp
@@ -22,6 +23,7 @@ from lagrange.problem.model import Assumption, Parameter, Problem
 
 _BY_UNIT = {"m/s^2": 9.81, "N/m": 20.0, "N*s/m": 0.4, "1/s": 2.0, "rad/s": 2.0, "m/s": 1.0, "N": 5.0, "kg*m^2": 0.5}
 _BY_LETTER = {"g": 9.81, "k": 20.0, "c": 0.4, "mu": 0.3, "omega": 2.0, "Omega": 2.0, "w": 2.0, "F": 5.0}
+MOST_TRIED = 5
 SPIN = 14.0
 """Of a body in space about its own axis where there is gravity, in radians per second."""
 
@@ -123,6 +125,26 @@ def initial_state(
         else:
             state[v] = spin if q in turning else 1.0 if not (turning and configuration.rows) else 0.0
     return state, bool(set(stated) & {*slots.coordinates, *slots.velocities})
+
+
+def slipping(
+    state: dict[sp.Symbol, float],
+    speeds: Sequence[sp.Symbol],
+    slips: Sequence[sp.Expr],
+    parameters: Mapping[sp.Symbol, float],
+) -> dict[sp.Symbol, float]:
+    """The state with other speeds, where what is to slip would not slip in it: the first that does of a few."""
+
+    def slips_in(s: Mapping[sp.Symbol, float]) -> bool:
+        return all(_number(e, {**parameters, **s}) > 0.1 for e in slips)
+
+    if not slips or slips_in(state) or len(speeds) > MOST_TRIED:
+        return state
+    for trial in product((2.0, 0.0, -2.0), repeat=len(speeds)):
+        tried = {**state, **dict(zip(speeds, trial, strict=True))}
+        if slips_in(tried):
+            return tried
+    return state
 
 
 def _number(e: sp.Expr, values: Mapping[sp.Symbol, float]) -> float:

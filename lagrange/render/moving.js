@@ -160,10 +160,12 @@ const lagsolveFigure = (() => {
       });
       return { loads, reactions };
     }
-    function broken(y, p) {
-      if (!data.guards.some(g => g)) return -1;
+    // What no longer holds: "contact" or "slip"; `sense` are the senses of slips that are not given.
+    function broken(y, p, sense) {
+      if (data.slips.length && F.sli(y, p).some((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9)) return "slip";
+      if (!data.guards.some(g => g)) return "";
       const f = forces(y, p).reactions;
-      return data.guards.findIndex((g, i) => g && (g == 2 ? f[i].value : g * f[i].lambda) < -1e-9);
+      return data.guards.some((g, i) => g && (g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
     }
     return { rate, advanced, projected, violation, inFile, forces, broken };
   }
@@ -177,6 +179,7 @@ const lagsolveFigure = (() => {
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
     const begin = () => M.projected(data.y.slice(), data.p, -1, data.kept);
     let p = data.p.slice(), y = begin(), playing = false, speed = 1, message = "";
+    let sense = [];
     let history = [], preview = [], reference = null, worst = 0, wrong = 0, shownAt = -1;
     let width = 600, height = 380, scale = 100, centre = [0, 0], force = 1, trace = [];
 
@@ -190,6 +193,7 @@ const lagsolveFigure = (() => {
     function restart() {
       const e = integrals(y);
       reference = { ...e, size: Math.max(Math.abs(e.T), Math.abs(e.T + e.V), Math.abs(e.I[energy] ?? 0), 1e-12), parts: e.I.map(x => Math.abs(x)) };
+      sense = data.slips.length ? F.sli(y, p).map(Math.sign) : [];
       worst = 0; wrong = M.violation(y, p); history = []; trace = []; message = "";
       record();
     }
@@ -206,6 +210,11 @@ const lagsolveFigure = (() => {
       trace.push(data.points.map(k => [z[k], z[k + 1], z[k + 2]]));
       if (trace.length > 900) trace.shift();
     }
+    const fails = s => M.broken(s, p, sense);
+    const endings = {
+      contact: "a reaction would have to pull where it can only push, or push where it can only pull.",
+      slip: "the slip ends, and other equations hold from here on.",
+    };
     function run(seconds, piece = 1 / 60) {
       if (!moving) return true;
       const end = y[2 * n] + seconds;
@@ -213,14 +222,15 @@ const lagsolveFigure = (() => {
         const part = Math.min(piece, end - y[2 * n]);
         const next = M.advanced(y, p, part);
         if (next === null) { message = "The motion ends here: the accelerations are no longer determined."; return false; }
-        if (M.broken(next, p) >= 0) {
+        const ending = fails(next);
+        if (ending) {
           let low = 0, high = part, at = y;
-          for (let k = 0; k < 30 && M.broken(y, p) < 0; k++) {
+          for (let k = 0; k < 30 && !fails(y); k++) {
             const mid = (low + high) / 2, tried = M.advanced(y, p, mid);
-            if (tried === null || M.broken(tried, p) >= 0) high = mid; else { low = mid; at = tried; }
+            if (tried === null || fails(tried)) high = mid; else { low = mid; at = tried; }
           }
           y = at; record();
-          message = `Contact ends at t = ${number(y[2 * n], 4)} s: the reaction would have to pull where it can only push, or push where it can only pull.`;
+          message = `The motion ends at t = ${number(y[2 * n], 4)} s: ${endings[ending]}`;
           return false;
         }
         y = next; record();
@@ -268,9 +278,9 @@ const lagsolveFigure = (() => {
       preview = [];
       if (moving) {
         let s = y; const start = performance.now();
-        for (let k = 0; k < 160 && performance.now() - start < 60; k++) {
+        for (let k = 0; k < 160 && performance.now() - start < 120; k++) {
           s = M.advanced(s, p, 0.05);
-          if (s === null || M.broken(s, p) >= 0) break;
+          if (s === null || fails(s)) break;
           preview.push({ y: s, r: data.bound.length ? M.forces(s, p).reactions.map(f => f.value) : [] });
           const v = cells(s), b = [Infinity, -Infinity, Infinity, -Infinity];
           data.points.forEach(c => { const f = flat(three(v, c)); b[0] = Math.min(b[0], f[0]); b[1] = Math.max(b[1], f[0]); b[2] = Math.min(b[2], f[1]); b[3] = Math.max(b[3], f[1]); });
@@ -524,16 +534,21 @@ const lagsolveFigure = (() => {
     }
 
     // Displacements at this instant: δr of a virtual one, dr = δr + what moving constraints add in dt.
+    function bound() {
+      const m = data.shape.con[1], c = F.con(y, p), A = [...Array(m).keys()].map(i => c.slice(3 * m + i * n, 3 * m + i * n + n));
+      const across = right => { const w = solved(A.map((r, i) => [...A.map(s => r.reduce((t, x, k) => t + x * s[k], 0)), right[i]]), m).x; return [...Array(n).keys()].map(k => A.reduce((t, r, i) => t + r[k] * w[i], 0)); };
+      return { A, across, drift: c.slice(2 * m, 3 * m) };
+    }
+    function virtual(k) {
+      const d = new Array(n).fill(0); d[k] = 1;
+      if (!data.shape.con[1]) return d;
+      const { A, across } = bound(), off = across(A.map(r => r[k]));
+      return d.map((x, j) => x - off[j]);
+    }
     function displacements(v) {
-      const which = one("select.which"), k = which ? Number(which.value) : 0, m = data.shape.con[1];
-      let d = new Array(n).fill(0), drift = new Array(n).fill(0); d[k] = 1;
-      if (m) {
-        const c = F.con(y, p), A = [...Array(m).keys()].map(i => c.slice(3 * m + i * n, 3 * m + i * n + n));
-        const gram = right => A.map((r, i) => [...A.map(s => r.reduce((t, x, j) => t + x * s[j], 0)), right[i]]);
-        const w = solved(gram(A.map(r => r[k])), m).x, u = solved(gram([...Array(m).keys()].map(i => c[2 * m + i])), m).x;
-        d = d.map((x, j) => x - A.reduce((t, r, i) => t + r[j] * w[i], 0));
-        drift = drift.map((_, j) => -A.reduce((t, r, i) => t + r[j] * u[i], 0));
-      }
+      const d = virtual(Number(one("select.which")?.value ?? 0));
+      let drift = new Array(n).fill(0);
+      if (data.shape.con[1]) { const b = bound(); drift = b.across(b.drift).map(x => -x); }
       const e = 1e-5, moved = (dq, dt) => { const s = y.slice(); for (let j = 0; j < n; j++) s[j] += e * dq[j]; s[2 * n] += e * dt; return cells(s); };
       const a = moved(d, 0), b = moved(drift, 1), parts = data.points.map(c => [three(v, c), plus(three(a, c), three(v, c), -1).map(x => x / e), plus(three(b, c), three(v, c), -1).map(x => x / e)]);
       const size = Math.max(1e-9, ...parts.map(q => Math.hypot(...flat(q[1])))), carried = Math.max(0, ...parts.map(q => Math.hypot(...flat(q[2]))));
@@ -745,7 +760,7 @@ const lagsolveFigure = (() => {
           if (long < 1e-12 || !q.every(isFinite)) break;
         }
         if (!q.every(isFinite) || !(Math.max(...force(q).map(Math.abs)) < 1e-9 * size)) continue;
-        q = q.map((x, i) => data.angles[i] ? wrapped(x) : x).map(x => Math.abs(x) < 1e-9 ? 0 : x);
+        q = q.map((x, i) => data.angles[i] ? wrapped(x) : x).map(x => Math.abs(x) < 1e-9 ? 0 : x).map((x, i) => data.angles[i] && Math.abs(x + Math.PI) < 1e-9 ? Math.PI : x);
         const idle = jacobian(q).map(c => c.every(x => Math.abs(x) < 1e-7 * size));
         if (rests.every(r => r.q.some((x, i) => !idle[i] && Math.abs(data.angles[i] ? wrapped(x - q[i]) : x - q[i]) > 1e-5)) && rests.length < 6) rests.push({ q, idle });
       }
@@ -780,6 +795,8 @@ const lagsolveFigure = (() => {
     root.hidden = false;
     document.documentElement.classList.add("moves");
     new ResizeObserver(() => { const W = stage.clientWidth; if (W && Math.abs(W - width) > 2) requestAnimationFrame(() => { fit(); show(); }); }).observe(stage);
+    const which = one("select.which");
+    if (which && data.shape.con[1]) which.value = Math.max(0, [...Array(n).keys()].findIndex(k => { const d = virtual(k); return Math.hypot(...d) > 0.3; }));
     restart(); fit(); if (data.rest) look(); show(); scrub();
   };
 })();

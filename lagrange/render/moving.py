@@ -125,7 +125,7 @@ class _Controls:
             how = f" <small>{escape(e.stability)}</small>" if e.stability in ("stable", "unstable") else ""
             yield f'<button type="button" data-rest="{k}">{written}{how}</button>'
         if self.figure.data["rest"]:
-            yield '<span class="found controls"></span>'
+            yield '<span class="found"></span>'
         if self.figure.moves:
             yield '<button type="button" class="push">Push</button>'
         yield "</div>"
@@ -209,14 +209,14 @@ class _Controls:
     def caption(self) -> str:
         figure = self.figure
         chosen = [s for s in figure.parameters if not s.given]
+        start = figure.moves and not figure.released
         parts = []
         if chosen and len(chosen) == len(figure.parameters):
-            parts.append("The file gives no values: those of the sliders were chosen for this page.")
-        elif chosen:
-            names = ", ".join(dict.fromkeys(self.math(s.label) for s in chosen))
-            parts.append(f"Not given in the file, and chosen for this page: {names}.")
-        if figure.moves and not figure.released:
-            parts.append("So was the initial state.")
+            parts.append(f"The file gives no values: those of the sliders{' and the initial state' * start} were chosen for this page.")
+        else:
+            names = list(dict.fromkeys(self.math(s.label) for s in chosen)) + ["the initial state"] * start
+            if names:
+                parts.append(f"Not given in the file, and chosen for this page: {', '.join(names)}.")
         for left, right in figure.assumed:
             parts.append(f"The file leaves {self.math(left)} open; the figure takes {self.math(right)}.")
         return " ".join(parts)
