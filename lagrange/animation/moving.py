@@ -174,6 +174,7 @@ class _Maker:
         self.integrals = [i for i in integrals if i.expression.free_symbols - {*configuration.slots.accelerations} and not
                           i.expression.free_symbols & {*configuration.slots.accelerations}]  # fmt: skip
         out["ene"] = [self.put(e) for e in (kinetic, potential, *(i.expression for i in self.integrals))]
+        out["ini"] = self._stated()
         out["act"] = self._acting()
         self.elements = None
         if system is not None:
@@ -284,6 +285,16 @@ class _Maker:
             self.bound.append(len(forces))
         return out
 
+    def _stated(self) -> list[sp.Expr]:
+        """The values of the file at t = 0, first those of the page's coordinates and velocities, then of the file's."""
+        slots, own = self.view.configuration.slots, self.own.configuration.slots
+        here, file = (*slots.coordinates, *slots.velocities), (*own.coordinates, *own.velocities)
+        stated = {s.symbol: s.value for s in self.solution.problem.initial}
+        self.begins = [here.index(s) for s in stated if s in here]
+        self.wanted = [file.index(s) for s in stated if s in file and s not in here]
+        values = [*(v for s, v in stated.items() if s in here), *(v for s, v in stated.items() if s in file and s not in here)]
+        return [self.put(v) for v in values]
+
     def _slips(self) -> list[sp.Expr]:
         """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
         forces = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
@@ -351,7 +362,7 @@ class _Maker:
                 assert self.elements is not None
                 along = names_of("u", self.elements.curves[int(name[3:])][1])
                 code.append(f"{name}: {function('z, p, u', group, {**names['z'], **along})}")
-            elif name.startswith("eql"):
+            elif name.startswith(("eql", "ini")):
                 code.append(f"{name}: {function('p', group, names['p'])}")
             elif name in ("rea", "fig", "act") or name.startswith("tra"):
                 code.append(f"{name}: {function('z, p', group, names['z'])}")
@@ -366,7 +377,8 @@ class _Maker:
         knobs = [drives.get(s) or parameter_slider(s, problem, drawn, s in angles) for s in parameters]
         numbers = {s: k.value for s, k in zip(parameters, knobs, strict=True)} | {t: 0.0}
         start = {} if pose is None else {q: pose.values[q] for q in pose.coordinates if q in pose.values}
-        state, released = initial_state(problem, configuration, start, numbers, self.potential)
+        state = initial_state(problem, configuration, start, numbers, self.potential)
+        released = bool(self.begins or self.wanted)
         if not released:
             known = [e if kind else sp.Abs(e) for e, kind in zip(expressions["sli"], self.slips, strict=True)] if self.slips else []
             state = slipping(state, slots.velocities, known, numbers)
@@ -394,6 +406,10 @@ class _Maker:
             "bound": self.bound,
             "guards": self._guards(),
             "slips": self.slips,
+            "timed": int(any(e.has(t) for e in expressions.get("eq", ()))),
+            "begins": self.begins,
+            "wanted": self.wanted,
+            "sizes": len(self.own.configuration.slots.coordinates),
             "points": self._points(elements),
             "conserved": [self._kind(i.quantity) for i in self.integrals],
             "buttons": self.button_parts,

@@ -107,8 +107,8 @@ def initial_state(
     position: Mapping[sp.Symbol, float],
     parameters: Mapping[sp.Symbol, float],
     potential: sp.Expr,
-) -> tuple[dict[sp.Symbol, float], bool]:
-    """The values of the coordinates and velocities at t = 0, and whether any of them is the file's."""
+) -> dict[sp.Symbol, float]:
+    """The values of the coordinates and velocities at t = 0."""
     slots = configuration.slots
     stated = {s.symbol: s.value for s in problem.initial}
     known = dict(parameters)
@@ -124,7 +124,7 @@ def initial_state(
             state[v] = 0.0
         else:
             state[v] = spin if q in turning else 1.0 if not (turning and configuration.rows) else 0.0
-    return state, bool(set(stated) & {*slots.coordinates, *slots.velocities})
+    return state
 
 
 def slipping(

@@ -177,8 +177,22 @@ const lagsolveFigure = (() => {
     const one = s => root.querySelector(s), all = s => [...root.querySelectorAll(s)];
     const stage = one("svg.stage"), lines = one("g.lines"), texts = all("g.labels text");
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
-    const begin = () => M.projected(data.y.slice(), data.p, -1, data.kept);
-    let p = data.p.slice(), y = begin(), playing = false, speed = 1, message = "";
+    // The state at t = 0: what the file says of it, in its own coordinates or in these, and the page's values otherwise.
+    function begin() {
+      let s = data.y.slice();
+      const stated = F.ini(p), given = stated.slice(data.begins.length);
+      data.begins.forEach((k, i) => { s[k] = stated[i]; });
+      if (data.wanted.length) for (const level of [0, 1]) for (let turn = 0; turn < 25; turn++) {
+        const list = data.wanted.map((k, i) => [k, given[i]]).filter(([k]) => (k >= data.sizes) == Boolean(level));
+        const z = M.inFile(s, p), off = list.map(([k, v]) => z[k] - v);
+        if (!list.length || off.every(x => Math.abs(x) < 1e-13)) break;
+        const columns = [...Array(n).keys()].map(j => { const a = s.slice(), e = 1e-6; a[level * n + j] += e; const w = M.inFile(a, p); return list.map(([k]) => (w[k] - z[k]) / e); });
+        const w = solved(off.map((_, i) => [...off.map((_, j) => columns.reduce((t, c) => t + c[i] * c[j], 0)), off[i]]), off.length).x;
+        for (let j = 0; j < n; j++) s[level * n + j] -= columns[j].reduce((t, x, i) => t + x * w[i], 0);
+      }
+      return s.every(isFinite) ? M.projected(s, p, -1, data.begins.length ? -1 : data.kept) : M.projected(data.y.slice(), p, -1, data.kept);
+    }
+    let p = data.p.slice(), y = begin(), touched = false, playing = false, speed = 1, message = "";
     let sense = [];
     let history = [], preview = [], reference = null, worst = 0, wrong = 0, shownAt = -1;
     let width = 600, height = 380, scale = 100, centre = [0, 0], force = 1, trace = [];
@@ -707,12 +721,21 @@ const lagsolveFigure = (() => {
       if (history.length % 3 == 0) graphs();
       requestAnimationFrame(frame);
     }
+    // A system that would stay at rest is pushed a little, which is said.
+    function nudge() {
+      if (!moving || M.rate(y, p).slice(0, 2 * n).some(x => Math.abs(x) > 1e-9) || data.timed) return;
+      const s = y.slice();
+      for (let i = 0; i < n; i++) s[n + i] += 0.01 * (1 + 0.3 * i);
+      y = M.projected(s, p, -1); restart();
+      message = "It would stay at rest here, and was pushed a little.";
+    }
     const play = one("button.play");
     function stop() { playing = false; if (play) { play.setAttribute("aria-pressed", "false"); play.textContent = "▶ Play"; } show(); scrub(); }
     function start() {
       if (!moving) return;
       if (shownAt >= 0) { y = history[shownAt].y.slice(); history.length = shownAt + 1; shownAt = -1; }
       message = "";
+      nudge();
       if (calm.matches) { run(10); message ||= "10 s of motion, computed at once: the slider “time” goes through it."; stop(); return; }
       playing = true; last = performance.now(); play.setAttribute("aria-pressed", "true"); play.textContent = "❚❚ Pause";
       requestAnimationFrame(frame);
@@ -722,7 +745,7 @@ const lagsolveFigure = (() => {
     play?.addEventListener("click", () => playing ? stop() : start());
     one("button.step")?.addEventListener("click", () => { if (playing) stop(); run(0.02); show(); scrub(); });
     one("button.reset")?.addEventListener("click", () => {
-      playing = false; shownAt = -1; p = data.p.slice(); y = begin();
+      playing = false; shownAt = -1; p = data.p.slice(); y = begin(); touched = false;
       all("input[data-p]").forEach(i => { i.value = p[Number(i.dataset.p)]; });
       restart(); fit(); stop();
     });
@@ -731,14 +754,15 @@ const lagsolveFigure = (() => {
     all("input[data-q]").forEach(i => i.addEventListener("input", () => {
       const k = Number(i.dataset.q), s = y.slice(); s[k] = Number(i.value); s[2 * n] = moving ? s[2 * n] : 0;
       const next = M.projected(s, p, k);
-      if (next.every(isFinite) && M.violation(next, p) < 1e-6) { y = next; shownAt = -1; restart(); message = ""; } else message = "The constraints do not allow this value.";
+      if (next.every(isFinite) && M.violation(next, p) < 1e-6) { y = next; touched = true; shownAt = -1; restart(); message = ""; } else message = "The constraints do not allow this value.";
       show(); scrub();
     }));
     let waiting = 0;
     all("input[data-p]").forEach(i => i.addEventListener("input", () => {
       const before = p.slice(), k = Number(i.dataset.p);
       p[k] = Number(i.value);
-      const next = M.projected(y, p, -1);
+      const fresh = !touched && history.length < 2 && (data.begins.length || data.wanted.length);
+      const next = fresh ? begin() : M.projected(y, p, -1);
       if (next.every(isFinite) && M.violation(next, p) < 1e-6) { y = next; shownAt = -1; restart(); message = ""; } else { p = before; message = "The constraints do not allow this value."; }
       clearTimeout(waiting); waiting = setTimeout(() => { fit(); if (data.rest) look(); show(); }, playing ? 600 : 150);
       show(); scrub();
@@ -787,7 +811,7 @@ const lagsolveFigure = (() => {
     root.addEventListener("keydown", e => { if (e.target === stage && (e.key == " " || e.key == "Enter")) { e.preventDefault(); playing ? stop() : start(); } });
     // For tests and programs: runs at once, and leaves the numbers as attributes of the figure.
     root.addEventListener("lagsolve-run", e => {
-      const begun = performance.now(), done = run(e.detail.seconds);
+      nudge(); const begun = performance.now(), done = run(e.detail.seconds);
       Object.assign(root.dataset, { state: JSON.stringify(y), parameters: JSON.stringify(p), drift: worst, error: wrong, done, milliseconds: (performance.now() - begun) / Math.max(1, e.detail.seconds * 60) });
       const drawn = performance.now(); show(); root.dataset.drawing = performance.now() - drawn; scrub();
     });
