@@ -9,6 +9,7 @@ other code runs even if some were smuggled in, and nothing is fetched from anywh
 from __future__ import annotations
 
 import json
+import math
 import re
 from collections.abc import Iterator, Sequence
 from functools import cache
@@ -135,13 +136,16 @@ class _Controls:
             return
         yield f'<fieldset class="knobs"><legend>{title}</legend>'
         for k, s in enumerate(sliders):
-            step = s.step or (s.high - s.low) / STEPS_OF_A_SLIDER
+            step = s.step or _round((s.high - s.low) / STEPS_OF_A_SLIDER)
+            low, high = math.floor(s.low / step + 1e-9) * step, math.ceil(s.high / step - 1e-9) * step
+            if s.low >= 0 and low <= 0 and kind == "p":
+                low = step if s.low > 0 else 0.0
             unit = f" {_unit(s.unit)}" if s.unit and s.unit != "1" else ""
             name = f"{escape(s.meaning)} {self.math(s.label)}" if isinstance(s.label, sp.Expr) and s.meaning.endswith(" of") else self.math(s.label)
             title_ = f' title="{escape(s.meaning)}"' if s.meaning else ""
             yield (
                 f"<label{title_}><span>{name}</span>"
-                f'<input type="range" data-{kind}="{k}" min="{s.low:.6g}" max="{s.high:.6g}" step="{step:.4g}" value="{s.value:.6g}"'
+                f'<input type="range" data-{kind}="{k}" min="{low:.6g}" max="{high:.6g}" step="{step:.6g}" value="{s.value:.6g}"'
                 f' aria-label="{self.plain_name(s)}{": " if s.meaning else ""}{escape(s.meaning)}">'
                 f'<span class="value"><output data-{kind}="{k}"></output>{unit}</span></label>'
             )
@@ -220,6 +224,12 @@ class _Controls:
         for left, right in figure.assumed:
             parts.append(f"The file leaves {self.math(left)} open; the figure takes {self.math(right)}.")
         return " ".join(parts)
+
+
+def _round(number: float) -> float:
+    """1, 2 or 5 times a power of ten, no smaller than the number."""
+    size = float(10 ** math.floor(math.log10(number)))
+    return next(k * size for k in (1, 2, 5, 10) if k * size >= number * (1 - 1e-9))
 
 
 def _unit(unit: str) -> str:
