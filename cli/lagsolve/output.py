@@ -40,7 +40,13 @@ class Destination:
 
     @classmethod
     def of(
-        cls, format_: str | None, output: str | None, fragment: bool, detail: str, vectors: str | None = None, static: bool = False
+        cls,
+        format_: str | None,
+        output: str | None,
+        fragment: bool,
+        detail: str,
+        vectors: str | None = None,
+        static: bool = False,
     ) -> Destination:
         """The destination that the options describe. Raises a usage error where they contradict one another."""
         path = Path(output) if output not in (None, "-") else None

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from itertools import combinations
+from itertools import combinations, pairwise
 from typing import Any
 
 import sympy as sp
@@ -127,6 +127,11 @@ class Elements:
         """A place in the position of the picture."""
         return self.system.page(self.system.at(v))
 
+    def meeting(self, at: PagePoint) -> PagePoint:
+        """The sum of the directions of the lines that meet at a point."""
+        ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in self.busy if touches(at, a, b)]
+        return sum(w[0] for w in ways), sum(w[1] for w in ways)
+
     def take(self, a: Vector, b: Vector) -> None:
         """Remember that a line is drawn between two places."""
         self.busy.append((self.flat(a), self.flat(b)))
@@ -181,7 +186,9 @@ class Elements:
             case Drawn.STRINGS:
                 pulleys = self.system.problem.figure.pulleys
                 parts = [
-                    [self.at(pulleys[p].centre), self.cells.scalar(pulleys[p].radius)] if isinstance(p, str) else self.at(p)
+                    [self.at(pulleys[p].centre), self.cells.scalar(pulleys[p].radius)]
+                    if isinstance(p, str)
+                    else self.at(p)
                     for p in line.places
                 ]
                 self.add("string", p=parts)
@@ -195,7 +202,7 @@ class Elements:
                 return
             case _:
                 self.add("ground" if line.kind is Drawn.GROUND else "line", p=ends, c=_STROKES.get(line.kind, "rod"))
-        for a, b in zip(places, places[1:], strict=False):
+        for a, b in pairwise(places):
             self.take(a, b)
 
     # Rods and springs
@@ -230,7 +237,9 @@ class Elements:
     def support(self, at: Vector) -> None:
         """A piece of ground at a point, on the other side than the lines that meet there."""
         place = self.flat(at)
-        ways = [toward(place, b if apart(a, place) < apart(b, place) else a) for a, b in self.busy if touches(place, a, b)]
+        ways = [
+            toward(place, b if apart(a, place) < apart(b, place) else a) for a, b in self.busy if touches(place, a, b)
+        ]
         x, y = sum(w[0] for w in ways), sum(w[1] for w in ways)
         field_ = self.system.problem.gravity
         down = (0.0, 0.0) if field_ is None else self.system.page.way(self.system.pose.at(field_))
@@ -334,7 +343,14 @@ class Elements:
         lengths = [self.cells.scalar(x) for x in shape.lengths]
         match shape.kind:
             case Outline.DISC | Outline.RING:
-                self.add("disc", p=c, r=lengths[0], a=-1 if planar else axis, s=2 if shape.kind is Outline.DISC else 1, c="body")
+                self.add(
+                    "disc",
+                    p=c,
+                    r=lengths[0],
+                    a=-1 if planar else axis,
+                    s=2 if shape.kind is Outline.DISC else 1,
+                    c="body",
+                )
                 if shape.kind is Outline.RING:
                     self.add("disc", p=c, r=lengths[0], a=-1 if planar else axis, s=1, c="body", f=0.93)
             case Outline.ROD:
@@ -342,7 +358,9 @@ class Elements:
                 self.add("capsule", p=[self.at(a), self.at(b)], w=0.09)
                 self.take(a, b)
             case Outline.BOX:
-                self.add("box", p=c, a=e1 if shape.axis is None else axis, b=e2, w=lengths, x=int(shape.axis is not None))
+                self.add(
+                    "box", p=c, a=e1 if shape.axis is None else axis, b=e2, w=lengths, x=int(shape.axis is not None)
+                )
             case Outline.SPHERE:
                 self.add("sphere", p=c, r=lengths[0])
             case Outline.CONE:
@@ -449,9 +467,8 @@ class Elements:
             if p.name in self.hidden:
                 continue
             at = self.flat(p.position)
-            ways = [toward(at, b if apart(a, at) < apart(b, at) else a) for a, b in self.busy if touches(at, a, b)]
-            x, y = -sum(w[0] for w in ways), -sum(w[1] for w in ways)
-            prefer = toward((0, 0), (x, y)) if math.hypot(x, y) > 1e-3 else (0.7, 0.7)
+            x, y = self.meeting(at)
+            prefer = toward((0, 0), (-x, -y)) if math.hypot(x, y) > 1e-3 else (0.7, 0.7)
             shown = 0.085 if p.name not in turning and p.name not in figure.shapes else 0.05
             self.add("dot", p=self.at(p.position), r=shown, l=self.label(as_words(p.name)), d=list(prefer))
 

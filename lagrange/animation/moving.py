@@ -26,11 +26,9 @@ from lagrange.animation.javascript import UnprintableError, function, names_of
 from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS
 from lagrange.animation.samples import Samples, put, sampled, samples, surfaces
 from lagrange.animation.values import angles_in, coordinate_slider, initial_state, parameter_slider, slipping, spins
-from lagrange.core.records import record
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
-from lagrange.mechanics.constraints.kinematics import Configuration
-from lagrange.mechanics.dynamics.conservation import ConservedQuantity
+from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.newton import Reaction
@@ -74,6 +72,18 @@ class _Maker:
     drives: list[Slider] = field(default_factory=list)
     drive_symbols: list[sp.Symbol] = field(default_factory=list)
     samples: Samples = field(default_factory=dict)
+    shape: dict[str, Any] = field(default_factory=dict)
+    elements: Elements | None = None
+    integrals: list[Integral] = field(default_factory=list)
+    potential: sp.Expr = sp.S.Zero
+    loads: list[int] = field(default_factory=list)
+    bound: list[int] = field(default_factory=list)
+    slips: list[int] = field(default_factory=list)
+    begins: list[int] = field(default_factory=list)
+    wanted: list[int] = field(default_factory=list)
+    reaction_list: list[Reaction] = field(default_factory=list)
+    buttons: list[EquilibriumButton] = field(default_factory=list)
+    button_parts: list[list[int]] = field(default_factory=list)
 
     @property
     def own(self) -> InCoordinates:
@@ -154,7 +164,6 @@ class _Maker:
     def _expressions(self, system: SystemPicture | None, pose: Pose | None) -> dict[str, list[sp.Expr]]:
         view, configuration = self.view, self.view.configuration
         out: dict[str, list[sp.Expr]] = {}
-        self.shape: dict[str, Any] = {}
         if not view.is_own:
             out["own"] = self._own()
         if view.dynamics is not None:
@@ -171,26 +180,25 @@ class _Maker:
         self.potential = self.put(potential)
         kinetic = kinetic_energy(configuration) if view.dynamics is not None else sp.S.Zero
         integrals = view.conserved.integrals if view.conserved else ()
-        self.integrals = [i for i in integrals if i.expression.free_symbols - {*configuration.slots.accelerations} and not
-                          i.expression.free_symbols & {*configuration.slots.accelerations}]  # fmt: skip
+        fast = {*configuration.slots.accelerations}
+        self.integrals = [i for i in integrals if not i.expression.free_symbols & fast]
         out["ene"] = [self.put(e) for e in (kinetic, potential, *(i.expression for i in self.integrals))]
         out["ini"] = self._stated()
         out["act"] = self._acting()
-        self.elements = None
         if system is not None:
             elements = Elements(system, pose)
             for point, along, shift in surfaces(system.configuration) if self.samples else ():
                 if not system.view.planar:
                     ends = (shift - 2, shift + 2, sp.Integer(-2), sp.Integer(2))
-                    elements.surface(Vector(point), along, ends)  # type: ignore[arg-type]
+                    elements.surface(Vector(point), along, ends)
             try:
                 elements.all()
             except NoValueError:
                 elements.items = [i for i in elements.items if i["k"] in ("dot", "line")]
             self.elements = elements
             out["fig"] = [self.put(e) for e in elements.cells.expressions]
-            for n, (point, _) in enumerate(elements.curves):
-                out[f"cur{n}"] = [self.put(e) for e in point.fixed().components]
+            for n, (place, _) in enumerate(elements.curves):
+                out[f"cur{n}"] = [self.put(e) for e in place.fixed().components]
             for n, (f, own, position) in enumerate(elements.traced):
                 parts = [f, *(f.diff(q) for q in own), *position.components]
                 parts += [c.diff(q) for q in own for c in position.components]
@@ -263,7 +271,6 @@ class _Maker:
             out += [self.put(c) for c in parts]
             loads.append(int(f.name == "weight"))
         self.loads = loads
-        self.bound = []
         self.reaction_list = self._reactions()
         places = {p.name: p.position for p in configuration.points}
         turning = {r.name for r in configuration.rotations}
@@ -292,7 +299,10 @@ class _Maker:
         stated = {s.symbol: s.value for s in self.solution.problem.initial}
         self.begins = [here.index(s) for s in stated if s in here]
         self.wanted = [file.index(s) for s in stated if s in file and s not in here]
-        values = [*(v for s, v in stated.items() if s in here), *(v for s, v in stated.items() if s in file and s not in here)]
+        values = [
+            *(v for s, v in stated.items() if s in here),
+            *(v for s, v in stated.items() if s in file and s not in here),
+        ]
         return [self.put(v) for v in values]
 
     def _slips(self) -> list[sp.Expr]:
@@ -303,23 +313,21 @@ class _Maker:
                 for f in forces]  # fmt: skip
 
     def _guards(self) -> list[int]:
-        """For each reaction the sign that it must have, 0 if any."""
+        """For each reaction when the equations no longer hold: where λ has not this sign (1, -1), where the force is
+        negative (2), or where it changes its sign (3: it cannot pull on what lies on a surface); 0 never.
+        """
+        frictions = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
+        pressed = {f.reaction.name: int(f.contact) for f in frictions if f.contact.is_Integer}
         signs = []
         for r in self.reaction_list:
-            if r.constraint.side is not None:
-                # λ pushes to the permitted side; the factor turns it into the force
-                signs.append(r.constraint.side)
-            elif r.constraint.by is Keeper.STRING and r.tension is not None:
-                signs.append(2)
-            else:
-                signs.append(0)
+            side = r.constraint.side or pressed.get(r.name, 0)
+            pulls = r.constraint.by is Keeper.STRING and r.tension is not None
+            signs.append(side or (2 if pulls else 3 if r.constraint.by is Keeper.SURFACE else 0))
         return signs
 
     def _equilibria(self) -> dict[str, list[sp.Expr]]:
         """The coordinates of each equilibrium in closed form."""
         out: dict[str, list[sp.Expr]] = {}
-        self.buttons: list[EquilibriumButton] = []
-        self.button_parts: list[list[int]] = []
         equilibrium = self._equilibrium()
         if equilibrium is None:
             return out
@@ -380,7 +388,11 @@ class _Maker:
         state = initial_state(problem, configuration, start, numbers, self.potential)
         released = bool(self.begins or self.wanted)
         if not released:
-            known = [e if kind else sp.Abs(e) for e, kind in zip(expressions["sli"], self.slips, strict=True)] if self.slips else []
+            known = (
+                [e if kind else sp.Abs(e) for e, kind in zip(expressions["sli"], self.slips, strict=True)]
+                if self.slips
+                else []
+            )
             state = slipping(state, slots.velocities, known, numbers)
         sliders = tuple(coordinate_slider(q, problem, state[q], q in angles) for q in slots.coordinates)
         elements = self.elements
@@ -395,7 +407,9 @@ class _Maker:
             "items": elements.items if elements else [],
             "rest": int(self.view.dynamics is not None and not self.buttons and self._may_rest(expressions)),
             "along": [len(names_) for _, names_ in elements.curves] if elements else [],
-            "traced": [[self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced]
+            "traced": [
+                [self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced
+            ]
             if elements
             else [],
             "units": [list(u) for u in planar.units] if planar else [[1, 0], [0, 1], [0, 0]],
@@ -423,7 +437,7 @@ class _Maker:
             labels=tuple(elements.labels) if elements else (),
             coordinates=sliders,
             parameters=tuple(knobs),
-            reactions=tuple(r.symbol_of_force if r.single and r.symbol_of_force is not None else r.multiplier for r in self.reaction_list),
+            reactions=tuple(_force(r) for r in self.reaction_list),
             conserved=tuple((i.quantity.value, i.expression) for i in self.integrals),
             equilibria=tuple(self.buttons),
             moves=self.view.dynamics is not None,
@@ -441,9 +455,9 @@ class _Maker:
         return tuple(functions)
 
     def _may_rest(self, expressions: Mapping[str, Sequence[sp.Expr]]) -> bool:
-        """Whether the page looks for positions of rest itself: free coordinates, forces in which time does not occur."""
+        """Whether the page looks for positions of rest itself: few free coordinates, forces without time."""
         free = self.shape["eq"][1] == 0 and len(self.view.configuration.slots.coordinates) <= 3
-        return free and not any(e.has(t) for e in expressions["eq"])
+        return free and not self.slips and not any(e.has(t) for e in expressions["eq"])
 
     def _points(self, elements: Elements | None) -> list[int]:
         """The cells of the particles and mass centres: what leaves a trace."""
@@ -452,13 +466,19 @@ class _Maker:
         return [elements.at(p.position) for p in self.own.configuration.points if p.name not in elements.hidden]
 
     def _kept(self, slots: Slots) -> int:
-        """The velocity that stays when the others are fitted to the constraints: that of a spin, -1 if there is none."""
+        """The velocity that stays when the others are fitted to the constraints: that of a spin; -1 for none."""
         turning = spins(self.view.configuration)
         return slots.coordinates.index(turning[0]) if turning else -1
 
     @staticmethod
     def _kind(quantity: ConservedQuantity) -> int:
         return int(quantity in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI))
+
+
+def _force(reaction: Reaction) -> sp.Symbol:
+    """The symbol of the single force that a reaction is, otherwise its multiplier."""
+    force = reaction.symbol_of_force if reaction.single is not None else None
+    return reaction.multiplier if force is None else force
 
 
 def _values(relations: Sequence[Any], coordinates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:

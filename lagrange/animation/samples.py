@@ -49,7 +49,7 @@ def _is_alone(relation: sp.Expr, name: str, configuration: Configuration) -> boo
     """Whether a relation is f(...) = c, and not z = f(x, y)."""
     functions = [f for f in relation.atoms(Unspecified) if f.name == name]
     rest = relation.xreplace(dict.fromkeys(functions, sp.S.Zero))
-    return rest.free_symbols.isdisjoint(configuration.slots.coordinates)
+    return bool(rest.free_symbols.isdisjoint(configuration.slots.coordinates))
 
 
 def _component(configuration: Configuration, name: str) -> sp.Expr | None:

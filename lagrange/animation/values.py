@@ -9,8 +9,8 @@ something happens. A spinning body spins fast, as a top does.
 from __future__ import annotations
 
 import math
-from itertools import product
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import product
 
 import sympy as sp
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
@@ -23,7 +23,7 @@ from lagrange.problem.model import Assumption, Parameter, Problem
 
 _BY_UNIT = {"m/s^2": 9.81, "N/m": 20.0, "N*s/m": 0.4, "1/s": 2.0, "rad/s": 2.0, "m/s": 1.0, "N": 5.0, "kg*m^2": 0.5}
 _BY_LETTER = {"g": 9.81, "k": 20.0, "c": 0.4, "mu": 0.3, "omega": 2.0, "Omega": 2.0, "w": 2.0, "F": 5.0}
-MOST_TRIED = 5
+MOST_TRIED = 3
 SPIN = 14.0
 """Of a body in space about its own axis where there is gravity, in radians per second."""
 
@@ -140,7 +140,7 @@ def slipping(
 
     if not slips or slips_in(state) or len(speeds) > MOST_TRIED:
         return state
-    for trial in product((2.0, 0.0, -2.0), repeat=len(speeds)):
+    for trial in product((0.6, 0.0, -0.6, 2.0, -2.0), repeat=len(speeds)):
         tried = {**state, **dict(zip(speeds, trial, strict=True))}
         if slips_in(tried):
             return tried
@@ -164,4 +164,3 @@ def spins(configuration: Configuration) -> Sequence[sp.Symbol]:
             own = set().union(*(c.free_symbols for c in first.components)) - moving
             turning += [q for q in configuration.slots.coordinates if q in own]
     return turning
-

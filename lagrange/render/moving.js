@@ -160,12 +160,12 @@ const lagsolveFigure = (() => {
       });
       return { loads, reactions };
     }
-    // What no longer holds: "contact" or "slip"; `sense` are the senses of slips that are not given.
-    function broken(y, p, sense) {
+    // What no longer holds: "contact" or "slip"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
+    function broken(y, p, sense, side) {
       if (data.slips.length && F.sli(y, p).some((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9)) return "slip";
       if (!data.guards.some(g => g)) return "";
       const f = forces(y, p).reactions;
-      return data.guards.some((g, i) => g && (g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
+      return data.guards.some((g, i) => g && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
     }
     return { rate, advanced, projected, violation, inFile, forces, broken };
   }
@@ -193,7 +193,7 @@ const lagsolveFigure = (() => {
       return s.every(isFinite) ? M.projected(s, p, -1, data.begins.length ? -1 : data.kept) : M.projected(data.y.slice(), p, -1, data.kept);
     }
     let p = data.p.slice(), y = begin(), touched = false, playing = false, speed = 1, message = "";
-    let sense = [];
+    let sense = [], side = [];
     let history = [], preview = [], reference = null, worst = 0, wrong = 0, shownAt = -1;
     let width = 600, height = 380, scale = 100, centre = [0, 0], force = 1, trace = [];
 
@@ -208,6 +208,7 @@ const lagsolveFigure = (() => {
       const e = integrals(y);
       reference = { ...e, size: Math.max(Math.abs(e.T), Math.abs(e.T + e.V), Math.abs(e.I[energy] ?? 0), 1e-12), parts: e.I.map(x => Math.abs(x)) };
       sense = data.slips.length ? F.sli(y, p).map(Math.sign) : [];
+      side = data.guards.includes(3) ? M.forces(y, p).reactions.map(f => Math.sign(f.value)) : [];
       worst = 0; wrong = M.violation(y, p); history = []; trace = []; message = "";
       record();
     }
@@ -224,10 +225,10 @@ const lagsolveFigure = (() => {
       trace.push(data.points.map(k => [z[k], z[k + 1], z[k + 2]]));
       if (trace.length > 900) trace.shift();
     }
-    const fails = s => M.broken(s, p, sense);
+    const fails = s => M.broken(s, p, sense, side);
     const endings = {
-      contact: "a reaction would have to pull where it can only push, or push where it can only pull.",
-      slip: "the slip ends, and other equations hold from here on.",
+      contact: "contact is lost, or a string goes slack. From here on other equations hold.",
+      slip: "the slip ends. From here on other equations hold.",
     };
     function run(seconds, piece = 1 / 60) {
       if (!moving) return true;
@@ -644,7 +645,7 @@ const lagsolveFigure = (() => {
     function readings() {
       const e = integrals(y), f = data.bound.length ? M.forces(y, p).reactions : [];
       write("t", number(y[2 * n], 4));
-      if (moving) { write("T", number(e.T)); write("V", number(e.V)); write("E", number(e.T + e.V)); write("drift", number(worst, 2)); } else write("V", number(e.V));
+      if (moving) { write("T", number(e.T)); write("V", number(e.V)); write("E", number(e.T + e.V)); write("drift", number(worst, 2)); }
       write("error", number(wrong, 2));
       data.conserved.forEach((_, i) => write(`I${i}`, number(e.I[i])));
       f.forEach((r, i) => write(`R${i}`, number(r.value)));
@@ -703,9 +704,17 @@ const lagsolveFigure = (() => {
       } else {
         const k = Number(one("select.phase")?.value ?? 0), input = one(`input[data-q="${k}"]`);
         if (!input) return;
-        const a = Number(input.min), b = Number(input.max), curve = [];
-        for (let i = 0; i <= 160; i++) { let s = y.slice(); s[k] = a + (b - a) * i / 160; s = M.projected(s, p, k); curve.push([s[k], F.ene(s, p)[1]]); }
-        graph(one("canvas.phase"), [curve], { x: [a, b], mark: [[y[k], F.ene(y, p)[1]]] });
+        const a = Number(input.min), b = Number(input.max), curve = [], pieces = 240;
+        const force = x => { const s = y.slice(); s[k] = x; return F.sta(s, p)[k]; };
+        // The work against all forces, −∫ Q dq, which is 0 in the present position.
+        let work = 0, before = null, zero = 0;
+        for (let i = 0; i <= pieces; i++) {
+          const x = a + (b - a) * i / pieces, Q = force(x), d = (b - a) / pieces;
+          if (before !== null && isFinite(Q) && isFinite(before)) work -= (Q + before) / 2 * d;
+          if (before !== null && x >= y[k] && x - d < y[k]) zero = work + (Q + force(y[k])) / 2 * (x - y[k]);
+          before = Q; curve.push([x, isFinite(Q) ? work : NaN]);
+        }
+        graph(one("canvas.phase"), [curve.map(q => [q[0], q[1] - zero])], { x: [a, b], mark: [[y[k], 0]] });
       }
     }
     function show() { render(); graphs(); buttons(); }

@@ -88,7 +88,9 @@ class _Controls:
     def data(self) -> str:
         """The numbers of the figure and the names of coordinates, with nothing in them that could end the element."""
         names = [s.label if isinstance(s.label, str) else self.plain(s.label) for s in self.figure.coordinates]
-        text = json.dumps({**self.figure.data, "names": list(map(printable, names))}, separators=(",", ":"), allow_nan=False)
+        text = json.dumps(
+            {**self.figure.data, "names": list(map(printable, names))}, separators=(",", ":"), allow_nan=False
+        )
         return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
     def math(self, e: sp.Expr | str) -> str:
@@ -132,75 +134,79 @@ class _Controls:
         yield "</div>"
 
     def sliders(self, title: str, sliders: Sequence[Slider], kind: str) -> Iterator[str]:
-        if not sliders:
-            return
-        yield f'<fieldset class="knobs"><legend>{title}</legend>'
-        for k, s in enumerate(sliders):
-            step = s.step or _round((s.high - s.low) / STEPS_OF_A_SLIDER)
-            low, high = math.floor(s.low / step + 1e-9) * step, math.ceil(s.high / step - 1e-9) * step
-            if s.low >= 0 and low <= 0 and kind == "p":
-                low = step if s.low > 0 else 0.0
-            unit = f" {_unit(s.unit)}" if s.unit and s.unit != "1" else ""
-            name = f"{escape(s.meaning)} {self.math(s.label)}" if isinstance(s.label, sp.Expr) and s.meaning.endswith(" of") else self.math(s.label)
-            title_ = f' title="{escape(s.meaning)}"' if s.meaning else ""
-            yield (
-                f"<label{title_}><span>{name}</span>"
-                f'<input type="range" data-{kind}="{k}" min="{low:.6g}" max="{high:.6g}" step="{step:.6g}" value="{s.value:.6g}"'
-                f' aria-label="{self.plain_name(s)}{": " if s.meaning else ""}{escape(s.meaning)}">'
-                f'<span class="value"><output data-{kind}="{k}"></output>{unit}</span></label>'
-            )
-        yield "</fieldset>"
+        if sliders:
+            yield f'<fieldset class="knobs"><legend>{title}</legend>'
+            yield from (self.slider(k, s, kind) for k, s in enumerate(sliders))
+            yield "</fieldset>"
+
+    def slider(self, number: int, s: Slider, kind: str) -> str:
+        step = s.step or _round((s.high - s.low) / STEPS_OF_A_SLIDER)
+        low, high = math.floor(s.low / step + 1e-9) * step, math.ceil(s.high / step - 1e-9) * step
+        if kind == "p" and s.low > 0 and low <= 0:
+            low = step
+        meaning = escape(s.meaning)
+        name = f"{meaning} {self.math(s.label)}" if s.meaning.endswith(" of") else self.math(s.label)
+        title = f' title="{meaning}"' if meaning else ""
+        called = f"{self.plain_name(s)}: {meaning}" if meaning else self.plain_name(s)
+        unit = f" {_unit(s.unit)}" if s.unit and s.unit != "1" else ""
+        ends = f'min="{low:.6g}" max="{high:.6g}" step="{step:.6g}" value="{s.value:.6g}"'
+        return (
+            f'<label{title}><span>{name}</span><input type="range" data-{kind}="{number}" {ends} aria-label="{called}">'
+            f'<span class="value"><output data-{kind}="{number}"></output>{unit}</span></label>'
+        )
 
     def readings(self) -> Iterator[str]:
+        """Names, outputs and units of what is shown beside the figure."""
         figure = self.figure
         rows: list[tuple[str, str, str]] = []
-        kept = any(kind == "energy" for kind, _ in figure.conserved)
-        total = "their sum (conserved)" if kept else "their sum"
-        joule = " J" if figure.data["newton"] else ""
-        newton = " N" if figure.data["newton"] else ""
+        joule, newton = (" J", " N") if figure.data["newton"] else ("", "")
         if figure.moves:
-            rows.append(("time", "t", " s"))
+            kept = any(kind == "energy" for kind, _ in figure.conserved)
+            rows.append(("time", _out("t"), " s"))
             for k, s in enumerate(figure.coordinates):
                 if isinstance(s.label, sp.Symbol):
-                    rows.append((self.math(prime(s.label)), f"@u{k}", ""))
-            rows += [("kinetic energy", "T", joule), ("potential energy", "V", joule), (total, "E", joule)]
+                    rows.append((self.math(prime(s.label)), f'<output data-u="{k}"></output>', ""))
+            rows += [("kinetic energy", _out("T"), joule), ("potential energy", _out("V"), joule)]
+            rows.append(("their sum (conserved)" if kept else "their sum", _out("E"), joule))
         elif figure.rests:
-            rows.append(("potential energy", "V", joule))
-            rows += [(f"<span>force along</span> {self.math(s.label)}", f"Q{k}", "") for k, s in enumerate(figure.coordinates)]
+            rows += [(f"force along {self.math(s.label)}", _out(f"Q{k}"), "") for k, s in enumerate(figure.coordinates)]
         for k, (kind, _) in enumerate(figure.conserved):
-            if kind == "energy":
-                continue
-            rows.append((f"conserved: {INTEGRALS.get(kind, escape(kind))}", f"I{k}", ""))
-        rows += [(self.math(r), f"R{k}", newton if isinstance(r, sp.Symbol) and not r.name.startswith("lambda") else "") for k, r in enumerate(figure.reactions)]
+            if kind != "energy":
+                rows.append((f"conserved: {INTEGRALS.get(kind, escape(kind))}", _out(f"I{k}"), ""))
+        for k, r in enumerate(figure.reactions):
+            rows.append((self.math(r), _out(f"R{k}"), "" if str(r).startswith("lambda") else newton))
         if 1 in figure.data["conserved"]:
-            rows.append(("relative error of the energy", "drift", ""))
+            rows.append(("relative error of the energy", _out("drift"), ""))
         if figure.data["shape"]["con"][1]:
-            rows.append(("error of the constraints", "error", ""))
+            rows.append(("error of the constraints", _out("error"), ""))
         yield '<dl class="readings">'
-        for name, out, unit in rows:
-            target = f'<output data-u="{out[2:]}"></output>' if out.startswith("@u") else f'<output data-out="{out}"></output>'
-            yield f"<div><dt>{name}</dt><dd>{target}{unit}</dd></div>"
+        yield from (f"<div><dt>{name}</dt><dd>{output}{unit}</dd></div>" for name, output, unit in rows)
         yield "</dl>"
 
     def graphs(self) -> Iterator[str]:
         figure = self.figure
         yield '<div class="graphs">'
         if figure.moves:
-            boxes = "".join(
-                f'<label class="c{k % 5}"><input type="checkbox" data-plot="{k}"{" checked" * self.is_plotted(k)}> {self.math(s.label)}</label>'
-                for k, s in enumerate(figure.coordinates)
-            )
-            yield self.canvas("coordinates", "Coordinates over time", boxes)
+            yield self.canvas("coordinates", "Coordinates over time", "".join(map(self.plotted, range(self.size))))
             if figure.reactions:
-                names = "".join(f'<span class="c{k % 5}">{self.math(r)}</span>' for k, r in enumerate(figure.reactions))
-                yield self.canvas("reactions", "Reactions over time", names)
-        if not figure.moves and not figure.rests:
-            yield "</div>"
-            return
-        options = "".join(f'<option value="{k}">{self.plain_name(s)}</option>' for k, s in enumerate(figure.coordinates))
-        choice = f'<label>of <select class="phase">{options}</select></label>' if len(figure.coordinates) > 1 else ""
-        yield self.canvas("phase", "Phase plane" if figure.moves else "Potential energy along the coordinate", choice)
+                names = (f'<span class="c{k % 5}">{self.math(r)}</span>' for k, r in enumerate(figure.reactions))
+                yield self.canvas("reactions", "Reactions over time", "".join(names))
+        if figure.moves or (figure.rests and not figure.data["shape"]["con"][1]):
+            names = (self.plain_name(s) for s in figure.coordinates)
+            options = "".join(f'<option value="{k}">{name}</option>' for k, name in enumerate(names))
+            choice = f'<label>of <select class="phase">{options}</select></label>' if self.size > 1 else ""
+            title = "Phase plane" if figure.moves else "Work against the forces along the coordinate"
+            yield self.canvas("phase", title, choice)
         yield "</div>"
+
+    @property
+    def size(self) -> int:
+        return len(self.figure.coordinates)
+
+    def plotted(self, k: int) -> str:
+        """The box that puts a coordinate into the graph."""
+        box = f'<input type="checkbox" data-plot="{k}"{" checked" * self.is_plotted(k)}>'
+        return f'<label class="c{k % 5}">{box} {self.math(self.figure.coordinates[k].label)}</label>'
 
     def is_plotted(self, k: int) -> bool:
         angles = [s.angle for s in self.figure.coordinates]
@@ -216,7 +222,8 @@ class _Controls:
         start = figure.moves and not figure.released
         parts = []
         if chosen and len(chosen) == len(figure.parameters):
-            parts.append(f"The file gives no values: those of the sliders{' and the initial state' * start} were chosen for this page.")
+            more = " and the initial state" * start
+            parts.append(f"The file gives no values: those of the sliders{more} were chosen for this page.")
         else:
             names = list(dict.fromkeys(self.math(s.label) for s in chosen)) + ["the initial state"] * start
             if names:
@@ -224,6 +231,10 @@ class _Controls:
         for left, right in figure.assumed:
             parts.append(f"The file leaves {self.math(left)} open; the figure takes {self.math(right)}.")
         return " ".join(parts)
+
+
+def _out(name: str) -> str:
+    return f'<output data-out="{name}"></output>'
 
 
 def _round(number: float) -> float:

@@ -29,7 +29,10 @@ def test_roots_quotients_and_numbers():
     assert function("p", [x / y, sp.sqrt(y), 1 / sp.sqrt(y + 1)], names) == (
         "(p) => { return [(p[0]/(p[1])), Math.sqrt(p[1]), (1/Math.sqrt((1 + p[1])))]; }"
     )
-    assert function("p", [sp.Rational(1, 4), sp.pi, -x], names) == "(p) => { return [0.25, 3.141592653589793, ((-1)*p[0])]; }"
+    assert (
+        function("p", [sp.Rational(1, 4), sp.pi, -x], names)
+        == "(p) => { return [0.25, 3.141592653589793, ((-1)*p[0])]; }"
+    )
 
 
 @pytest.mark.parametrize(

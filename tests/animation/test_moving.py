@@ -5,9 +5,6 @@ import sympy as sp
 from lagrange.animation.figure import MovingFigure, Still
 from lagrange.animation.moving import moving_figure
 from lagrange.animation.values import angles_in
-from lagrange.mechanics.solution import solve
-from lagrange.problem.loader import read_problem
-from lagrange.core.diagnostics import Source
 from tests.support.shared import reported
 
 

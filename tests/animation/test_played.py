@@ -27,6 +27,7 @@ NAMES = (
     "heavy-top",
     "ex17-spherical-pendulum",
     "roberval-balance",
+    "leaving-a-sphere",
 )
 TURN = """
     slide("p", 1, 2.5);
@@ -77,6 +78,12 @@ def test_energy_and_constraints_are_kept(results, name):
     assert float(one["run"]["drift"]) < 1e-8
     assert float(one["run"]["error"]) < 1e-10
     assert float(one["run"]["milliseconds"]) < 4
+
+
+def test_contact_ends_where_the_textbook_says(results):
+    one = results["leaving-a-sphere"]
+    assert one["run"]["done"] == "false"
+    assert math.cos(state(one, "run")[0]) == pytest.approx(2 / 3, abs=1e-4)  # pushed a little at the top
 
 
 def test_a_slider_changes_the_parameter_and_the_motion(results):
@@ -139,7 +146,9 @@ def test_the_spherical_pendulum_in_cartesian_coordinates(results):
         theta, phi, u, w = y[:4]
         s, c = math.sin(theta), math.cos(theta)
         r = np.array([s * math.cos(phi), s * math.sin(phi), -c]) * p["l"]
-        v = u * np.array([c * math.cos(phi), c * math.sin(phi), s]) + w * np.array([-s * math.sin(phi), s * math.cos(phi), 0])
+        v = u * np.array([c * math.cos(phi), c * math.sin(phi), s]) + w * np.array(
+            [-s * math.sin(phi), s * math.cos(phi), 0]
+        )
         return np.array([*r, *(v * p["l"])])
 
     def rate(_, y):

@@ -42,7 +42,7 @@ def test_nothing_is_fetched_and_the_page_is_small(page):
     assert len(page) < 300_000
 
 
-def test_a_page_without_it_has_no_script(page):
+def test_a_page_without_it_has_no_script():
     r = reported("ex11-ideal-pendulum", Method.DALEMBERT, complete=False)
     static = html.render([(r.derivation, r.notation)])
     assert "<script" not in static
