@@ -703,7 +703,7 @@ const lagsolveFigure = (() => {
         graph(one("canvas.phase"), [shown.map(h => [h.y[k], h.y[n + k]])], null, still ? [preview.map(h => [h.y[k], h.y[n + k]])] : []);
       } else {
         const k = Number(one("select.phase")?.value ?? 0), input = one(`input[data-q="${k}"]`);
-        if (!input) return;
+        if (!input || !F.sta) return;
         const a = Number(input.min), b = Number(input.max), curve = [], pieces = 240;
         const force = x => { const s = y.slice(); s[k] = x; return F.sta(s, p)[k]; };
         // The work against all forces, −∫ Q dq, which is 0 in the present position.

@@ -46,7 +46,7 @@ DRIVE = """
     one.run = play(20);
     one.redrawn = drawn() != before;
     one.message = read("message");
-    one.shown = {E: read("E"), drift: read("drift"), error: read("error"), t: read("t")};
+    one.shown = {E: read("E"), drift: read("drift"), error: read("error"), t: read("t"), R: read("R0")};
 """
 """Twenty seconds of motion, and what is shown after them."""
 
