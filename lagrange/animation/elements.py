@@ -336,7 +336,7 @@ class Elements:
     def shaped(self, p: MassPoint, shape: BodyShape) -> None:
         """A body whose shape the file gives."""
         turning = next((r for r in self.configuration.rotations if r.name == p.name), None)
-        units = [Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3)]  # type: ignore[arg-type]
+        units = [Vector(tuple(sp.Integer(m == n) for m in range(3))) for n in range(3)]
         e1, e2, e3 = (self.at(a) for a in (units if turning is None else turning.axes))
         axis = e3 if shape.axis is None else self.at(shape.axis)
         c, planar = self.at(p.position), self.system.view.planar

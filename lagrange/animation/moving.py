@@ -20,6 +20,7 @@ from typing import Any
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.animation.elements import Elements
 from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still
 from lagrange.animation.javascript import UnprintableError, function, names_of
@@ -83,7 +84,7 @@ class _Maker:
     wanted: list[int] = field(default_factory=list)
     reaction_list: list[Reaction] = field(default_factory=list)
     buttons: list[EquilibriumButton] = field(default_factory=list)
-    button_parts: list[list[int]] = field(default_factory=list)
+    button_parts: list[list[sp.Symbol]] = field(default_factory=list)
 
     @property
     def own(self) -> InCoordinates:
@@ -271,7 +272,7 @@ class _Maker:
             out += [self.put(c) for c in parts]
             loads.append(int(f.name == "weight"))
         self.loads = loads
-        self.reaction_list = self._reactions()
+        self.reaction_list = self._reactions() if self.view.dynamics or self.view.equilibrium else []
         places = {p.name: p.position for p in configuration.points}
         turning = {r.name for r in configuration.rotations}
         for r in self.reaction_list:
@@ -326,7 +327,7 @@ class _Maker:
         return signs
 
     def _equilibria(self) -> dict[str, list[sp.Expr]]:
-        """The coordinates of each equilibrium in closed form."""
+        """The coordinates of each equilibrium in closed form, and the unknown forces there."""
         out: dict[str, list[sp.Expr]] = {}
         equilibrium = self._equilibrium()
         if equilibrium is None:
@@ -334,13 +335,14 @@ class _Maker:
         coordinates = self.view.configuration.slots.coordinates
         verdicts = self.view.stability.verdicts if self.view.stability is not None else ()
         for n, b in enumerate(equilibrium.branches):
-            values = _values(b.relations, coordinates)
+            values = _values(b.relations, (*coordinates, *equilibrium.forces))
             if not values or b.left:
                 continue
             stability = str(verdicts[n].verdict.value) if n < len(verdicts) else ""
             out[f"eql{len(self.buttons)}"] = [self.put(e) for e in values.values()]
-            self.button_parts.append([coordinates.index(q) for q in values])
-            relations = tuple((r.lhs, r.rhs) for r in b.relations if r.lhs.free_symbols & set(coordinates))
+            self.button_parts.append([*values])
+            shown = {*coordinates, *equilibrium.forces}
+            relations = tuple((r.lhs, r.rhs) for r in b.relations if r.lhs.free_symbols & shown)
             self.buttons.append(EquilibriumButton(relations, stability))
         return out
 
@@ -370,7 +372,7 @@ class _Maker:
                 assert self.elements is not None
                 along = names_of("u", self.elements.curves[int(name[3:])][1])
                 code.append(f"{name}: {function('z, p, u', group, {**names['z'], **along})}")
-            elif name.startswith(("eql", "ini")):
+            elif name == "ini":
                 code.append(f"{name}: {function('p', group, names['p'])}")
             elif name in ("rea", "fig", "act") or name.startswith("tra"):
                 code.append(f"{name}: {function('z, p', group, names['z'])}")
@@ -426,7 +428,10 @@ class _Maker:
             "sizes": len(self.own.configuration.slots.coordinates),
             "points": self._points(elements),
             "conserved": [self._kind(i.quantity) for i in self.integrals],
-            "buttons": self.button_parts,
+            "buttons": [
+                [slots.coordinates.index(s) if s in slots.coordinates else -1 - parameters.index(s) for s in values]
+                for values in self.button_parts
+            ],
             "moves": int(self.view.dynamics is not None),
             "newton": int(any("kg" in (p.unit or p.stated_unit) for p in problem.parameters)),
             "rheonomic": int(any(e.has(t) for name in ("own", "con") for e in expressions.get(name, ()) if e != t)),
@@ -481,18 +486,14 @@ def _force(reaction: Reaction) -> sp.Symbol:
     return reaction.multiplier if force is None else force
 
 
-def _values(relations: Sequence[Any], coordinates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates that the relations of a branch determine in terms of parameters, cos θ = c as θ = arccos c."""
+def _values(relations: Sequence[Relation], unknowns: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """What the relations of a branch determine, cos θ = c as θ = arccos c; the page takes the right angle."""
     values: dict[sp.Symbol, sp.Expr] = {}
     inverse = {sp.cos: sp.acos, sp.sin: sp.asin, sp.tan: sp.atan}
     for r in relations:
         left, right = r.lhs, sp.sympify(r.rhs, strict=True)
         if isinstance(left, sp.sin | sp.cos | sp.tan) and left.args[0].is_Symbol:
             left, right = left.args[0], inverse[type(left)](right)
-        if left not in coordinates:
-            continue
-        right = right.xreplace(values)
-        if right.free_symbols & {*coordinates}:
-            continue
-        values.setdefault(left, right)
+        if left in unknowns:
+            values.setdefault(left, right.xreplace(values))
     return values

@@ -549,8 +549,8 @@ const lagsolveFigure = (() => {
     }
 
     // Displacements at this instant: δr of a virtual one, dr = δr + what moving constraints add in dt.
-    function bound() {
-      const m = data.shape.con[1], c = F.con(y, p), A = [...Array(m).keys()].map(i => c.slice(3 * m + i * n, 3 * m + i * n + n));
+    function bound(s = y) {
+      const m = data.shape.con[1], c = F.con(s, p), A = [...Array(m).keys()].map(i => c.slice(3 * m + i * n, 3 * m + i * n + n));
       const across = right => { const w = solved(A.map((r, i) => [...A.map(s => r.reduce((t, x, k) => t + x * s[k], 0)), right[i]]), m).x; return [...Array(n).keys()].map(k => A.reduce((t, r, i) => t + r[k] * w[i], 0)); };
       return { A, across, drift: c.slice(2 * m, 3 * m) };
     }
@@ -808,13 +808,31 @@ const lagsolveFigure = (() => {
       });
     }
     const settle = s => { playing = false; y = M.projected(s, p, -1); shownAt = -1; restart(); fit(); stop(); };
-    const equilibrium = k => F["eql" + k](p);
+    const equilibrium = k => F["eql" + k](y, p);
+    // How far a position is from rest: accelerations there, or generalized forces that no constraint balances.
+    function unrest(s) {
+      if (moving) return Math.max(...M.rate(s, p).slice(n, 2 * n).map(Math.abs));
+      if (!F.sta) return NaN;
+      let Q = F.sta(s, p).slice(0, n);
+      if (data.shape.con[1]) { const { A, across } = bound(s), off = across(A.map(r => r.reduce((t, x, k) => t + x * Q[k], 0))); Q = Q.map((x, k) => x - off[k]); }
+      return Math.max(...Q.map(Math.abs));
+    }
     function buttons() { all("button[data-rest]").forEach(b => { b.disabled = !equilibrium(Number(b.dataset.rest)).every(isFinite); }); }
     all("button[data-rest]").forEach(b => b.addEventListener("click", () => {
-      const k = Number(b.dataset.rest), v = equilibrium(k), s = y.slice();
-      data.buttons[k].forEach((q, i) => { s[q] = v[i]; });
+      const k = Number(b.dataset.rest), v = equilibrium(k), targets = data.buttons[k], s = y.slice(), before = p.slice();
+      targets.forEach((q, i) => { if (q >= 0) s[q] = v[i]; else { p[-1 - q] = v[i]; const slider = one(`input[data-p="${-1 - q}"]`); if (slider) slider.value = v[i]; } });
       for (let i = 0; i < n; i++) s[n + i] = 0;
-      settle(s);
+      // cos θ = c holds at θ and −θ, sin θ = s at θ and π − θ, tan θ = a at θ and θ + π: take the one that is at rest.
+      let best = s, least = Infinity;
+      for (let choice = 0; choice < Math.pow(4, Math.min(3, targets.length)) && !(least < 1e-7); choice++) {
+        const tried = s.slice();
+        targets.forEach((q, i) => { if (q >= 0 && data.angles[q]) { const x = s[q]; tried[q] = wrapped([x, -x, Math.PI - x, x + Math.PI][Math.floor(choice / Math.pow(4, i)) % 4]); } });
+        const placed = M.projected(tried, p, -1), u = unrest(placed);
+        if (u < least) { least = u; best = placed; }
+      }
+      root.dataset.unrest = least;
+      if (!(least < 1e-5)) { p = before; message = "There is no such equilibrium for these values."; show(); return; }
+      settle(best);
     }));
     one("button.push")?.addEventListener("click", () => { const s = y.slice(); for (let i = 0; i < n; i++) s[n + i] += 0.05 * (1 + 0.3 * i); y = M.projected(s, p, -1); shownAt = -1; restart(); if (!playing) start(); });
     root.addEventListener("keydown", e => { if (e.target === stage && (e.key == " " || e.key == "Enter")) { e.preventDefault(); playing ? stop() : start(); } });

@@ -176,7 +176,9 @@ class _Controls:
         for k, r in enumerate(figure.reactions):
             rows.append((self.math(r), _out(f"R{k}"), "" if str(r).startswith("lambda") else newton))
         if 1 in figure.data["conserved"]:
-            rows.append(("relative error of the energy", _out("drift"), ""))
+            kinds = [kind for kind, _ in figure.conserved]
+            name = "the energy" if "energy" in kinds else INTEGRALS["jacobi"]
+            rows.append((f"relative error of {name}", _out("drift"), ""))
         if figure.data["shape"]["con"][1]:
             rows.append(("error of the constraints", _out("error"), ""))
         yield '<dl class="readings">'

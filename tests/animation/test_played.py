@@ -29,7 +29,11 @@ NAMES = (
     "roberval-balance",
     "leaving-a-sphere",
     "ex09-moving-surface",
+    "bead-on-rotating-hoop",
+    "rod-in-bowl",
+    "slider-crank",
 )
+AT_REST = ("roberval-balance", "ex09-moving-surface", "rod-in-bowl", "slider-crank")
 TURN = """
     slide("p", 1, 2.5);
     one.turned = play(20);
@@ -41,6 +45,8 @@ TURN = """
     one.arrows = figure.querySelectorAll("path.virtual.tip:not([display])").length;
     slide("q", 0, 0.26);
     one.slid = play(0);
+    const rest = b => { b.click(); return {state: figure.dataset.state, unrest: figure.dataset.unrest, says: read("message")}; };
+    one.rests = [...figure.querySelectorAll("button[data-rest]:enabled")].map(rest);
 """
 
 
@@ -69,7 +75,7 @@ def test_pages_run_without_an_error(results):
     for name, one in results.items():
         assert one["moves"], name
         assert one["errors"] == [], name
-        assert one["redrawn"] == (name not in ("roberval-balance", "ex09-moving-surface")), name
+        assert one["redrawn"] == (name not in AT_REST), name
 
 
 @pytest.mark.parametrize("name", NAMES[:5])
@@ -79,6 +85,13 @@ def test_energy_and_constraints_are_kept(results, name):
     assert float(one["run"]["drift"]) < 1e-8
     assert float(one["run"]["error"]) < 1e-10
     assert float(one["run"]["milliseconds"]) < 4
+
+
+@pytest.mark.parametrize("name", ["roberval-balance", "bead-on-rotating-hoop", "rod-in-bowl", "slider-crank"])
+def test_equilibria_can_be_chosen(results, name):
+    rests = results[name]["rests"]
+    assert rests
+    assert all(float(r["unrest"]) < 1e-7 for r in rests), rests
 
 
 def test_contact_ends_where_the_textbook_says(results):
