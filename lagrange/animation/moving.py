@@ -494,6 +494,8 @@ def _values(relations: Sequence[Relation], unknowns: Sequence[sp.Symbol]) -> dic
         left, right = r.lhs, sp.sympify(r.rhs, strict=True)
         if isinstance(left, sp.sin | sp.cos | sp.tan) and left.args[0].is_Symbol:
             left, right = left.args[0], inverse[type(left)](right)
+        if isinstance(left, sp.Pow) and left.exp.is_Integer:
+            left, right = left.base, right ** (1 / left.exp)
         if left in unknowns:
             values.setdefault(left, right.xreplace(values))
     return values
