@@ -20,7 +20,8 @@ from lagrange.core.symbols import UnitVector, t
 from lagrange.core.vectors import Vector
 from lagrange.document.scene import PagePoint
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
-from lagrange.pictures.floats import FloatVector, NoValueError
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.pictures.floats import FloatVector, NoValueError, plus
 from lagrange.pictures.limits import LONGEST_ROD_LABEL
 from lagrange.pictures.loads import as_words
 from lagrange.pictures.poses import Pose, angle_mark, distance_marks, relative_angle_mark
@@ -399,33 +400,58 @@ class Elements:
             self.contacts(p)
 
     def contacts(self, p: MassPoint) -> None:
-        """The lines on which a plane body slides or rolls: perpendicular to a reaction of constant direction."""
+        """What a plane body slides or rolls on: a line where its reaction has a constant direction, else a circle."""
         known = self.system.shapes.get(p.name)
         if known is None:
             return
-        pose = self.system.pose
         for reaction in self.system.reactions_on(p.name):
             force, moment = reaction.per_unit(p.name), reaction.moment_per_unit(p.name)
-            if force is None or moment is None or not has_one_direction(pose, reaction, p.name):
-                continue
-            f, m = force.fixed(), moment.fixed()
-            square = f.dot(f)
-            if square == 0 or m.is_zero:
-                continue
+            at = self.acts_at(p, reaction)
             rolls = bool(known.radius) and reaction.name not in known.at
-            if rolls:
-                at = p.position.fixed() + f.cross(m) * (1 / square)
-            elif reaction.name in known.at:
-                x, y = known.at[reaction.name]
-                here = pose.at(p.position)
-                rotation = plane_rotation(self.configuration, p.name)
-                assert rotation is not None
-                e1, e2 = (pose.at(a) for a in rotation.axes[:2])
-                place = tuple(here[n] + x * e1[n] + y * e2[n] for n in range(3))
-                at = self.fixed_in(p, place)  # type: ignore[arg-type]
-            else:
+            is_known = rolls or reaction.name in known.at
+            if force is None or moment is None or moment.is_zero or at is None or not is_known:
                 continue
-            self.add("rest", p=self.at(at), v=self.at(f), c=self.at(p.position), x=int(rolls))
+            if has_one_direction(self.system.pose, reaction, p.name):
+                self.add("rest", p=self.at(at), v=self.at(force), c=self.at(p.position), x=int(rolls))
+            elif rolls:
+                self.track(p, at)
+
+    def acts_at(self, p: MassPoint, reaction: Reaction) -> Vector | None:
+        """The point of a body at which a reaction acts: where it is held, otherwise that nearest to its centre."""
+        force, moment = reaction.on(p.name), reaction.moments.get(p.name)
+        if force is None or moment is None:
+            return p.position.fixed()
+        known = self.system.shapes.get(p.name)
+        rotation = plane_rotation(self.configuration, p.name)
+        if known is not None and rotation is not None and reaction.name in known.at:
+            (x, y), here = known.at[reaction.name], self.system.pose.at(p.position)
+            e1, e2 = (self.system.pose.at(a) for a in rotation.axes[:2])
+            return self.fixed_in(p, plus(plus(here, e1, x), e2, y))
+        f = force.fixed()
+        square = f.dot(f)
+        return None if square == 0 else p.position.fixed() + f.cross(moment.fixed()) * (1 / square)
+
+    def track(self, p: MassPoint, at: Vector) -> None:
+        """The circle on which a wheel rolls: about the centre on which it turns with one of the coordinates."""
+        pose = self.chosen
+        if pose is None:
+            return
+        rule = dict(pose.configuration.expressed)
+        centre, touched = (v.fixed().map(lambda c: c.xreplace(rule)) for v in (p.position, at))
+        for q in pose.coordinates:
+            try:
+                if angle_mark(pose, q, centre) is None:
+                    continue
+                middle = (centre + centre.map(lambda c, q=q: c.xreplace({q: q + sp.pi}))) * sp.Rational(1, 2)  # type: ignore[misc]
+                away = touched - middle
+                distances = [math.hypot(*x.at(away)) for x in (pose, *pose.others)]
+                outside = math.hypot(*pose.at(centre - middle)) > distances[0]
+            except NoValueError:
+                continue
+            if max(distances) - min(distances) < 1e-7:
+                radius = self.cells.scalar(sp.sqrt(away.dot(away)))
+                self.add("round", p=self.at(middle), r=radius, x=int(outside))
+                return
 
     # Curves of constraints, points, names
 

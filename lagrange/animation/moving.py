@@ -185,9 +185,10 @@ class _Maker:
         self.integrals = [i for i in integrals if not i.expression.free_symbols & fast]
         out["ene"] = [self.put(e) for e in (kinetic, potential, *(i.expression for i in self.integrals))]
         out["ini"] = self._stated()
+        self.elements = None if system is None else Elements(system, pose)
         out["act"] = self._acting()
-        if system is not None:
-            elements = Elements(system, pose)
+        if self.elements is not None and system is not None:
+            elements = self.elements
             for point, along, shift in surfaces(system.configuration) if self.samples else ():
                 if not system.view.planar:
                     ends = (shift - 2, shift + 2, sp.Integer(-2), sp.Integer(2))
@@ -196,7 +197,6 @@ class _Maker:
                 elements.all()
             except NoValueError:
                 elements.items = [i for i in elements.items if i["k"] in ("dot", "line")]
-            self.elements = elements
             out["fig"] = [self.put(e) for e in elements.cells.expressions]
             for n, (place, _) in enumerate(elements.curves):
                 out[f"cur{n}"] = [self.put(e) for e in place.fixed().components]
@@ -273,6 +273,7 @@ class _Maker:
             loads.append(int(f.name == "weight"))
         self.loads = loads
         self.reaction_list = self._reactions() if self.view.dynamics or self.view.equilibrium else []
+        points = {p.name: p for p in configuration.points}
         places = {p.name: p.position for p in configuration.points}
         turning = {r.name for r in configuration.rotations}
         for r in self.reaction_list:
@@ -281,11 +282,8 @@ class _Maker:
             for body, vector in (r.directions or {}).items():
                 force = vector.fixed()
                 at = places[body].fixed()
-                moment = r.moments.get(body)
-                if moment is not None and body in turning:
-                    square = force.dot(force)
-                    if square != 0:
-                        at = at + force.cross(moment.fixed()) * (1 / square)
+                if body in turning and self.elements is not None:
+                    at = self.elements.acts_at(points[body], r) or at
                 forces.append((at, force))
             out.append(self.put(factor))
             for at, force in forces:

@@ -274,7 +274,7 @@ const lagsolveFigure = (() => {
         else if (e.k == "string") e.p.forEach(x => Array.isArray(x) ? add(three(v, x[0]), Math.abs(v[x[1]])) : add(three(v, x)));
         else if (e.k == "curve" || e.k == "surface") sampled(e, v, 8).flat().forEach(q => add(q));
         else if (Array.isArray(e.p)) e.p.forEach(x => add(three(v, x)));
-        else if (e.p !== undefined) add(three(v, e.p), e.r !== undefined && (e.k == "disc" || e.k == "sphere") ? Math.abs(v[e.r]) : 0);
+        else if (e.p !== undefined) add(three(v, e.p), e.r !== undefined && (e.k == "disc" || e.k == "sphere" || e.k == "round") ? Math.abs(v[e.r]) : 0);
       }
       if (data.axes) add([0, 0, 0]);
       return box;
@@ -433,6 +433,7 @@ const lagsolveFigure = (() => {
       damper: (e, v) => link(e, v, damper),
       dot: (e, v) => { const q = page(three(v, e.p)); draw(e.o ? "hinge" : "particle", circle(q, e.r * CM), true); if (e.l !== undefined) label(e.l, q, [e.d[0], -e.d[1]], e.r * CM); },
       wall: (e, v) => { const w = [e.d[0], -e.d[1]], s = [-w[1], w[0]], at = beyond(page(three(v, e.p)), w, -2.5); ground([beyond(at, s, -15), beyond(at, s, 15)]); },
+      round: (e, v) => { const c = circle(page(three(v, e.p)), v[e.r] * scale); ground(e.x ? c : c.reverse()); },
       disc: (e, v) => {
         const c = three(v, e.p), r = Math.abs(v[e.r]) * (e.f || 1);
         const q = e.a < 0 || data.planar ? circle(page(c), r * scale) : ring(c, three(v, e.a), r).map(page);
