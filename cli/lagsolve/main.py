@@ -78,6 +78,7 @@ def main() -> None:
     help="Write to a file: .tex .md .html .json .txt",
 )
 @click.option("--fragment", is_flag=True, help="LaTeX without a preamble, to \\input in your own notes.")
+@click.option("--static", is_flag=True, help="A web page without a figure that moves, and without scripts.")
 @click.option("--detail", type=click.Choice(("brief", "steps", "full")), default="steps", show_default=True)
 @click.option("--method", type=click.Choice(METHODS), default="dalembert", show_default=True)
 @click.option(
@@ -98,6 +99,7 @@ def solve(
     format_: str | None,
     output: str | None,
     fragment: bool,
+    static: bool,
     detail: str,
     method: str,
     choice: str | None,
@@ -128,7 +130,7 @@ def solve(
         raise click.UsageError("--watch needs a file: standard input cannot be read again")
     if problems.count("-") > 1:
         raise click.UsageError("standard input cannot be two problems")
-    layout = Layout(worksheet, solution, beamer, reader or "github")
+    layout = Layout(worksheet, solution, beamer, reader or "github", static)
     destination = Destination.of(format_, output, fragment, detail, vectors, layout)
     destination.refuse_overwrite(problems)
     task = Task(problems, choice, method, destination, settings, digits, timeout, memory)

@@ -31,12 +31,13 @@ ENDINGS = {".tex": "latex", ".md": "markdown", ".html": "html", ".json": "json",
 
 @record
 class Layout:
-    """What a page is made for: a worksheet, its solution, a talk; and for which reader Markdown is written."""
+    """What a page is made for: a worksheet, its solution, a talk, for which reader; `static`: nothing moves on it."""
 
     worksheet: bool = False
     solution: bool = False
     beamer: bool = False
     reader: str = "github"
+    static: bool = False
 
     @property
     def is_exercise(self) -> bool:
@@ -54,6 +55,8 @@ class Layout:
             raise click.UsageError("--beamer goes with --format latex: frames are LaTeX")
         if self.reader != "github" and format_ != "markdown":
             raise click.UsageError(f"--for {self.reader} goes with --format markdown")
+        if self.static and format_ != "html":
+            raise click.UsageError("--static goes with --format html")
         if self.is_exercise and format_ == "json":
             raise click.UsageError("--worksheet and --solution are pages to be read: JSON has all of it")
         if (self.is_exercise or self.beamer) and detail != "steps":
@@ -183,9 +186,11 @@ class Destination:
                 return exercises.render(sheets, vectors, flavour, figures)
             return markdown.render(solved, detail, vectors, flavour, figures)
         if self.format == "html":
+            from lagrange.animation.moving import moving_figure
             from lagrange.render import html
 
-            return html.render(solved, detail)
+            still = self.layout.static or self.layout.is_exercise
+            return html.render(solved, detail, () if still else [moving_figure(r.solution) for r in reports if r])
         from lagrange.render import terminal
 
         if self.path is None:

@@ -137,12 +137,13 @@ class Result:
         """The derivation as data: steps of prose, equations and tables."""
         return self.report.derivation
 
-    def render(self, format: str = "pretty", *, detail: str = "steps", width: int = 80) -> str:
+    def render(self, format: str = "pretty", *, detail: str = "steps", width: int = 80, static: bool = False) -> str:
         """The derivation as the command prints it.
 
         format  "pretty" (plain text), "latex", "markdown", "html" or "json"
         detail  "brief", "steps" or "full"; JSON has everything
         width   characters in a line of plain text
+        static  whether a web page has no figure that moves, and no script
 
         Raises ValueError if there is no such format or detail.
         """
@@ -159,13 +160,14 @@ class Result:
             from lagrange.render import terminal
 
             return terminal.text(*written, width, shown)
+        from lagrange.animation.moving import moving_figure
         from lagrange.render import html, latex, markdown
 
         if format == "latex":
             return latex.render([written], detail=shown)
         if format == "markdown":
             return markdown.render([written], detail=shown)
-        return html.render([written], detail=shown)
+        return html.render([written], shown, [] if static else [moving_figure(self.solution)])
 
     def __str__(self) -> str:
         return self.render()

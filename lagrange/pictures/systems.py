@@ -254,6 +254,19 @@ def system_in_file(solution: Solution) -> SystemPicture | None:
     return _system(solution, solution.own.configuration, *_pose_in_file(solution))
 
 
+def system_posed_in_choice(solution: Solution, chosen: Configuration) -> tuple[SystemPicture, Pose] | None:
+    """The system in the coordinates of the file, in a position that is good in a choice, and that position there."""
+    original, figure = solution.own.configuration, solution.problem.figure
+    if is_undefined(chosen, figure) or chosen.finite_constraints:
+        return None
+    newton = _newton(solution)
+    centres = [r.rod.centre for r in newton.reactions if r.rod is not None and r.rod.centre is not None]
+    pose = general_pose(solution.problem, chosen, centres if not _moving(centres, original) else ())
+    placed = None if pose is None else _in_file(pose, original)
+    system = None if placed is None else _system(solution, original, placed, newton)
+    return None if system is None or pose is None else (system, pose)
+
+
 def system_in_choice(solution: Solution, configuration: Configuration) -> SystemPicture | None:
     """The system in a choice of generalized coordinates."""
     pose = general_pose(solution.problem, configuration)

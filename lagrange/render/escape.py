@@ -1,4 +1,4 @@
-"""Plain text in other languages: what LaTeX would read as a command, and letters that pdflatex does not have.
+"""Plain text in other languages: what HTML and LaTeX would read as theirs, and letters that pdflatex does not have.
 
 A name or title from a problem file may hold any character of Unicode. What LaTeX has a command for becomes that
 command; other letters lose their accents; what is left after that appears as its code point, [U+4E2D], so that the
@@ -11,7 +11,9 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Sequence
+from html import escape as html_escape
 
+from lagrange.core.printable import printable
 from lagrange.document.names import GREEK
 
 _SPECIAL = {
@@ -109,3 +111,11 @@ def _character(character: str) -> str:
         return _dotted(apart)
     plain = unicodedata.normalize("NFKD", character).encode("ascii", "ignore").decode()
     return "".join(map(_character, plain)) or f"[U+{ord(character):04X}]"
+
+
+_APOSTROPHE = re.compile(r"(?<=[A-Za-z])'(?=[A-Za-z])|(?<=[a-z]s)'(?=\s)")
+
+
+def html_text(text: str) -> str:
+    """Text as HTML that shows it, with the apostrophes of a printer; a derivative's prime is not between letters."""
+    return html_escape(_APOSTROPHE.sub("’", printable(text)))

@@ -1,4 +1,6 @@
-"""A derivation as a web page: one file without scripts that needs nothing from the network.
+"""A derivation as a web page: one file that needs nothing from the network.
+
+Nothing runs on it but the script of the figures that move (`moving`), where there are any.
 
 Mathematics is MathML. Browsers do not break a formula, so a long equation is several formulas in a row, between which
 they break the line (see `mathml`). One style sheet serves light and dark screens, phones, desks and paper; a table that
@@ -8,11 +10,13 @@ equation in the language of problem files as its label.
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from html import escape as html_escape
 from itertools import groupby
 
+from lagrange.animation.figure import MovingFigure, Still
 from lagrange.core.printable import printable
 from lagrange.document.derivation import (
     CheckMark,
@@ -31,6 +35,7 @@ from lagrange.document.derivation import (
     Task,
 )
 from lagrange.document.math_writer import UNICODE, Notation, Writer
+from lagrange.render.escape import html_text as escape
 from lagrange.render.escape import slug
 from lagrange.render.limits import LONG_DISPLAY, PHONE_COLUMNS
 from lagrange.render.mathml import Formulas
@@ -146,22 +151,36 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
 
 
 MARKS = {True: ("✓", "held", "held"), False: ("✗", "failed", "did not hold"), None: ("?", "open", "undecided")}
-APOSTROPHE = re.compile(r"(?<=[A-Za-z])'(?=[A-Za-z])|(?<=[a-z]s)'(?=\s)")
 CLOSING = re.compile(r"[).,:;]+")
 
 
-def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = Detail.STEPS) -> str:
-    """A page with these derivations."""
-    articles = [_Article(d, n, detail, _prefix(d, k, derivations)) for k, (d, n) in enumerate(derivations)]
+def render(
+    derivations: Sequence[tuple[Derivation, Notation]],
+    detail: Detail = Detail.STEPS,
+    moving: Sequence[MovingFigure | Still | None] = (),
+) -> str:
+    """A page with these derivations; `moving`: the figure of each that moves, or why it does not."""
+    figures = (*moving, *(None for _ in derivations[len(moving) :]))
+    articles = [
+        _Article(d, n, detail, _prefix(d, k, derivations), k, figures[k]) for k, (d, n) in enumerate(derivations)
+    ]
     titles = [escape(a.derivation.title) for a in articles]
+    bodies = [line for a in articles for line in a.all()]
+    styles, scripts = [f"\n{CSS}\n"], []
+    if any(a.moving_figure for a in articles):
+        from lagrange.render.moving import call, resource
+
+        styles.append(f"\n{resource('moving.css')}\n")
+        scripts = [f"\n{resource('moving.js')}\n", *(call(a.place, f) for a in articles if (f := a.moving_figure))]
     lines = [
         "<!DOCTYPE html>",
         '<html lang="en">',
         "<head>",
         '<meta charset="utf-8">',
+        policy(scripts, styles),
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>{', '.join(titles)}</title>",
-        f"<style>\n{CSS}\n</style>",
+        *(f"<style>{style}</style>" for style in styles),
         "</head>",
         "<body>",
         "<main>",
@@ -169,9 +188,8 @@ def render(derivations: Sequence[tuple[Derivation, Notation]], detail: Detail = 
     if len(articles) > 1:
         items = (f'<li><a href="#{a.prefix}">{title}</a></li>' for a, title in zip(articles, titles, strict=True))
         lines += ['<nav aria-label="Contents">', "<ol>", *items, "</ol>", "</nav>"]
-    for article in articles:
-        lines += article.all()
-    return "\n".join([*lines, "</main>", "</body>", "</html>"]) + "\n"
+    lines += [*bodies, "</main>", *(f"<script>{script}</script>" for script in scripts), "</body>", "</html>"]
+    return "\n".join(lines) + "\n"
 
 
 def fragment(derivation: Derivation, notation: Notation, detail: Detail = Detail.STEPS, prefix: str = "") -> str:
@@ -179,9 +197,15 @@ def fragment(derivation: Derivation, notation: Notation, detail: Detail = Detail
     return "\n".join(_Article(derivation, notation, detail, prefix or slug(derivation.title)).all()) + "\n"
 
 
-def escape(text: str) -> str:
-    """Text as HTML that shows it, with the apostrophes of a printer; a derivative's prime is not between letters."""
-    return html_escape(APOSTROPHE.sub("’", printable(text)))
+def policy(scripts: Sequence[str], styles: Sequence[str]) -> str:
+    """The element that forbids everything but these scripts and styles."""
+
+    def hashes(texts: Sequence[str]) -> str:
+        digests = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in texts)
+        return " ".join(f"'sha256-{d}'" for d in digests) or "'none'"
+
+    rules = f"default-src 'none'; script-src {hashes(scripts)}; style-src {hashes(styles)}; base-uri 'none'"
+    return f'<meta http-equiv="Content-Security-Policy" content="{rules}; form-action \'none\'">'
 
 
 def _prefix(derivation: Derivation, place: int, derivations: Sequence[tuple[Derivation, Notation]]) -> str:
@@ -194,8 +218,17 @@ def _prefix(derivation: Derivation, place: int, derivations: Sequence[tuple[Deri
 class _Article(Emitter[str]):
     """One derivation."""
 
-    def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
-        self.derivation = derivation
+    def __init__(
+        self,
+        derivation: Derivation,
+        notation: Notation,
+        detail: Detail,
+        prefix: str,
+        place: int = 0,
+        figure: MovingFigure | Still | None = None,
+    ) -> None:
+        self.derivation, self.notation, self.place, self.figure = derivation, notation, place, figure
+        self.placed = False
         self.formulas = Formulas.of(notation)
         self.in_pictures = Writer(UNICODE, notation)
         self.content = shown(derivation, detail, pictures=True)
@@ -218,7 +251,27 @@ class _Article(Emitter[str]):
                 yield from block_lines(step.body, self)
             if folded:
                 yield "</details>"
+        yield from self.moving(self.derivation.title)
         yield "</article>"
+
+    @property
+    def moving_figure(self) -> MovingFigure | None:
+        """The figure that moves, if there is one."""
+        return self.figure if isinstance(self.figure, MovingFigure) else None
+
+    def moving(self, alt: str) -> Iterator[str]:
+        """The figure that moves, or a line that says why there is none; once on the page."""
+        figure = self.figure
+        if self.placed or figure is None:
+            return
+        self.placed = True
+        if isinstance(figure, Still):
+            if figure.reason:
+                yield f'<p class="unmoved">This figure does not move: {escape(figure.reason)}.</p>'
+            return
+        from lagrange.render.moving import moving_lines
+
+        yield from moving_lines(figure, self.place, self.notation, alt)
 
     # Words
 
@@ -282,15 +335,21 @@ class _Article(Emitter[str]):
 
     def picture(self, block: Picture) -> Iterator[str]:
         scene = block.draw()
+        replaced = self.moving_figure is not None and not self.placed
+        if replaced:
+            yield from self.moving(block.alt)
         if scene is not None:
-            yield "<figure>"
+            yield '<figure class="still">' if replaced else "<figure>"
             yield from figure(scene, printable(block.alt), self.in_pictures.plain)
             yield f"<figcaption>{self.prose(block.caption)}</figcaption>"
             yield "</figure>"
+        yield from self.moving(block.alt)
 
     def task(self, block: Task) -> Iterator[str]:
-        yield f'<div class="task" style="min-height: {1.7 * block.lines + 3:.1f}rem">'
+        yield '<div class="task">'
         yield f"<p>{self.prose(block.parts)}</p>"
+        # Lines, because the policy of the page forbids heights that are written into elements.
+        yield f"<div aria-hidden='true'>{'<br>' * (block.lines + 1)}</div>"
         yield "</div>"
 
     def matrices(self, block: Matrices) -> Iterator[str]:

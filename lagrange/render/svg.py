@@ -52,7 +52,7 @@ def figure(scene: Scene, alt: str, write: Callable[[sp.Expr], str]) -> Iterator[
         yield _dot(dot, place)
     for label in scene.labels:
         x, y = place(label.at)
-        content = _content(label.content, write)
+        content = content_of(label.content, write)
         yield f'<text x="{x:.1f}" y="{y + 5:.1f}">{content}</text>'
     yield "</svg>"
 
@@ -76,9 +76,10 @@ def spans(text: str) -> str:
     return code
 
 
-def _content(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
+def content_of(content: sp.Expr | str, write: Callable[[sp.Expr], str]) -> str:
+    """A label as the content of a `text` element."""
     if isinstance(content, str):
-        return escape(content)
+        return escape(printable(content))
     if isinstance(content, UnitVector):
         return re.sub(r'^<tspan class="i"', '<tspan class="b"', spans(write(content)))
     return spans(write(content))

@@ -135,6 +135,12 @@ def test_a_misspelt_name_is_answered_by_the_nearest() -> None:
 # Formats and destinations
 
 
+def test_a_web_page_moves_unless_it_is_to_be_static() -> None:
+    moving, static = (run(SKATE, "--format", "html", *more).stdout for more in ((), ("--static",)))
+    assert "data-moving" in moving
+    assert "<script" not in static
+
+
 def test_formats() -> None:
     assert json.loads(run(SKATE, "--format", "json").stdout)["degrees_of_freedom"] == 2
     document = run("--format", "latex", SKATE).stdout
@@ -187,6 +193,7 @@ def test_output_takes_the_format_from_the_ending(here: Path, skate: str) -> None
         (["--fragment", "--format", "json"], "--fragment goes with --format latex"),
         (["--fragment", "--format", "markdown"], "--fragment goes with --format latex"),
         (["--fragment", "-o", "a.html"], "--fragment goes with --format latex"),
+        (["--static", "--format", "latex"], "--static goes with --format html"),
         (["--vectors", "arrow"], "--vectors goes with --format latex or markdown"),
         (["--format", "docx"], "'docx' is not one of"),
         (["--method", "magic"], "'magic' is not one of"),

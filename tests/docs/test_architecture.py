@@ -34,6 +34,7 @@ PACKAGES = [
     "mechanics",
     "answers",
     "pictures",
+    "animation",
     "explain",
     "render",
     "api",

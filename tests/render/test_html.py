@@ -86,7 +86,7 @@ def test_nothing_comes_from_elsewhere_and_nothing_runs(shipped):
     assert not [k for k, _ in tree.attributes if k.startswith("on") or k in ("src", "srcset", "action", "style")]
     assert "url(" not in shipped
     assert "@import" not in shipped
-    assert "http" not in shipped
+    assert "http" not in shipped.replace("http-equiv", "")
 
 
 def test_text_of_a_file_stands_for_itself():

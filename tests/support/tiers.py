@@ -19,6 +19,7 @@ TIERS = {
     ),
     "process": (
         "algebra/exact/test_prime_field.py::test_every_process_has_a_prime_of_its_own",
+        "animation/test_played.py",
         "api/test_interface.py::test_importing_costs_nothing",
         "command/grading/test_pool.py",
         "command/test_files.py::test_a_real_shell_completes",
