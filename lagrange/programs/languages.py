@@ -38,12 +38,14 @@ class Function:
 
     program  the outputs as a straight-line program
     names    of symbols that are to have a readable name; the elements of arrays are used as they are otherwise
+    constants  the code of symbols that are no arguments
     """
 
     name: str
     arguments: tuple[Argument, ...]
     program: StraightLine
     names: Mapping[sp.Symbol, str] = field(default_factory=dict)
+    constants: Mapping[sp.Symbol, str] = field(default_factory=dict)
 
     @classmethod
     def of(
@@ -93,7 +95,7 @@ class Language:
     def function(self, function: Function) -> list[str]:
         """The lines of a function."""
         used = symbols_of(function.program)
-        code: dict[sp.Symbol, str] = {}
+        code = dict(function.constants)
         lines: list[str] = []
         written: list[str] = []
         for argument, meant in function.arguments:

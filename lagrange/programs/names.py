@@ -16,24 +16,23 @@ import sympy as sp
 LONGEST_NAME = 40
 _LEGAL = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
-RESERVED = frozenset(
-    # keywords of Python, C, MATLAB and Octave, Julia, JavaScript
-    """False None True and as assert async await break class continue def del elif else except finally for from global
-    if import in is lambda nonlocal not or pass raise return try while with yield match case type
-    auto char const default do double enum extern float goto inline int long register restrict short signed sizeof
-    static struct switch typedef union unsigned void volatile bool asm fortran true false nullptr typeof
-    end function elseif otherwise parfor persistent spmd catch unwind_protect until endif endfunction endwhile endfor
-    begin baremodule let local macro module quote export using mutable abstract primitive where isa outer public
-    arguments debugger delete eval implements instanceof interface new null package private protected super this throw
-    var undefined NaN Infinity of get set constructor prototype
-    """.split()  # functions, constants and variables that the programs use
-    + """sin cos tan asin acos atan atan2 sinh cosh tanh exp log abs fabs sign sgn sqrt pow power pi Pi inf Inf nan NAN
-    INFINITY HUGE EOF NULL I Complex_I errno signgam j0 j1 jn y0 y1 yn gamma lgamma erf erfc main printf math Math
-    t y p dy dydt f g_ out row col matrix right result solve solved state parameters names start copysign hypot
-    OVERFLOW UNDERFLOW DOMAIN SING TLOSS PLOSS MAXFLOAT linux unix i386 M_PI ans eps e im size length zeros nargin
-    disp error len range float list dict max min sum print
-    """.split()
-)
+_WORDS = """
+False None True and as assert async await break class continue def del elif else except finally for from global
+if import in is lambda nonlocal not or pass raise return try while with yield match case type
+auto char const default do double enum extern float goto inline int long register restrict short signed sizeof
+static struct switch typedef union unsigned void volatile bool asm fortran true false nullptr typeof
+end function elseif otherwise parfor persistent spmd catch unwind_protect until endif endfunction endwhile endfor
+begin baremodule let local macro module quote export using mutable abstract primitive where isa outer public
+arguments debugger delete eval implements instanceof interface new null package private protected super this throw
+var undefined NaN Infinity of get set constructor prototype
+sin cos tan asin acos atan atan2 sinh cosh tanh exp log abs fabs sign sgn sqrt pow power pi Pi inf Inf nan NAN
+INFINITY HUGE EOF NULL I Complex_I errno signgam j0 j1 jn y0 y1 yn gamma lgamma erf erfc main printf math Math
+t y p dy dydt f out row col matrix right result solve solved state parameters names start copysign hypot fmax
+OVERFLOW UNDERFLOW DOMAIN SING PLOSS TLOSS MAXFLOAT linux unix i386 M_PI ans eps e im size length zeros nargin
+disp error len range list dict max min sum print rates unknowns equations defaults
+"""
+RESERVED = frozenset(_WORDS.split())
+"""Words of Python, C, MATLAB, Octave, Julia, JavaScript, and what the programs use themselves."""
 
 
 class Names:

@@ -17,7 +17,7 @@ Shapes: n coordinates, p speeds, m multipliers; r (n,), M (p, p), f (p,), A (m, 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import field
+from dataclasses import field, replace
 from functools import cached_property
 
 import sympy as sp
@@ -149,6 +149,8 @@ class StateEquations:
     contacts    by name of a one-sided constraint: not negative while contact lasts
     slips       speeds of slip, positive in the sense for which the file has written its friction
     signs       each open sign of a reaction, with the expression whose sign it is
+    branches    the signs of square roots that the coordinates leave open
+    given       expressions that have taken the place of undefined functions and prescribed motions, by name
     """
 
     problem: Problem
@@ -162,6 +164,7 @@ class StateEquations:
     slips: tuple[sp.Expr, ...] = ()
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     branches: tuple[Sign, ...] = ()
+    given: Mapping[str, sp.Expr] = field(default_factory=dict)
 
     @property
     def state(self) -> tuple[sp.Symbol, ...]:
@@ -196,8 +199,62 @@ class StateEquations:
     def in_state(self, expression: sp.Expr) -> sp.Expr:
         """An expression of the file (its coordinates, velocities and named reactions) in the present state."""
         e = self.equations
-        written = self.configuration.rewritten(expression)
+        written = filled(self.configuration.rewritten(expression), self.given, e.slots, self.problem)
         return written.xreplace(dict(zip(e.slots.velocities, e.rates, strict=True)))
+
+    def with_functions(self, given: Mapping[str, sp.Expr]) -> StateEquations:
+        """The equations after substitution of expressions in t, or in the names of their arguments, for functions."""
+        if not given:
+            return self
+        e = self.equations
+
+        def put(x: sp.Expr) -> sp.Expr:
+            return filled(x, given, e.slots, self.problem)
+
+        equations = replace(
+            e,
+            rates=tuple(map(put, e.rates)),
+            mass=tuple(tuple(map(put, row)) for row in e.mass),
+            force=tuple(map(put, e.force)),
+            constraint_matrix=tuple(tuple(map(put, row)) for row in e.constraint_matrix),
+            bias=tuple(map(put, e.bias)),
+            finite=tuple(map(put, e.finite)),
+            velocity_forms=tuple(map(put, e.velocity_forms)),
+        )
+        return replace(
+            self,
+            equations=equations,
+            energy=None if self.energy is None else put(self.energy),
+            conserved={n: put(x) for n, x in self.conserved.items()},
+            reactions={n: put(x) for n, x in self.reactions.items()},
+            contacts={n: put(x) for n, x in self.contacts.items()},
+            slips=tuple(map(put, self.slips)),
+            signs={s: put(x) for s, x in self.signs.items()},
+            given={**self.given, **given},
+        )
+
+
+def filled(e: sp.Expr, given: Mapping[str, sp.Expr], slots: Slots, problem: Problem) -> sp.Expr:
+    """An expression after substitution for functions f(X, Y), prescribed motions u(t), and their derivatives."""
+    if not given:
+        return e
+    names = {f.name: f.arguments for f in problem.functions}
+
+    def put(f: Unspecified) -> sp.Expr:
+        if f.name not in given:
+            return f
+        value = given[f.name]
+        places = [t if n == "t" else sp.Symbol(n, real=True) for n in names.get(f.name, f.argument_names)]
+        for place, order in zip(places, f.orders, strict=True):
+            value = value.diff(place, order) if order else value
+        return value.xreplace(dict(zip(places, f.arguments, strict=True)))
+
+    e = e.replace(lambda a: isinstance(a, Unspecified), put) if e.has(Unspecified) else e
+    rule: dict[sp.Basic, sp.Expr] = {}
+    for u in slots.prescribed:
+        if u.name in given:
+            rule |= {prime(u, n) if n else u: given[u.name].diff(t, n) if n else given[u.name] for n in range(4)}
+    return e.xreplace(rule) if rule else e
 
 
 def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
