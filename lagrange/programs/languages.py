@@ -92,6 +92,20 @@ class Language:
         lines = text.splitlines() or [""]
         return [f"{self.comment} {_harmless(line)}".rstrip() for line in lines]
 
+    def _result(self, outputs: Sequence[str]) -> list[str]:
+        """The statement that returns the outputs, in several lines where it is long: all of them within brackets."""
+        rows: list[str] = []
+        for code in outputs:
+            if rows and len(rows[-1]) + len(self.separator) + len(code) < WIDTH:
+                rows[-1] += f"{self.separator}{code}"
+            else:
+                rows.append(code)
+        if len(rows) < 2:
+            return [self.result.format(outputs="".join(rows))]
+        before, after = self.result.split("{outputs}")
+        between = self.separator.rstrip()
+        return [f"{before}{rows[0]}{between}", *(f"    {r}{between}" for r in rows[1:-1]), f"    {rows[-1]}{after}"]
+
     def function(self, function: Function) -> list[str]:
         """The lines of a function."""
         used = symbols_of(function.program)
@@ -120,9 +134,13 @@ class Language:
         if self.each:
             lines += [self.result.format(index=k + self.first, code=c) for k, c in enumerate(outputs)]
         else:
-            lines.append(self.result.format(outputs=self.separator.join(outputs)))
+            lines += self._result(outputs)
         head = self.head.format(name=function.name, arguments=", ".join(written))
         return [head, *(f"    {line}" for line in lines), *([self.tail] if self.tail else [])]
+
+
+WIDTH = 100
+"""Columns after which the outputs of a function are continued on the next line."""
 
 
 def _harmless(line: str) -> str:

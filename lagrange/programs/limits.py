@@ -29,3 +29,5 @@ SAMPLES_A_SECOND, LEAST_SAMPLES, MOST_SAMPLES = 50, 1000, 10_000
 MOST_FLIPS = 200
 # The width to which the time of an event is found.
 NARROW = 1e-12
+# Seconds that a motion is followed if neither the user nor the motion says how long.
+DEFAULT_TIME = 10.0

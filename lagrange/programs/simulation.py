@@ -8,8 +8,8 @@ functions of the state, located on the interpolating polynomial of the step in w
     the sign of a slip, of |R|        the step ends there, and the motion goes on with the other sign; where neither
                                       sign goes on, friction holds the system, and the simulation ends
 
-Conserved quantities are not enforced: their drift, relative to the largest sum of the sizes of their terms, measures the
-errors of the integration. A zero that is only touched is not seen.
+Conserved quantities are not enforced: their drift, relative to the largest sum of the sizes of their terms, measures
+the errors of the integration. A zero that is only touched is not seen.
 """
 
 from __future__ import annotations
@@ -29,6 +29,7 @@ from lagrange.core.symbols import t
 from lagrange.problem.model import ENERGY, Question
 from lagrange.programs.integrator import State, Step, StoppedError, at, interpolated, steps
 from lagrange.programs.limits import (
+    DEFAULT_TIME,
     LARGEST_DRIFT,
     LEAST_SAMPLES,
     MOST_FLIPS,
@@ -410,22 +411,24 @@ def _largest_change(made: Simulation, expression: sp.Expr, *, from_zero: bool = 
 
 
 def longest_time(states: StateEquations, start: Start) -> float:
-    """How long a motion is followed if nobody says: some of its times of change, rounded; 10 s if these are not known.
+    """How long a motion is followed if nobody says: about thirty times its time of change, rounded; 10 s if unknown.
 
-    The time of change is that in which the accelerations would undo or make the velocities and lengths of the start.
+    In its time of change an acceleration like that of the start makes the length or, from the origin, the speed of the
+    start; without an acceleration the speed makes the length.
     """
     e = states.equations
     n = len(e.slots.coordinates)
     try:
         rate = NumericalSystem(states, start.values).rate(0.0, *start.state)
     except (ArithmeticError, ValueError, NotCoveredError):
-        return 10.0
-    places = math.hypot(*start.state[:n], 1e-3)
-    speeds, accelerations = math.hypot(*rate[:n]), math.hypot(*rate[n:])
-    times = [math.sqrt(places / accelerations)] if accelerations > 1e-9 else []
-    times += [places / speeds] if speeds > 1e-9 else []
-    if not times:
-        return 10.0
-    wanted = 30 * min(times)
+        return DEFAULT_TIME
+    place, speed, acceleration = math.hypot(*start.state[:n]), math.hypot(*rate[:n]), math.hypot(*rate[n:])
+    if acceleration > 1e-9 * (place + speed):
+        change = math.sqrt(place / acceleration) if place > 1e-9 else speed / acceleration
+    else:
+        change = place / speed if speed > 0 else 0.0
+    if not 1e-6 < change < 1e9:
+        return DEFAULT_TIME
+    wanted = 30 * change
     power = 10.0 ** math.floor(math.log10(wanted))
-    return next(k * power for k in (1, 2, 5, 10) if k * power >= wanted * 0.99)
+    return next(k * power for k in (1, 2, 5, 10) if k * power >= wanted * 0.7)

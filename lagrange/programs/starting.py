@@ -14,7 +14,7 @@ from dataclasses import field, replace
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Span, suggestion
+from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Span, suggestion
 from lagrange.core.records import record
 from lagrange.core.symbols import Sign, prime, t
 from lagrange.core.units import split_number
@@ -256,7 +256,7 @@ def _rests(states: StateEquations, values: Values, state: Sequence[float]) -> bo
     """Whether nothing would change: the system is at rest in a position of equilibrium."""
     try:
         rate = NumericalSystem(states, values).rate(0.0, *state)
-    except (ArithmeticError, ValueError):
+    except (ArithmeticError, ValueError, NotCoveredError):  # a function that is still to be given
         return False
     moving = {s for e in states.expressions for s in e.free_symbols} & {t, *states.equations.slots.prescribed}
     return not moving and max(map(abs, rate), default=0.0) < PUSH * 1e-6
