@@ -1,4 +1,4 @@
-"""The command `lagsolve`: solve (the default), check, grade; others are in `program_commands.py`, `problem_commands.py`.
+"""The command `lagsolve`: solve (the default), check, grade; the rest in `program_commands`, `problem_commands`.
 
 The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
 1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.

@@ -90,7 +90,7 @@ def _event(event: Event, simulation: Simulation, units: Units) -> str:
         case EventKind.HELD:
             return f"{at}: slip ends, and friction holds the system"
         case EventKind.STOPPED:
-            return f"{at}: the motion cannot be followed any further: {event.name}"
+            return f"{at}: the motion cannot be followed any further; {event.name}"
 
 
 def _asked(event: Event, simulation: Simulation, units: Units) -> str:

@@ -90,7 +90,7 @@ def steps(
         last = time + length >= end * (1 - 1e-14)
         length = end - time if last else length
         if length < SMALLEST_STEP * max(abs(time), 1e-3):
-            raise StoppedError(time, "steps become too short")
+            raise StoppedError(time, "it comes to a singular place: a collision, or a pole of the coordinates")
         try:
             after, slopes, error = make_step(rate, time, length, state, slope, relative, absolute)
         except (ArithmeticError, ValueError):

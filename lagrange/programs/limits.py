@@ -31,3 +31,5 @@ MOST_FLIPS = 200
 NARROW = 1e-12
 # Seconds that a motion is followed if neither the user nor the motion says how long.
 DEFAULT_TIME = 10.0
+# Operations of a conserved quantity that is multiplied out, so that its terms can be weighed.
+LONGEST_EXPANDED = 200

@@ -78,16 +78,17 @@ class NumericalSystem:
         import numpy
 
         e = self.states.equations
-        size = len(e.unknowns)
+        size, speeds = len(e.unknowns), len(e.speeds)
         run = self._compiled([*chain.from_iterable(e.matrix), *e.right])
 
         def solved(time: float, *y: float) -> list[float]:
             numbers = run(time, *y)
             matrix = numpy.array(numbers[: size * size]).reshape(size, size)
+            right = numpy.array(numbers[size * size :])
             try:
-                x: list[float] = numpy.linalg.solve(matrix, numpy.array(numbers[size * size :])).tolist()
+                x: list[float] = numpy.linalg.solve(matrix, right).tolist()
             except numpy.linalg.LinAlgError:
-                raise ZeroDivisionError from None
+                x = _shortest(matrix, right, speeds)
             return x
 
         return solved
@@ -176,6 +177,23 @@ class NumericalSystem:
         else:
             raise ArithmeticError("the constraints cannot be met")
         return tuple(y)
+
+
+def _shortest(matrix: Any, right: Any, speeds: int) -> list[float]:
+    """The shortest solution where constraints depend on each other in this position: multipliers are then not unique.
+
+    Raises ZeroDivisionError where there is none, or the accelerations are not unique either.
+    """
+    import numpy
+
+    left, sizes, directions = numpy.linalg.svd(matrix)
+    regular = sizes > 1e-12 * sizes[0]
+    free = directions[~regular, :speeds]
+    x = directions[regular].T @ ((left.T @ right)[regular] / sizes[regular])
+    if abs(free).max(initial=0.0) > 1e-9 or abs(matrix @ x - right).max() > 1e-9 * (1 + abs(right).max()):
+        raise ZeroDivisionError
+    found: list[float] = x.tolist()
+    return found
 
 
 def _or_nan(value: Callable[..., float], time: float, state: Sequence[float]) -> float:

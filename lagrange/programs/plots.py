@@ -189,7 +189,7 @@ def animated(simulation: Simulation, law: Any, frames: int = 200, interval: floa
     figure = Figure(figsize=(5, 5))
     axes = figure.add_subplot()
     axes.set_aspect("equal")
-    every = [p for p in stage.points.values()] + [end for a, b, _ in lines for end in (a, b)]
+    every = [*stage.points.values()] + [end for a, b, _ in lines for end in (a, b)]
     if every:
         for set_limits, k in ((axes.set_xlim, 0), (axes.set_ylim, 1)):
             low, high = min(float(p[k].min()) for p in every), max(float(p[k].max()) for p in every)

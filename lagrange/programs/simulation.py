@@ -25,16 +25,18 @@ import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
-from lagrange.core.symbols import t
+from lagrange.core.symbols import partial, t
 from lagrange.problem.model import ENERGY, Question
 from lagrange.programs.integrator import State, Step, StoppedError, at, interpolated, steps
 from lagrange.programs.limits import (
     DEFAULT_TIME,
     LARGEST_DRIFT,
     LEAST_SAMPLES,
+    LONGEST_EXPANDED,
     MOST_FLIPS,
     MOST_SAMPLES,
     NARROW,
+    PUSH,
     SAMPLES_A_SECOND,
     TOLERANCE,
 )
@@ -395,19 +397,41 @@ def _judged(made: Simulation) -> Simulation:
 
 
 def _largest_change(made: Simulation, expression: sp.Expr, *, from_zero: bool = False) -> float:
-    """The largest change of an expression along a motion, relative to the largest sum of the sizes of its terms."""
+    """The largest change of an expression along a motion, relative to its size.
+
+    That is the largest sum of the sizes of its terms or, for what is about zero all the time, what changes of all
+    coordinates and speeds by their largest values would make of it.
+    """
     import numpy
 
     if not len(made.times):
         return 0.0
-    terms = sp.Add.make_args(sp.expand_mul(expression) if expression.count_ops() < 200 else expression)
+    terms = sp.Add.make_args(sp.expand_mul(expression) if expression.count_ops() < LONGEST_EXPANDED else expression)
     parts = numpy.array([made.system.along(e, made.times, made.states) for e in terms])
     values = parts.sum(axis=0)
-    scale = float(numpy.abs(parts).sum(axis=0).max())
     change = float(numpy.abs(values - (0.0 if from_zero else values[0])).max())
     if not math.isfinite(change):
         return math.inf
+    scale = float(numpy.abs(parts).sum(axis=0).max())
+    if change > LARGEST_DRIFT / 100 * scale:
+        scale = max(scale, _reach(made, expression))
     return change / scale if scale > 0 else change
+
+
+def _reach(made: Simulation, expression: sp.Expr) -> float:
+    """Σ |∂e/∂y_k| · (the largest coordinate, the largest speed)."""
+    import numpy
+
+    e = made.equations.equations
+    n = len(e.slots.coordinates)
+    sizes = numpy.abs(made.states).max(axis=1)
+    largest = [max(sizes[:n]), max(sizes[n:])]
+    reach = 0.0
+    for k, symbol in enumerate(e.state):
+        if symbol in expression.free_symbols:
+            slopes = numpy.abs(made.system.along(partial(expression, symbol), made.times, made.states))
+            reach += float(numpy.median(slopes)) * float(largest[k >= n])
+    return reach
 
 
 def longest_time(states: StateEquations, start: Start) -> float:
@@ -420,9 +444,10 @@ def longest_time(states: StateEquations, start: Start) -> float:
     n = len(e.slots.coordinates)
     try:
         rate = NumericalSystem(states, start.values).rate(0.0, *start.state)
-    except (ArithmeticError, ValueError, NotCoveredError):
+    except (ArithmeticError, ValueError):
         return DEFAULT_TIME
     place, speed, acceleration = math.hypot(*start.state[:n]), math.hypot(*rate[:n]), math.hypot(*rate[n:])
+    place = PUSH if start.pushed and speed < PUSH else place
     if acceleration > 1e-9 * (place + speed):
         change = math.sqrt(place / acceleration) if place > 1e-9 else speed / acceleration
     else:

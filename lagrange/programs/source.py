@@ -91,8 +91,7 @@ class _File:
 
     def _binding(self, name: str) -> str:
         [symbol] = (s for s, n in self.called.items() if n == name)
-        inside = self.states.state if symbol in self.states.state else self.parameters
-        array = "y" if inside is self.states.state else "p"
+        array, inside = ("y", self.states.state) if symbol in self.states.state else ("p", self.parameters)
         element = self.language.element.format(array=array, index=inside.index(symbol) + self.language.first)
         return self.language.assign.format(name=name, code=element)
 
@@ -188,7 +187,7 @@ def _python(file: _File, functions: Sequence[list[str]], in_line: bool) -> Itera
         )
     if in_line:
         return
-    yield from ("", *_PYTHON_SOLVER, "", "")
+    yield from ("", *_PYTHON_SOLVER.splitlines(), "", "")
     yield from (
         f"def {file.name}(t, y, p=PARAMETERS):",
         "    values = equations(t, y, p)",
@@ -209,7 +208,7 @@ _PYTHON_SOLVER = """def solved(rows, right):
     x = [0.0]*n
     for k in reversed(range(n)):
         x[k] = (a[k][n] - sum(a[k][j]*x[j] for j in range(k + 1, n)))/a[k][k]
-    return x""".split("\n")
+    return x"""
 
 
 def _c(file: _File, functions: Sequence[list[str]], in_line: bool) -> Iterator[str]:
@@ -233,7 +232,7 @@ def _c(file: _File, functions: Sequence[list[str]], in_line: bool) -> Iterator[s
         yield from (head, "    (void)t; (void)y; (void)p;", *function[1:], "")
     if in_line:
         return
-    yield from (line.replace("SIZE", str(size)) for line in _C_SOLVER)
+    yield from (line.replace("SIZE", str(size)) for line in _C_SOLVER.splitlines())
     yield from (
         f"void {file.name}(double t, const double *y, const double *p, double *out) {{",
         f"    double values[{n + size * size + size}], x[{size}];",
@@ -269,7 +268,7 @@ _C_SOLVER = """static void solved(double *a, double *b, double *x) {
         x[k] = rest/a[SIZE*k + k];
     }
 }
-""".split("\n")
+"""
 
 
 def _matlab(file: _File, functions: Sequence[list[str]], in_line: bool) -> Iterator[str]:
@@ -286,7 +285,8 @@ def _matlab(file: _File, functions: Sequence[list[str]], in_line: bool) -> Itera
         yield from main[1:]
     else:
         yield "    values = equations(t, y, p);"
-        yield f"    x = reshape(values({n + 1}:{n + size * size}), {size}, {size}).' \\ values({n + size * size + 1}:end);"
+        yield f"    matrix = reshape(values({n + 1}:{n + size * size}), {size}, {size}).';"
+        yield f"    x = matrix \\ values({n + size * size + 1}:end);"
         yield from (f"    out = [values(1:{n}); x(1:{speeds})];", "end")
         yield from ("", *functions[0])
     for name, count, described in file.filled_in():

@@ -155,6 +155,8 @@ def start(
     values = _numbers(states, problem, given or {}, pose, assumed)
     wanted = {v.symbol: v for v in (*problem.initial, *initial)}
     guess = [pose.get(q, 0.5) for q in states.equations.slots.coordinates]
+    if states.functions:  # these have no numbers yet, so that nothing can be brought to the constraints
+        return Start(values, (*guess, *(0.0 for _ in states.equations.speeds)), assumed | _zeros(states, guess))
     state, named = _state(states, values, list(wanted.values()), guess)
     assumed |= {s.name: x for s, x in zip(states.state, state, strict=True) if s.name not in named}
     pushed = _rests(states, values, state)
@@ -162,6 +164,10 @@ def start(
         state = _pushed(states, values, state, at_rest=bool(named))
         assumed |= {n: x for s, x in zip(states.state, state, strict=True) if (n := s.name) in assumed}
     return Start(values, tuple(state), assumed, pushed)
+
+
+def _zeros(states: StateEquations, guess: Sequence[float]) -> dict[str, float]:
+    return {s.name: x for s, x in zip(states.state, [*guess, *(0.0 for _ in states.equations.speeds)], strict=True)}
 
 
 def _pose(states: StateEquations, problem: Problem) -> dict[sp.Symbol, float]:
@@ -219,7 +225,12 @@ def _state(
     positions, error = solved_near([*e.finite, *(c for c, _ in places)], slots.coordinates, start, numbers)
     _refuse(error, positions, wanted, [v for _, v in places])
     at = {**numbers, **dict(zip(slots.coordinates, positions, strict=True))}
-    rates, error = solved_near([*e.velocity_forms, *(c for c, _ in speeds)], e.speeds, [0.0] * len(e.speeds), at)
+    forms = [*e.velocity_forms, *(c for c, _ in speeds)]
+    for first in (0.0, 1.0):  # from rest a constraint that is not linear in the velocities gives no direction
+        guessed = [first * (1 + 0.1 * k) for k in range(len(e.speeds))]
+        rates, error = solved_near(forms, e.speeds, guessed, at)
+        if error < LARGEST_CONTRADICTION and _has_rate(states, values, [*positions, *rates]):
+            break
     _refuse(error, rates, wanted, [v for _, v in speeds])
     return [*positions, *rates], {v.symbol.name for v in wanted}
 
@@ -260,6 +271,14 @@ def _rests(states: StateEquations, values: Values, state: Sequence[float]) -> bo
         return False
     moving = {s for e in states.expressions for s in e.free_symbols} & {t, *states.equations.slots.prescribed}
     return not moving and max(map(abs, rate), default=0.0) < PUSH * 1e-6
+
+
+def _has_rate(states: StateEquations, values: Values, state: Sequence[float]) -> bool:
+    try:
+        NumericalSystem(states, values).rate(0.0, *state)
+    except (ArithmeticError, ValueError):
+        return False
+    return True
 
 
 def _pushed(states: StateEquations, values: Values, state: Sequence[float], *, at_rest: bool) -> list[float]:

@@ -81,7 +81,18 @@ def solved_in_line(
     for k in reversed(range(size)):
         known = sp.Add(*(rows[k][j] * x[j] for j in range(k + 1, size)))
         x[k] = named((b[k] - known) / rows[k][k])
-    return StraightLine((*parts.assignments, *more), (*parts.outputs[:n], *x))
+    return _without_unused(StraightLine((*parts.assignments, *more), (*parts.outputs[:n], *x)))
+
+
+def _without_unused(program: StraightLine) -> StraightLine:
+    """The program without assignments that no output needs: factors that have cancelled."""
+    used = set().union(*(e.free_symbols for e in program.outputs))
+    kept: list[Assignment] = []
+    for symbol, value in reversed(program.assignments):
+        if symbol in used:
+            kept.append((symbol, value))
+            used |= value.free_symbols
+    return StraightLine(tuple(reversed(kept)), program.outputs)
 
 
 def symbols_of(program: StraightLine) -> set[sp.Symbol]:
