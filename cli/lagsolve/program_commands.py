@@ -13,7 +13,9 @@ import click
 from lagsolve.command_group import OK, UNDECIDED, complete_files, complete_problems, write_stderr
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.solution import OnStage
     from lagrange.programs.prepared import Prepared
+    from lagrange.programs.simulation import Simulation
     from lagrange.programs.starting import Settings
 
 LANGUAGES = ("python", "c", "matlab", "julia")
@@ -67,7 +69,9 @@ def simulate(
     from lagsolve.progress_line import stage_shown
 
     with stage_shown() as on_stage, bounded(timeout, None):
-        made, given = _prepared(problem, settings, choice, on_stage, ("matplotlib",) if ending in PLOTS else ())
+        made, given = _prepared(
+            problem, settings, choice, on_stage, ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
+        )
         from lagrange.programs.prepared import require_functions
         from lagrange.programs.simulation import longest_time, simulated
 
@@ -160,10 +164,9 @@ def _ending(problem: str, output: str | None, known: tuple[str, ...]) -> str:
 
 
 def _prepared(
-    name: str, settings: tuple[str, ...], choice: str | None, on_stage: object, libraries: tuple[str, ...]
+    name: str, settings: tuple[str, ...], choice: str | None, on_stage: OnStage, libraries: tuple[str, ...]
 ) -> tuple[Prepared, Settings]:
     """The problem with its equations of motion, and what the command line sets."""
-    assert callable(on_stage)
     gc.disable()
     from lagrange.problem.loader import read_problem
     from lagrange.programs.prepared import prepared, require
@@ -172,7 +175,7 @@ def _prepared(
     from lagsolve.solve_task import look_for_garbage_seldom
 
     look_for_garbage_seldom()
-    require("numpy", "scipy", *libraries)
+    require(*libraries)
     on_stage("reading the problem")
     source = problem_source(name)
     problem = read_problem(source)
@@ -182,10 +185,7 @@ def _prepared(
     return prepared(problem, choice, given, on_stage), given
 
 
-def _write(result: object, output: str, ending: str) -> None:
-    from lagrange.programs.simulation import Simulation
-
-    assert isinstance(result, Simulation)
+def _write(result: Simulation, output: str, ending: str) -> None:
     if ending in PLOTS:
         from lagrange.programs.plots import drawn
         from lagsolve.written_files import write_file

@@ -33,7 +33,7 @@ def _lines(simulation: Simulation, until: float, by_default: bool) -> Iterator[s
     yield from _table("Parameters", [(n, (x,), u, _mark(simulation, n)) for n, x, u in rows])
     final = simulation.states[:, -1].tolist() if len(simulation.times) else list(start.state)
     last = simulation.times[-1] if len(simulation.times) else 0.0
-    state = [
+    state: list[tuple[str, tuple[float, ...], str, str]] = [
         (s.name, (a, b), units.of(s), _mark(simulation, s.name))
         for s, a, b in zip(states.state, start.state, final, strict=True)
     ]

@@ -45,8 +45,8 @@ def overview(simulation: Simulation) -> Any:
         axes = figure.add_subplot(grid[row, :])
         for (label, values), colour in zip(members, _COLOURS * (1 + len(members) // len(_COLOURS)), strict=False):
             axes.plot(simulation.times, values, color=colour, linewidth=1.1, label=label)
-        axes.set_ylabel(unit.replace("^2", "²").replace("^-1", "⁻¹") or None, parse_math=False)
-        axes.legend(loc="upper right", fontsize="small", frameon=False)
+        axes.set_ylabel(unit.replace("^2", "²").replace("^-1", "⁻¹"), parse_math=False)
+        axes.legend(loc="best", fontsize="small", framealpha=0.8, edgecolor="none")
         _tidy(axes, simulation)
         if row == len(groups) - 1:
             axes.set_xlabel("t (s)")

@@ -50,13 +50,12 @@ def prepared(
 
     Raises ProblemError where there are none, or the initial values contradict each other.
     """
-    require("numpy", "scipy")
     settings = settings or Settings()
     if not problem.masses and not problem.equations:
         message = "nothing moves here: the problem has no masses"
         raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
     motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
-    solution = solve(motion, choice, complete=False, on_stage=on_stage)
+    solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
     if solution.given_up:
         raise NotCoveredError(f"a motion that was given up at: {solution.given_up}; it")
     states = state_equations(solution, choice).with_functions(settings.functions)

@@ -37,6 +37,7 @@ from lagrange.programs.limits import (
     MOST_SAMPLES,
     NARROW,
     PUSH,
+    ROUNDING,
     SAMPLES_A_SECOND,
     TOLERANCE,
 )
@@ -149,6 +150,10 @@ def simulated(
     """
     run = _Run(states, start, until, questions, samples, tolerance)
     run.go()
+    if 0 < run.ended < until:
+        shorter = _Run(states, start, until, questions, samples, tolerance, shown=run.ended)
+        shorter.go()
+        return shorter.result()
     return run.result()
 
 
@@ -161,12 +166,15 @@ class _Run:
         questions: Sequence[Question],
         samples: int | None,
         tolerance: float,
+        shown: float | None = None,
     ) -> None:
         import numpy
 
         self.states, self.start, self.until, self.tolerance = states, start, until, tolerance
-        wanted = int(min(max(LEAST_SAMPLES, until * SAMPLES_A_SECOND), MOST_SAMPLES))
-        self.grid = numpy.linspace(0.0, until, samples or wanted + 1)
+        end = until if shown is None else shown
+        wanted = int(min(max(LEAST_SAMPLES, end * SAMPLES_A_SECOND), MOST_SAMPLES))
+        self.grid = numpy.linspace(0.0, end, samples or wanted + 1)
+        self.ended = until
         self._times: list[float] = self.grid.tolist()
         self.asked = [q for q in questions if q.when]
         self.system = NumericalSystem(states, start.values)
@@ -310,6 +318,7 @@ class _Run:
 
     def _end(self, kind: EventKind, name: str, time: float, state: State) -> None:
         self.events.append(Event(kind, name, time, state))
+        self.ended = time
         self.grid = self.grid[self.grid <= time * (1 + 1e-12)]
 
     # -- dry friction --------------------------------------------------------------------------------------------------
@@ -356,7 +365,7 @@ class _Run:
     def _keep(self, step: Step, end: float) -> None:
         """Keeps the interpolation of a step if some of the times lie in it."""
         place = self.pieces[-1][4] if self.pieces else 0
-        last = bisect_right(self._times, end)
+        last = bisect_right(self._times, end * (1 + ROUNDING))
         if last > place:
             self.pieces.append((step.time, step.length, step.before, step.interpolation(), last))
 

@@ -11,12 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import field, replace
+from importlib.util import find_spec
 
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Span, suggestion
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, prime, t
+from lagrange.core.symbols import Sign, Slots, base, prime, t
 from lagrange.core.units import split_number
 from lagrange.expressions.reader import canonical_name, read_scalar
 from lagrange.pictures.poses import general_pose
@@ -155,7 +156,7 @@ def start(
     values = _numbers(states, problem, given or {}, pose, assumed)
     wanted = {v.symbol: v for v in (*problem.initial, *initial)}
     guess = [pose.get(q, 0.5) for q in states.equations.slots.coordinates]
-    if states.functions:  # these have no numbers yet, so that nothing can be brought to the constraints
+    if states.functions or find_spec("numpy") is None:  # nothing can be brought to the constraints then
         return Start(values, (*guess, *(0.0 for _ in states.equations.speeds)), assumed | _zeros(states, guess))
     state, named = _state(states, values, list(wanted.values()), guess)
     assumed |= {s.name: x for s, x in zip(states.state, state, strict=True) if s.name not in named}
@@ -214,38 +215,94 @@ def _assumed(p: Parameter, heavy: set[sp.Symbol], pose: Mapping[sp.Symbol, float
 def _state(
     states: StateEquations, values: Values, wanted: Sequence[InitialValue], guess: Sequence[float]
 ) -> tuple[list[float], set[str]]:
-    """The state with these initial values, and the names of its components that they determine one by one."""
+    """The state with these initial values, and the names of its components that they determine one by one.
+
+    Coordinates of other choices are unknowns too, related to the present ones by the coordinates of the file.
+    """
     e = states.equations
     slots, numbers = e.slots, {**values, t: 0.0}
     direct = {v.symbol: v for v in wanted}
-    places, speeds = _conditions(states, wanted)
-    start = [
-        _value(direct[q].value, values) if q in direct else g for q, g in zip(slots.coordinates, guess, strict=True)
-    ]
-    positions, error = solved_near([*e.finite, *(c for c, _ in places)], slots.coordinates, start, numbers)
-    _refuse(error, positions, wanted, [v for _, v in places])
-    at = {**numbers, **dict(zip(slots.coordinates, positions, strict=True))}
-    forms = [*e.velocity_forms, *(c for c, _ in speeds)]
-    for first in (0.0, 1.0):  # from rest a constraint that is not linear in the velocities gives no direction
-        guessed = [first * (1 + 0.1 * k) for k in range(len(e.speeds))]
-        rates, error = solved_near(forms, e.speeds, guessed, at)
+    others = _Others.of(states, wanted)
+    places, speeds = _conditions(states, wanted, others)
+    unknown = (*slots.coordinates, *others.coordinates)
+    guessed = [*guess, *(0.5 for _ in others.coordinates)]
+    start = [_value(direct[q].value, values) if q in direct else g for q, g in zip(unknown, guessed, strict=True)]
+    start = others.placed(start, unknown, values)
+    found, error = solved_near([*e.finite, *others.places, *(c for c, _ in places)], unknown, start, numbers)
+    _refuse(error, found, wanted, [v for _, v in places])
+    at = {**numbers, **dict(zip(unknown, found, strict=True))}
+    positions = found[: len(slots.coordinates)]
+    forms = [*e.velocity_forms, *others.speeds, *(c for c, _ in speeds)]
+    velocities = {*e.speeds}
+    nonlinear = any(not a.free_symbols.isdisjoint(velocities) for row in e.constraint_matrix for a in row)
+    moving = (*e.speeds, *others.velocities)
+    for first in (1.0,) if nonlinear else (0.0, 1.0):  # from rest such a constraint gives no direction
+        found, error = solved_near(forms, moving, [first * (1 + 0.1 * k) for k in range(len(moving))], at)
+        rates = found[: len(e.speeds)]
         if error < LARGEST_CONTRADICTION and _has_rate(states, values, [*positions, *rates]):
             break
     _refuse(error, rates, wanted, [v for _, v in speeds])
     return [*positions, *rates], {v.symbol.name for v in wanted}
 
 
+@record
+class _Others:
+    """Coordinates of other choices in which initial values are given, and what relates them to the present ones."""
+
+    coordinates: tuple[sp.Symbol, ...] = ()
+    places: tuple[sp.Expr, ...] = ()
+    speeds: tuple[sp.Expr, ...] = ()
+    expressed: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, states: StateEquations, wanted: Sequence[InitialValue]) -> _Others:
+        """The relations through the choices that are needed. Raises ProblemError where a value cannot be used."""
+        known = {*states.equations.slots.coordinates, *states.equations.speeds, *states.configuration.expressed}
+        coordinates: dict[sp.Symbol, None] = {}
+        places: list[sp.Expr] = []
+        speeds: list[sp.Expr] = []
+        expressed: dict[sp.Symbol, sp.Expr] = {}
+        for v in wanted:
+            q = base(v.symbol)
+            if {q, v.symbol} & known or q in coordinates:
+                continue
+            choice = next((c for c in states.problem.choices if q in c.coordinates and c.substitute is not None), None)
+            if choice is None or choice.substitute is None:
+                message = f"the initial value of `{v.symbol}` cannot be used in these coordinates"
+                help_ = "choose coordinates that it belongs to with `--choice`, or leave the value out"
+                raise ProblemError(Diagnostic("initial-contradicts", message, v.span, help=help_))
+            slots = Slots(choice.coordinates, states.equations.slots.prescribed)
+            coordinates |= dict.fromkeys(x for x in choice.coordinates if x not in known)
+            for old, e in choice.substitute.items():
+                expressed[old] = e
+                places.append(states.in_state(old) - e)
+                speeds.append(states.in_state(prime(old)) - slots.time_derivative(e))
+        return cls(tuple(coordinates), tuple(places), tuple(speeds), expressed)
+
+    @property
+    def velocities(self) -> tuple[sp.Symbol, ...]:
+        """Their velocities."""
+        return tuple(prime(q) for q in self.coordinates)
+
+    def placed(self, start: Sequence[float], unknown: Sequence[sp.Symbol], values: Values) -> list[float]:
+        """A guess in which coordinates of the file are where the other coordinates put them."""
+        at = {**values, t: 0.0, **dict(zip(unknown, start, strict=True))}
+        return [
+            _value(self.expressed[q], at) if q in self.expressed else x for q, x in zip(unknown, start, strict=True)
+        ]
+
+
 def _conditions(
-    states: StateEquations, wanted: Sequence[InitialValue]
+    states: StateEquations, wanted: Sequence[InitialValue], others: _Others
 ) -> tuple[list[tuple[sp.Expr, InitialValue]], list[tuple[sp.Expr, InitialValue]]]:
     """Expressions that vanish at t = 0: of positions, and of speeds."""
-    known = {*states.equations.slots.coordinates}
-    places, speeds = [], []
+    velocities = {*states.equations.speeds, *others.velocities, *states.equations.slots.velocities}
+    places: list[tuple[sp.Expr, InitialValue]] = []
+    speeds: list[tuple[sp.Expr, InitialValue]] = []
     for v in wanted:
-        e = states.in_state(v.symbol)
-        if not e.free_symbols & {*states.state} or (e == v.symbol and e not in states.state):
-            continue  # a coordinate of another choice, which these do not know
-        (places if e.free_symbols & {*states.state} <= known else speeds).append((e - v.value, v))
+        own = v.symbol in others.coordinates or v.symbol in others.velocities
+        e = v.symbol if own else states.in_state(v.symbol)
+        (places if e.free_symbols.isdisjoint(velocities) else speeds).append((e - v.value, v))
     return places, speeds
 
 

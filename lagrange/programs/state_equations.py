@@ -114,7 +114,7 @@ def in_coordinates(dynamics: Motion) -> FirstOrder:
         constraint_matrix=tuple(form.constraint_matrix[n] for n in used),
         bias=tuple(form.constraint_vector[n] for n in used),
         multipliers=tuple(dynamics.multipliers[rows[n].name] for n in used),
-        finite=tuple(rows[n].finite for n in used if rows[n].finite is not None),  # type: ignore[misc]
+        finite=tuple(rows[n].finite for n in used if rows[n].finite is not None),
         velocity_forms=tuple(rows[n].velocity_form(slots) for n in used),
     )
 

@@ -19,15 +19,18 @@ class Units:
     def __init__(self, states: StateEquations) -> None:
         problem = states.problem
         known: dict[sp.Symbol, Dimension] = dict((values_of(problem) or no_values(problem)).units)
-        waves = (w.args[0] for e in states.expressions for w in e.atoms(sp.sin, sp.cos, sp.tan))
+        configuration = states.configuration
+        vectors = [p.position for p in configuration.points] + [a for r in configuration.rotations for a in r.axes]
+        places = (c for v in vectors for c in v.fixed().components)
+        waves = (w.args[0] for e in (*states.expressions, *places) for w in e.atoms(sp.sin, sp.cos, sp.tan))
         angles = {s for w in waves for term in sp.Add.make_args(w) if (s := term.as_coeff_Mul()[1]).is_Symbol}
         self._angles = {q for q in states.equations.slots.coordinates if q in angles and _is_number(known.get(q))}
         self._angles |= {q.symbol for q in problem.coordinates if (u := unit_of(q.unit)) is not None and u.is_angle}
         known |= dict.fromkeys(self._angles, NO_DIMENSION)
-        for u in problem.speeds:
-            found = dimension(u.definition, known)
+        for speed in problem.speeds:
+            found = dimension(speed.definition, known)
             if found is not None:
-                known[u.symbol] = found
+                known[speed.symbol] = found
         self._known: Mapping[sp.Symbol, Dimension] = known
 
     def of(self, expression: sp.Expr) -> str:

@@ -47,12 +47,16 @@ MOST_MODULES = 20
 ROOMS = {
     "click": {
         *("lagsolve.main", "lagsolve.command_group", "lagsolve.output", "lagsolve.problem_commands"),
-        "lagsolve.new_file",
+        *("lagsolve.new_file", "lagsolve.program_commands"),
     },
     "rich": {"lagrange.render.terminal", "lagrange.render.terminal_layout", "lagsolve.grading.table"},
     "distributed": {"lagsolve.grading.pool"},
-    "numpy": {"lagrange.api.numerical"},
-    "scipy": {"lagrange.mechanics.questions.numerical"},
+    "numpy": {
+        *("lagrange.api.numerical", "lagrange.api.motion", "lagrange.programs.compiled"),
+        *("lagrange.programs.numerical_system", "lagrange.programs.simulation"),
+    },
+    "scipy": {"lagrange.mechanics.questions.numerical", "lagrange.programs.integrator"},
+    "matplotlib": {"lagrange.programs.plots"},
     "yaml": {"lagrange.problem.yaml.composer", "lagsolve.shipped"},
     "sympy": None,
     "mpmath": None,
