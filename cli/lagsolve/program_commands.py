@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 LANGUAGES = ("python", "c", "matlab", "julia")
 PLOTS = (".svg", ".png", ".pdf")
+PAGE = ".html"
 SECONDS = click.FloatRange(0, 86_400, min_open=True)
 
 
@@ -33,11 +34,11 @@ SECONDS = click.FloatRange(0, 86_400, min_open=True)
     metavar="NAME=VALUE",
     help="A parameter, an initial value (theta=30 deg, theta'=0), or a function of time; may be repeated.",
 )
-@click.option(
-    "--choice", metavar="NAME", help="The choice of coordinates. Default: independent ones, if there are any."
-)
+@click.option("--choice", metavar="NAME", help="The coordinates. Default: independent ones, if there are any.")
 @click.option("--samples", type=click.IntRange(2, 1_000_000), metavar="N", help="Lines of the table. Default: by time.")
-@click.option("-o", "--output", metavar="FILE", shell_complete=complete_files, help=".csv .svg .png .pdf; - is CSV.")
+@click.option(
+    "-o", "--output", metavar="FILE", shell_complete=complete_files, help=".csv .svg .png .pdf .html; - is CSV."
+)
 @click.option("--timeout", type=SECONDS, metavar="SECONDS", help="Give up after so long. Default: no limit.")
 def simulate(
     problem: str,
@@ -64,7 +65,7 @@ def simulate(
 
     if until is not None and not (until > 0 and math.isfinite(until)):
         raise click.UsageError(f"--until {until:g} is not a positive time")
-    ending = _ending(problem, output, (".csv", *PLOTS))
+    ending = _ending(problem, output, (".csv", *PLOTS, PAGE))
     from lagsolve.bounds import bounded
     from lagsolve.progress_line import stage_shown
 
@@ -84,7 +85,10 @@ def simulate(
         text = report_text(result, end, by_default=until is None)
         if output is not None:
             on_stage("writing")
-            _write(result, output, ending)
+            if ending == PAGE:
+                _write_page(made, given, choice, output)
+            else:
+                _write(result, output, ending)
     from lagsolve.output import write_stdout
 
     for note in made.problem.notes:
@@ -100,9 +104,7 @@ def simulate(
 @click.argument("problem", metavar="PROBLEM", shell_complete=complete_problems)
 @click.option("--to", "target", type=click.Choice(LANGUAGES), help="Default: by the extension of -o.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A value of the file that is written.")
-@click.option(
-    "--choice", metavar="NAME", help="The choice of coordinates. Default: independent ones, if there are any."
-)
+@click.option("--choice", metavar="NAME", help="The coordinates. Default: independent ones, if there are any.")
 @click.option("-o", "--output", metavar="FILE", shell_complete=complete_files, help="Default: standard output.")
 def export(problem: str, target: str | None, settings: tuple[str, ...], choice: str | None, output: str | None) -> None:
     """Write a self-contained source file with f(t, y, p) = dy/dt for an integrator.
@@ -202,6 +204,19 @@ def _write(result: Simulation, output: str, ending: str) -> None:
         from lagsolve.written_files import write_file
 
         write_file(Path(output), csv_text(result))
+
+
+def _write_page(made: Prepared, given: Settings, choice: str | None, output: str) -> None:
+    """The page of the problem with the values and the initial state of the command line."""
+    from dataclasses import replace
+
+    from lagrange.explain.report import report
+    from lagsolve.output import Destination
+
+    given_again = {v.symbol for v in given.initial}
+    kept = (v for v in made.problem.initial if v.symbol not in given_again)
+    problem = replace(made.problem, initial=(*kept, *given.initial))
+    Destination.of("html", output, False, "steps").write([report(problem, choice or None, complete=False)])
 
 
 def _failed(made: Prepared) -> str:

@@ -10,13 +10,15 @@ from lagrange.document.math_writer import text
 from lagrange.programs.limits import LARGEST_DRIFT
 from lagrange.programs.simulation import Event, EventKind, Simulation
 from lagrange.programs.units import Units
+from lagsolve.output import terminal_width, wrapped
 
 DIGITS = 5
 
 
 def report_text(simulation: Simulation, until: float, *, by_default: bool) -> str:
-    """The report, without an end of line."""
-    return "\n".join(_lines(simulation, until, by_default))
+    """The report, without an end of line; no line is wider than the terminal unless it has no blanks."""
+    width = terminal_width()
+    return "\n".join(wrapped(line, width, "    ") for line in _lines(simulation, until, by_default))
 
 
 def _lines(simulation: Simulation, until: float, by_default: bool) -> Iterator[str]:
@@ -27,8 +29,8 @@ def _lines(simulation: Simulation, until: float, by_default: bool) -> Iterator[s
     yield f"0 to {until:g} s{' (by default; --until changes it)' if by_default else ''}, in {names}{where}"
     kept = states.equations.finite or states.equations.velocity_forms
     if kept:
-        listed = "; ".join(f"{text(e)} = 0" for e in (states.equations.finite or states.equations.velocity_forms))
-        yield f"constraints kept: {listed}"
+        yield "constraints kept:"
+        yield from (f"  {text(e)} = 0" for e in kept)
     rows = [(p.symbol.name, start.values[p.symbol], p.unit or units.of(p.symbol)) for p in states.parameters]
     yield from _table("Parameters", [(n, (x,), u, _mark(simulation, n)) for n, x, u in rows])
     final = simulation.states[:, -1].tolist() if len(simulation.times) else list(start.state)
@@ -45,18 +47,16 @@ def _lines(simulation: Simulation, until: float, by_default: bool) -> Iterator[s
         yield ""
         yield "Events"
         yield from (f"  {_event(e, simulation, units)}" for e in simulation.events)
-    if simulation.drift or states.equations.kept:
-        yield ""
-        yield f"Accuracy (relative; at most {LARGEST_DRIFT:g})"
-        width = max(map(len, (*simulation.drift, "constraints")))
-        for name, drift in simulation.drift.items():
-            yield f"  {name:{width}}  {drift:.1e}{'   too large' if not drift <= LARGEST_DRIFT else ''}"
-        if states.equations.kept:
-            late = "   too large" if not simulation.violation <= LARGEST_DRIFT else ""
-            yield f"  {'constraints':{width}}  {simulation.violation:.1e}{late}"
-    else:
-        yield ""
-        yield "Nothing is conserved here by which the accuracy could be judged."
+    errors = dict(simulation.drift)
+    if states.equations.kept:
+        errors["constraints"] = simulation.violation
+    if simulation.repeated is not None:
+        errors["repeated with a larger tolerance"] = simulation.repeated
+    yield ""
+    yield f"Accuracy: relative change of what is constant; at most {LARGEST_DRIFT:g}"
+    width = max(map(len, errors), default=0)
+    for name, error in errors.items():
+        yield f"  {name:{width}}  {error:.1e}{'' if error <= LARGEST_DRIFT else '   too large'}"
 
 
 def _mark(simulation: Simulation, name: str) -> str:

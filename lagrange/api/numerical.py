@@ -66,7 +66,9 @@ class RightHandSide:
     values      the values of parameters, by name
 
     Called with t and y of shape (n + p,) it returns dy/dt of that shape: a list of floats, or with `module="numpy"` an
-    array. Raises ArithmeticError if the accelerations are not determined, or not finite.
+    array; y may then have the shape (n + p, N), for N states at once, and t the shape (N,).
+
+    Raises ArithmeticError if the accelerations are not determined, or not finite.
     """
 
     def __init__(
@@ -97,10 +99,13 @@ class RightHandSide:
             return numbers[:n], matrix, right, numbers[n + size * size + size :]
 
         self._parts = parts
+        self._in_numpy = module == "numpy"
         self._solved, self._listed = (_in_arrays if module == "numpy" else _in_lists)()
 
     def __call__(self, time: float, y: Vector) -> Any:
-        """dy/dt, shape (n + p,)."""
+        """dy/dt, shape (n + p,), or for N states at once (n + p, N)."""
+        if self._in_numpy and _is_table(y):
+            return _for_each(self, time, y)
         rates, matrix, right, _ = self._parts(time, y)
         speeds = len(self._equations.speeds)
         return self._listed([float(x) for x in (*rates, *self._unknowns(time, matrix, right)[:speeds])])
@@ -134,7 +139,8 @@ class RightHandSide:
     def function(self, expression: sp.Expr) -> Callable[[float, Vector], float]:
         """An expression of coordinates, velocities, accelerations, multipliers, t and parameters, as a function (t, y).
 
-        Symbols are identified by their names: `Symbol("theta'")` is the velocity.
+        Symbols are identified by their names: `Symbol("theta'")` is the velocity. With `module="numpy"` y may have the
+        shape (n + p, N); the values then have the shape (N,).
 
         Raises ValueError if there are other symbols in it.
         """
@@ -147,7 +153,9 @@ class RightHandSide:
         wanted = written.free_symbols & set(equations.unknowns)
         run = self._code.compiled([written], equations.unknowns)
 
-        def value(time: float, y: Vector) -> float:
+        def value(time: Any, y: Any) -> Any:
+            if self._in_numpy and _is_table(y):
+                return _for_each(value, time, y)
             unknowns: Sequence[float] = [0.0] * len(equations.unknowns)
             if wanted:
                 _, matrix, right, _ = self._parts(time, y)
@@ -164,6 +172,18 @@ class RightHandSide:
         if not all(map(math.isfinite, unknowns)):
             raise ArithmeticError(f"at t = {float(time):g} the accelerations are not finite")
         return unknowns
+
+
+def _is_table(y: Any) -> bool:
+    return getattr(y, "ndim", 1) > 1
+
+
+def _for_each(function: Callable[[float, Any], Any], time: Any, y: Any) -> Any:
+    """The values of a function for each column of y, as columns."""
+    import numpy
+
+    times = numpy.broadcast_to(numpy.asarray(time, dtype=float), y.shape[1:])
+    return numpy.stack([function(float(s), column) for s, column in zip(times, y.T, strict=True)], axis=-1)
 
 
 class _Code:

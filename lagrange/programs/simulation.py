@@ -37,6 +37,7 @@ from lagrange.programs.limits import (
     MOST_SAMPLES,
     NARROW,
     PUSH,
+    REPEATED,
     ROUNDING,
     SAMPLES_A_SECOND,
     TOLERANCE,
@@ -82,6 +83,7 @@ class Simulation:
     events     in their order
     drift      of each conserved quantity, relative
     violation  the largest error in the constraints, relative
+    repeated   if nothing is conserved: how far the motion is from one with a hundred times the tolerance, relative
     count      the steps taken
     """
 
@@ -93,6 +95,7 @@ class Simulation:
     events: tuple[Event, ...] = ()
     drift: Mapping[str, float] = field(default_factory=dict)
     violation: float = 0.0
+    repeated: float | None = None
     count: int = 0
 
     @property
@@ -103,7 +106,7 @@ class Simulation:
     @property
     def is_accurate(self) -> bool:
         """Whether what is conserved and the constraints were kept, and the integration went on to its end."""
-        kept = all(d <= LARGEST_DRIFT for d in self.drift.values()) and self.violation <= LARGEST_DRIFT
+        kept = all(d <= LARGEST_DRIFT for d in (*self.drift.values(), self.violation, self.repeated or 0.0))
         return kept and not any(e.kind is EventKind.STOPPED for e in self.events)
 
     def along(self, expression: sp.Expr) -> Any:
@@ -120,6 +123,17 @@ def meant(states: StateEquations, expression: sp.Expr) -> sp.Expr:
     if states.energy is not None:
         rule[ENERGY] = states.energy
     return states.in_state(expression.xreplace(rule)).xreplace(rule)
+
+
+def _distance(one: Any, other: Any) -> float:
+    """The largest difference of two motions in one component, relative to the largest coordinate or speed."""
+    import numpy
+
+    count = min(one.shape[1], other.shape[1])
+    half = len(one) // 2
+    sizes = [float(numpy.abs(part).max(initial=0.0)) for part in (one[:half], one[half:])]
+    apart = numpy.abs(one[:, :count] - other[:, :count]).max(axis=1, initial=0.0)
+    return max(float(d) / (sizes[k >= half] or 1.0) for k, d in enumerate(apart))
 
 
 @record
@@ -151,10 +165,14 @@ def simulated(
     run = _Run(states, start, until, questions, samples, tolerance)
     run.go()
     if 0 < run.ended < until:
-        shorter = _Run(states, start, until, questions, samples, tolerance, shown=run.ended)
-        shorter.go()
-        return shorter.result()
-    return run.result()
+        run = _Run(states, start, until, questions, samples, tolerance, shown=run.ended)
+        run.go()
+    made = run.result()
+    if made.drift or not len(made.times):
+        return made
+    again = _Run(states, start, until, (), samples, REPEATED * tolerance, shown=run.ended)
+    again.go()
+    return replace(made, repeated=_distance(made.states, again.result().states))
 
 
 class _Run:

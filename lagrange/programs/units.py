@@ -10,7 +10,7 @@ from lagrange.core.symbols import base
 from lagrange.core.units import NO_DIMENSION, Dimension, unit_called, unit_of
 from lagrange.problem.values import no_values, values_of
 from lagrange.programs.state_equations import StateEquations
-from lagrange.values.dimensions import dimension
+from lagrange.values.dimensions import dimension, dimensions_needed
 
 
 class Units:
@@ -27,6 +27,9 @@ class Units:
         self._angles = {q for q in states.equations.slots.coordinates if q in angles and _is_number(known.get(q))}
         self._angles |= {q.symbol for q in problem.coordinates if (u := unit_of(q.unit)) is not None and u.is_angle}
         known |= dict.fromkeys(self._angles, NO_DIMENSION)
+        for choice in problem.choices:
+            stated = [(e, known[q]) for q, e in (choice.substitute or {}).items() if q in known]
+            known = {**(dimensions_needed(stated, known) or {}), **known}
         for speed in problem.speeds:
             found = dimension(speed.definition, known)
             if found is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from functools import cache
 
 import mpmath
@@ -278,3 +279,11 @@ def test_plots_and_an_animation() -> None:
         sp.Symbol("l", positive=True)])  # fmt: skip
     assert min(rod[1]) < 0  # it hangs down on the page
     animation._draw_was_started = True
+
+
+def test_a_double_pendulum_is_followed_for_a_thousand_seconds_in_less_than_two() -> None:
+    made = in_numbers("ex18-double-pendulum")
+    begun = time.process_time()
+    motion = simulated(made.states, made.start, 1000.0)
+    assert time.process_time() - begun < 2.0
+    assert motion.drift["energy"] < 1e-7
