@@ -24,7 +24,7 @@ PAGE = ".html"
 SECONDS = click.FloatRange(0, 86_400, min_open=True)
 
 
-@click.command(short_help="Integrate the motion of a PROBLEM, and write it as a table or a plot.")
+@click.command(short_help="Integrate the motion of a PROBLEM: a table, a plot.")
 @click.argument("problem", metavar="PROBLEM", shell_complete=complete_problems)
 @click.option("--until", type=float, metavar="SECONDS", help="How long the motion is followed. Default: by its speed.")
 @click.option(
@@ -100,7 +100,7 @@ def simulate(
     sys.exit(OK if result.is_accurate and not failed else UNDECIDED)
 
 
-@click.command(short_help="Write the equations of motion of a PROBLEM as a source file.")
+@click.command(short_help="Write the equations of a PROBLEM as source code.")
 @click.argument("problem", metavar="PROBLEM", shell_complete=complete_problems)
 @click.option("--to", "target", type=click.Choice(LANGUAGES), help="Default: by the extension of -o.")
 @click.option("--set", "settings", multiple=True, metavar="NAME=VALUE", help="A value of the file that is written.")

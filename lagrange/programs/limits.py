@@ -22,7 +22,7 @@ PUSH = 1e-3
 # Relative tolerance of a step; components smaller than 1 count as 1.
 TOLERANCE = 1e-10
 # How much larger the tolerance of a motion is with which one is compared that conserves nothing.
-REPEATED = 100
+REPEATED = 10
 # Above this drift of what is conserved, or error in the constraints, a simulation counts as failed.
 LARGEST_DRIFT = 1e-6
 # Times at which a motion is given: so many a second, but no fewer and no more than these.

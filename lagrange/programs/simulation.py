@@ -83,7 +83,7 @@ class Simulation:
     events     in their order
     drift      of each conserved quantity, relative
     violation  the largest error in the constraints, relative
-    repeated   if nothing is conserved: how far the motion is from one with a hundred times the tolerance, relative
+    repeated   if nothing is conserved: how far the motion is from one with ten times the tolerance, relative
     count      the steps taken
     """
 
