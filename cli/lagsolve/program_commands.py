@@ -73,13 +73,15 @@ def simulate(
         made, given = _prepared(
             problem, settings, choice, on_stage, ("numpy", "scipy", *(("matplotlib",) if ending in PLOTS else ()))
         )
+        from lagrange.core.effort import allowed_for
         from lagrange.programs.prepared import require_functions
         from lagrange.programs.simulation import longest_time, simulated
 
         require_functions(made.states, given.functions)
         on_stage("integrating")
         end = until or longest_time(made.states, made.start)
-        result = simulated(made.states, made.start, end, questions=made.problem.questions, samples=samples)
+        with allowed_for("integrating the motion", math.inf):
+            result = simulated(made.states, made.start, end, questions=made.problem.questions, samples=samples)
         from lagsolve.simulation_report import report_text
 
         text = report_text(result, end, by_default=until is None)

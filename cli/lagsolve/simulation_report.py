@@ -88,7 +88,7 @@ def _event(event: Event, simulation: Simulation, units: Units) -> str:
         case EventKind.SLIP:
             return f"{at}: slip ends to have the sense that the file gives; the equations hold no longer"
         case EventKind.HELD:
-            return f"{at}: slip ends, and friction holds the system"
+            return f"{at}: slip ends, and friction keeps it from beginning again; the simulation ends"
         case EventKind.STOPPED:
             return f"{at}: the motion cannot be followed any further; {event.name}"
 

@@ -119,8 +119,24 @@ class NumericalSystem:
             with numpy.errstate(all="ignore"):
                 found = self._compiled([expression], arrays=True)(times, *states)[0]
             return numpy.broadcast_to(numpy.asarray(found, dtype=float), numpy.shape(times)).copy()
-        value = self.function(expression)
-        return numpy.array([_or_nan(value, s, y) for s, y in zip(times.tolist(), states.T.tolist(), strict=True)])
+        values: dict[tuple[int, ...], Callable[..., float]] = {}
+        found = []
+        for time, y in zip(times.tolist(), states.T.tolist(), strict=True):
+            signs = self._signs_at(time, y)
+            if signs not in values:
+                there = self.with_signs(dict(zip(self.signs, signs, strict=True)))
+                values[signs] = there.function(expression)
+            found.append(_or_nan(values[signs], time, y))
+        return numpy.array(found)
+
+    def _signs_at(self, time: float, state: Sequence[float]) -> tuple[int, ...]:
+        """The signs that a state has; where an expression is zero, the present one."""
+        at = (_or_nan(indicator, time, state) for indicator in self._indicators)
+        return tuple(1 if x > 0 else -1 if x < 0 else s for x, s in zip(at, self.signs.values(), strict=True))
+
+    @cached_property
+    def _indicators(self) -> list[Callable[..., float]]:
+        return [self.function(e) for e in self.signs]
 
     # -- constraints ---------------------------------------------------------------------------------------------------
 

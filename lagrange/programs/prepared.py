@@ -8,7 +8,7 @@ from importlib.util import find_spec
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.diagnostics import Diagnostic, GaveUpError, ProblemError
 from lagrange.core.records import record
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
@@ -57,7 +57,8 @@ def prepared(
     motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
     solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
     if solution.given_up:
-        raise NotCoveredError(f"a motion that was given up at: {solution.given_up}; it")
+        stage, _, why = solution.given_up.rpartition(", ")
+        raise GaveUpError(stage, why)
     states = state_equations(solution, choice).with_functions(settings.functions)
     states = replace(states, problem=replace(states.problem, questions=problem.questions, initial=problem.initial))
     return Prepared(problem, solution, states, start(states, problem, settings.initial))

@@ -55,7 +55,7 @@ class EventKind(StrEnum):
     ASKED = "asked"  # the condition of a question holds
     CONTACT = "contact"  # a contact or a string ends
     SLIP = "slip"  # slip ends to have the sense for which the equations hold
-    HELD = "held"  # friction holds the system
+    HELD = "held"  # slip ends, and friction keeps it from beginning again
     STOPPED = "stopped"  # the integration cannot go on
 
 

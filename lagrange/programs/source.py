@@ -23,6 +23,7 @@ from lagrange.document.math_writer import text
 from lagrange.programs.languages import LANGUAGES, Function, Language, Target
 from lagrange.programs.limits import LONGEST_PROGRAM
 from lagrange.programs.names import Names
+from lagrange.programs.printer import Printer
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
 from lagrange.programs.straight_line import StraightLine, can_be_eliminated, solved_in_line, straight_line
@@ -79,8 +80,6 @@ class _File:
         if not needed:
             return self.language.function(Function(name, arguments, program, self.called))
         # A call is the value of a function of the state; its arguments are written out where it stands.
-        from lagrange.programs.printer import Printer
-
         printer = Printer(self.language.syntax, {t: "t", **self.called})
         for c in needed:
             calls[c.symbol] = f"{c.name}({', '.join(map(printer, c.arguments))})"

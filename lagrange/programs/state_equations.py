@@ -16,7 +16,7 @@ Shapes: n coordinates, p speeds, m multipliers; r (n,), M (p, p), f (p,), A (m, 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import field, replace
 from functools import cached_property
 
@@ -319,8 +319,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
     return states
 
 
-def _energy(found: Conserved, here: object) -> sp.Expr | None:
-    assert callable(here)
+def _energy(found: Conserved, here: Callable[[sp.Expr], sp.Expr]) -> sp.Expr | None:
     kept: Iterator[sp.Expr] = (i.expression for i in found.integrals if i.quantity == "energy")
     total = next(kept, None)
     if total is None and found.energy is not None and not found.energy.hidden:

@@ -172,6 +172,10 @@ def test_dry_friction_changes_its_sense_until_it_holds() -> None:
     assert math.isclose(motion.events[-1].time, 5 * math.pi / math.sqrt(10), rel_tol=1e-2)
     assert min(motion.states[0]) == pytest.approx(-0.8, abs=1e-3)
     assert len(turns) >= 4
+    x, velocity = motion.states[0], motion.states[2]
+    slipping = np.abs(velocity) > 1e-6
+    expected = -10 * x - np.sign(velocity)
+    assert np.allclose(of(motion, "x''")[slipping], expected[slipping])  # with the sense that slip has at each time
 
 
 def test_a_prescribed_motion_and_an_undefined_function_can_be_given() -> None:
