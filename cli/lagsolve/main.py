@@ -1,4 +1,4 @@
-"""The command `lagsolve`: solve (the default), check, grade; the others are in `problem_commands.py`.
+"""The command `lagsolve`: solve (the default), check, grade; the rest in `program_commands`, `problem_commands`.
 
 The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
 1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.
@@ -26,6 +26,7 @@ from lagsolve.command_group import (
 )
 from lagsolve.limits import CHECK_MEGABYTES, CHECK_SECONDS
 from lagsolve.problem_commands import COMMANDS
+from lagsolve.program_commands import COMMANDS as PROGRAMS
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -275,5 +276,5 @@ def grade(
     sys.exit(UNDECIDED if any(r.verdict == "undecided" for r in rows) else OK)
 
 
-for command in COMMANDS:
+for command in (*PROGRAMS, *COMMANDS):
     main.add_command(command)

@@ -23,13 +23,13 @@ _NO_RENAMING = (errno.EBUSY, errno.EXDEV)
 _NEW = os.O_WRONLY | os.O_CREAT | os.O_EXCL | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
 
 
-def write_file(path: Path, text: str, *, follow: bool = True) -> None:
-    """Writes a text. Raises ProblemError where that is impossible.
+def write_file(path: Path, text: str | bytes, *, follow: bool = True) -> None:
+    """Writes a text, or the bytes of a picture. Raises ProblemError where that is impossible.
 
     follow  whether the user named this very file, so that a link is followed and a pipe written to; in a folder that
             others may write to they are replaced
     """
-    data = text.encode("utf-8", "replace")
+    data = text if isinstance(text, bytes) else text.encode("utf-8", "replace")
     try:
         target = os.path.realpath(path) if follow else os.fspath(path)
         old = _status(target)

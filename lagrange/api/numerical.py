@@ -19,96 +19,36 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, SupportsFloat
 
 import sympy as sp
 
 from lagrange.api.time_functions import Given, with_given
 from lagrange.core.diagnostics import nearest
-from lagrange.core.records import record
-from lagrange.core.symbols import Slots, prime, t
+from lagrange.core.symbols import Slots, t
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.dynamics.motion import Motion
-from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
 from lagrange.problem.model import Assumption, Parameter
-
-
-@record
-class FirstOrder:
-    """A system of first-order equations, in symbols.
-
-    slots        the coordinates
-    speeds       q', or quasi-velocities, shape (p,)
-    rates        q' in q, the speeds and t, shape (n,)
-    unknowns     the rates of the speeds, then the multipliers, shape (p + m,)
-    matrix       shape (p + m, p + m)
-    right        shape (p + m,): matrix · unknowns = right
-    constraints  expressions that vanish along the motion: g and dg/dt of finite relations, φ of other constraints
-    """
-
-    slots: Slots
-    speeds: tuple[sp.Symbol, ...]
-    rates: tuple[sp.Expr, ...]
-    unknowns: tuple[sp.Symbol, ...]
-    matrix: tuple[tuple[sp.Expr, ...], ...]
-    right: tuple[sp.Expr, ...]
-    constraints: tuple[sp.Expr, ...]
-
-    @property
-    def state(self) -> tuple[sp.Symbol, ...]:
-        """The components of y, shape (n + p,)."""
-        return (*self.slots.coordinates, *self.speeds)
+from lagrange.programs import state_equations
+from lagrange.programs.state_equations import FirstOrder
 
 
 def in_coordinates(motion: Motion, stabilised: float = 0) -> FirstOrder:
-    """The equations in coordinates and velocities, without constraints that follow from others."""
-    form = motion.matrices
-    slots, rows = form.configuration.slots, form.configuration.rows
-    used = [n for n in range(len(rows)) if n not in motion.equations.elimination.unused]
-    zeros = (sp.S.Zero,) * len(used)
-    upper = [
-        (*mass, *(-form.constraint_matrix[n][k] for n in used)) for k, mass in enumerate(form.mass)
-    ]  # M q'' − Aᵀ λ
-    lower = [(*form.constraint_matrix[n], *zeros) for n in used]
-    bound = [form.constraint_vector[n] - _pull(rows[n], slots, stabilised) for n in used]
-    return FirstOrder(
-        slots=slots,
-        speeds=slots.velocities,
-        rates=slots.velocities,
-        unknowns=(*slots.accelerations, *(motion.multipliers[rows[n].name] for n in used)),
-        matrix=(*upper, *lower),
-        right=(*form.force, *bound),
-        constraints=tuple(_conditions(rows, slots)),
-    )
+    """The equations in coordinates and velocities; α pulls back what is lost of the constraints."""
+    equations = state_equations.in_coordinates(motion)
+    if not stabilised:
+        return equations
+    configuration = motion.matrices.configuration
+    used = (r for n, r in enumerate(configuration.rows) if n not in motion.equations.elimination.unused)
+    pulls = (_pull(row, configuration.slots, stabilised) for row in used)
+    return replace(equations, bias=tuple(b - p for b, p in zip(equations.bias, pulls, strict=True)))
 
 
 def _pull(row: Row, slots: Slots, stabilised: float) -> sp.Expr:
     """2α dg/dt + α² g, or α φ."""
-    if not stabilised:
-        return sp.S.Zero
     rate = row.velocity_form(slots)
     return stabilised * rate if row.finite is None else 2 * stabilised * rate + stabilised**2 * row.finite
-
-
-def _conditions(rows: Sequence[Row], slots: Slots) -> list[sp.Expr]:
-    return [e for r in rows for e in (r.finite, r.velocity_form(slots)) if e is not None]
-
-
-def in_speeds(equations: QuasiEquations) -> FirstOrder:
-    """The equations in coordinates and quasi-velocities."""
-    quasi = equations.quasi
-    slots = quasi.configuration.slots
-    unknowns = tuple(prime(s) for s in quasi.symbols)
-    at_rest = dict.fromkeys(unknowns, sp.S.Zero)
-    return FirstOrder(
-        slots=slots,
-        speeds=quasi.symbols,
-        rates=tuple(quasi.shown(quasi.rates[v]) for v in slots.velocities),
-        unknowns=unknowns,
-        matrix=tuple(tuple(e.diff(a) for a in unknowns) for e in equations.expressions),
-        right=tuple(-e.xreplace(at_rest) for e in equations.expressions),
-        constraints=quasi.configuration.finite_constraints,
-    )
 
 
 MODULES = ("math", "numpy")
@@ -126,7 +66,9 @@ class RightHandSide:
     values      the values of parameters, by name
 
     Called with t and y of shape (n + p,) it returns dy/dt of that shape: a list of floats, or with `module="numpy"` an
-    array. Raises ArithmeticError if the accelerations are not determined, or not finite.
+    array; y may then have the shape (n + p, N), for N states at once, and t the shape (N,).
+
+    Raises ArithmeticError if the accelerations are not determined, or not finite.
     """
 
     def __init__(
@@ -144,7 +86,7 @@ class RightHandSide:
         self._equations = equations
         size = len(equations.unknowns)
         flat = [e for row in equations.matrix for e in row]
-        expressions = [*equations.rates, *flat, *equations.right, *equations.constraints]
+        expressions = [*equations.rates, *flat, *equations.right, *equations.kept]
         self._code = _Code(equations, functions, parameters, values, module, unknowns)
         run = self._code.compiled(expressions)
         self.values: Mapping[str, float] = self._code.values
@@ -157,10 +99,13 @@ class RightHandSide:
             return numbers[:n], matrix, right, numbers[n + size * size + size :]
 
         self._parts = parts
+        self._in_numpy = module == "numpy"
         self._solved, self._listed = (_in_arrays if module == "numpy" else _in_lists)()
 
     def __call__(self, time: float, y: Vector) -> Any:
-        """dy/dt, shape (n + p,)."""
+        """dy/dt, shape (n + p,), or for N states at once (n + p, N)."""
+        if self._in_numpy and _is_table(y):
+            return _for_each(self, time, y)
         rates, matrix, right, _ = self._parts(time, y)
         speeds = len(self._equations.speeds)
         return self._listed([float(x) for x in (*rates, *self._unknowns(time, matrix, right)[:speeds])])
@@ -185,7 +130,7 @@ class RightHandSide:
         return {s.name: float(v) + 0.0 for s, v in zip(self._equations.unknowns[speeds:], multipliers, strict=True)}
 
     def violation(self, time: float, y: Vector) -> list[float]:
-        """The errors in the constraints: g and dg/dt of each finite relation g = 0, φ of each other constraint φ = 0.
+        """The errors in the constraints: g of finite relations g = 0, then dg/dt of these and φ of the others, φ = 0.
 
         It should vanish in the initial state of an integration.
         """
@@ -194,7 +139,8 @@ class RightHandSide:
     def function(self, expression: sp.Expr) -> Callable[[float, Vector], float]:
         """An expression of coordinates, velocities, accelerations, multipliers, t and parameters, as a function (t, y).
 
-        Symbols are identified by their names: `Symbol("theta'")` is the velocity.
+        Symbols are identified by their names: `Symbol("theta'")` is the velocity. With `module="numpy"` y may have the
+        shape (n + p, N); the values then have the shape (N,).
 
         Raises ValueError if there are other symbols in it.
         """
@@ -207,7 +153,9 @@ class RightHandSide:
         wanted = written.free_symbols & set(equations.unknowns)
         run = self._code.compiled([written], equations.unknowns)
 
-        def value(time: float, y: Vector) -> float:
+        def value(time: Any, y: Any) -> Any:
+            if self._in_numpy and _is_table(y):
+                return _for_each(value, time, y)
             unknowns: Sequence[float] = [0.0] * len(equations.unknowns)
             if wanted:
                 _, matrix, right, _ = self._parts(time, y)
@@ -224,6 +172,18 @@ class RightHandSide:
         if not all(map(math.isfinite, unknowns)):
             raise ArithmeticError(f"at t = {float(time):g} the accelerations are not finite")
         return unknowns
+
+
+def _is_table(y: Any) -> bool:
+    return getattr(y, "ndim", 1) > 1
+
+
+def _for_each(function: Callable[[float, Any], Any], time: Any, y: Any) -> Any:
+    """The values of a function for each column of y, as columns."""
+    import numpy
+
+    times = numpy.broadcast_to(numpy.asarray(time, dtype=float), y.shape[1:])
+    return numpy.stack([function(float(s), column) for s, column in zip(times, y.T, strict=True)], axis=-1)
 
 
 class _Code:

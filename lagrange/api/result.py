@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cached_property, partial
 from types import MappingProxyType
+from typing import TYPE_CHECKING, SupportsFloat
 
 import sympy as sp
 
@@ -21,6 +22,9 @@ from lagrange.mechanics.constraints.displacements import possible_displacement, 
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
+
+if TYPE_CHECKING:
+    from lagrange.api.motion import SimulatedMotion
 
 FORMATS = ("pretty", "latex", "markdown", "html", "json")
 
@@ -168,6 +172,34 @@ class Result:
         if format == "markdown":
             return markdown.render([written], detail=shown)
         return html.render([written], shown, [] if static else [moving_figure(self.solution)])
+
+    def simulate(
+        self,
+        until: float | None = None,
+        *,
+        values: Mapping[str, SupportsFloat] = MappingProxyType({}),
+        initial: Mapping[str, SupportsFloat] = MappingProxyType({}),
+        functions: Mapping[str, sp.Expr] = MappingProxyType({}),
+        choice: str | None = None,
+        samples: int | None = None,
+    ) -> SimulatedMotion:
+        """The motion in numbers, as `lagsolve simulate` finds it: arrays, plots, an animation.
+
+        until      the time to which it is followed; by default as long as shows something
+        values     numbers for parameters, by name, in units of SI; those of the file need not be repeated
+        initial    coordinates and velocities at t = 0, of the file or of a choice; they complete those of the file
+        functions  expressions for undefined functions and prescribed motions, in the names of their arguments or t
+        choice     the coordinates; by default those in which the motion is best integrated, `""` for the file's own
+        samples    the number of times
+
+        What nobody has given is assumed, and listed in `assumed`. Raises ProblemError where the initial values
+        contradict each other or something is missing, ValueError at a name that does not exist.
+        """
+        from lagrange.api.motion import simulated_motion
+
+        if choice:
+            _ = self[choice]  # raises KeyError
+        return simulated_motion(self.solution, until, choice, values, initial, functions, samples)
 
     def __str__(self) -> str:
         return self.render()

@@ -371,3 +371,15 @@ def test_numpy_is_not_needed(monkeypatch: pytest.MonkeyPatch) -> None:
     assert solved("ex11")["angle"].right_hand_side(values)(0.0, [0.1, 0.0])
     with pytest.raises(ImportError):
         solved("ex11")["angle"].right_hand_side(values, module="numpy")
+
+
+def test_functions_broadcast_over_arrays() -> None:
+    import numpy as np
+
+    f = solved("ex18")["angles"].right_hand_side(DOUBLE, module="numpy")
+    states = np.array([[0.1, 0.7, 2.0], [0.3, -0.2, 1.0], [0.0, 1.0, -1.0], [2.0, 0.5, 0.0]])
+    together = f(0.0, states)
+    assert together.shape == (4, 3)
+    assert np.allclose(together[:, 1], f(0.0, states[:, 1]))
+    energy = f.function(solved("ex18")["angles"].conserved[0].expression)
+    assert np.allclose(energy(0.0, states), [energy(0.0, states[:, k]) for k in range(3)])

@@ -76,7 +76,7 @@ def test_commands_run(command: str, folder: Path) -> None:
     if written:
         text = (folder / written[1]).read_text(encoding="utf-8")
         beginning = {".tex": r"\documentclass", ".md": "# ", ".html": "<!DOCTYPE html>", ".csv": "submission,"}
-        beginning |= {".yaml": "", ".json": "{"}
+        beginning |= {".yaml": "", ".json": "{", ".svg": "<?xml", ".c": "// dy/dt of"}
         assert text.startswith("% lagsolve" if "--fragment" in command else beginning[Path(written[1]).suffix])
 
 

@@ -15,6 +15,7 @@ from lagrange.mechanics.dynamics.motion import Method
 from lagrange.mechanics.results import Solution
 from lagrange.problem.loader import load
 from lagrange.problem.model import Problem
+from lagrange.programs.prepared import Prepared, prepared
 from lagsolve.shipped import containing
 from tests.support.paths import PROBLEMS, SYSTEM_FILES
 
@@ -48,6 +49,16 @@ def _loaded(path: Path) -> Problem:
 @cache
 def _reported(path: Path, method: Method, complete: bool) -> Report:
     return report(_loaded(path), method=method, complete=complete)
+
+
+@cache
+def _in_numbers(path: Path, choice: str | None) -> Prepared:
+    return prepared(_loaded(path), choice)
+
+
+def in_numbers(name: str | Path, choice: str | None = None) -> Prepared:
+    """The first-order equations of a problem, and where its motion starts."""
+    return _in_numbers(file_of(name), choice)
 
 
 def loaded(name: str | Path) -> Problem:

@@ -1,0 +1,100 @@
+"""What `lagsolve simulate` prints: the numbers it used, the state at both ends, events, and the drift."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from lagrange.core.printable import printable
+from lagrange.document.math_writer import text
+from lagrange.programs.limits import LARGEST_DRIFT
+from lagrange.programs.simulation import Event, EventKind, Simulation
+from lagrange.programs.units import Units
+from lagsolve.output import terminal_width, wrapped
+
+DIGITS = 5
+
+
+def report_text(simulation: Simulation, until: float, *, by_default: bool) -> str:
+    """The report, without an end of line; no line is wider than the terminal unless it has no blanks."""
+    width = terminal_width()
+    return "\n".join(wrapped(line, width, "    ") for line in _lines(simulation, until, by_default))
+
+
+def _lines(simulation: Simulation, until: float, by_default: bool) -> Iterator[str]:
+    states, start, units = simulation.equations, simulation.start, Units(simulation.equations)
+    names = ", ".join(q.name for q in states.equations.slots.coordinates)
+    where = f" (choice {states.name})" if states.name else ""
+    yield printable(states.problem.title)
+    yield f"0 to {until:g} s{' (by default; --until changes it)' if by_default else ''}, in {names}{where}"
+    kept = states.equations.finite or states.equations.velocity_forms
+    if kept:
+        yield "constraints kept:"
+        yield from (f"  {text(e)} = 0" for e in kept)
+    rows = [(p.symbol.name, start.values[p.symbol], p.unit or units.of(p.symbol)) for p in states.parameters]
+    yield from _table("Parameters", [(n, (x,), u, _mark(simulation, n)) for n, x, u in rows])
+    final = simulation.states[:, -1].tolist() if len(simulation.times) else list(start.state)
+    last = simulation.times[-1] if len(simulation.times) else 0.0
+    state: list[tuple[str, tuple[float, ...], str, str]] = [
+        (s.name, (a, b), units.of(s), _mark(simulation, s.name))
+        for s, a, b in zip(states.state, start.state, final, strict=True)
+    ]
+    yield from _table(f"State at t = 0 and at t = {last:.5g} s", state)
+    if start.pushed:
+        yield ""
+        yield "This state would stay as it is: the motion was started a little beside it."
+    if simulation.events:
+        yield ""
+        yield "Events"
+        yield from (f"  {_event(e, simulation, units)}" for e in simulation.events)
+    errors = dict(simulation.drift)
+    if states.equations.kept:
+        errors["constraints"] = simulation.violation
+    if simulation.repeated is not None:
+        errors["repeated with a larger tolerance"] = simulation.repeated
+    yield ""
+    yield f"Accuracy: relative change of what is constant; at most {LARGEST_DRIFT:g}"
+    width = max(map(len, errors), default=0)
+    for name, error in errors.items():
+        yield f"  {name:{width}}  {error:.1e}{'' if error <= LARGEST_DRIFT else '   too large'}"
+
+
+def _mark(simulation: Simulation, name: str) -> str:
+    return "assumed" if name in simulation.start.assumed else ""
+
+
+def _table(title: str, rows: list[tuple[str, tuple[float, ...], str, str]]) -> Iterator[str]:
+    if not rows:
+        return
+    yield ""
+    yield title
+    width = max(len(name) for name, *_ in rows)
+    for name, numbers, unit, mark in rows:
+        columns = "  ".join(f"{_number(x):>12}" for x in numbers)
+        yield f"  {name:{width}}  {columns} {unit:8} {mark}".rstrip()
+
+
+def _number(x: float) -> str:
+    return f"{x:.{DIGITS}g}" if math.isfinite(x) else str(x)
+
+
+def _event(event: Event, simulation: Simulation, units: Units) -> str:
+    at = f"t = {event.time:.6g} s"
+    match event.kind:
+        case EventKind.ASKED:
+            return f"{event.name}: {at}" + ("" if event.value is None else f", {_asked(event, simulation, units)}")
+        case EventKind.CONTACT:
+            return f"{at}: contact at {event.name} ends; the equations hold no longer"
+        case EventKind.SLIP:
+            return f"{at}: slip ends to have the sense that the file gives; the equations hold no longer"
+        case EventKind.HELD:
+            return f"{at}: slip ends, and friction keeps it from beginning again; the simulation ends"
+        case EventKind.STOPPED:
+            return f"{at}: the motion cannot be followed any further; {event.name}"
+
+
+def _asked(event: Event, simulation: Simulation, units: Units) -> str:
+    """`theta = 0.841 rad`: the quantity of a question where its condition holds."""
+    [quantity] = (q.quantity for q in simulation.equations.problem.questions if q.name == event.name)
+    unit = units.of(quantity)
+    return f"{text(quantity)} = {event.value:.6g}{' ' + unit if unit else ''}"

@@ -1,0 +1,37 @@
+"""Limits of programs and simulations."""
+
+# Unknowns of a mass matrix that is eliminated in symbols; a larger one is solved by a routine with pivoting.
+LARGEST_ELIMINATED = 4
+
+# Operations of all expressions of a program. The largest of a shipped problem has about 2,000.
+LONGEST_PROGRAM = 200_000
+
+# Steps of one integration, and the shortest, as a share of the time: beyond, the motion has come to a singular place.
+MOST_STEPS = 2_000_000
+SMALLEST_STEP = 1e-13
+
+# Iterations that bring a state to the constraints, and what is left of them there, relative to the size of the state.
+MOST_PROJECTIONS = 40
+NEGLIGIBLE = 1e-13
+# A change that is no more than rounding, relative to the numbers.
+ROUNDING = 1e-15
+# What is left of an initial state's conditions, relative to the size of the state, when they contradict each other.
+LARGEST_CONTRADICTION = 1e-8
+# How far from an equilibrium a motion starts that would otherwise stay there, in units of SI.
+PUSH = 1e-3
+# Relative tolerance of a step; components smaller than 1 count as 1.
+TOLERANCE = 1e-10
+# How much larger the tolerance of a motion is with which one is compared that conserves nothing.
+REPEATED = 10
+# Above this drift of what is conserved, or error in the constraints, a simulation counts as failed.
+LARGEST_DRIFT = 1e-6
+# Times at which a motion is given: so many a second, but no fewer and no more than these.
+SAMPLES_A_SECOND, LEAST_SAMPLES, MOST_SAMPLES = 50, 1000, 10_000
+# Changes of the sense of friction in one simulation.
+MOST_FLIPS = 200
+# The width to which the time of an event is found.
+NARROW = 1e-12
+# Seconds that a motion is followed if neither the user nor the motion says how long.
+DEFAULT_TIME = 10.0
+# Operations of a conserved quantity that is multiplied out, so that its terms can be weighed.
+LONGEST_EXPANDED = 200

@@ -1,0 +1,79 @@
+"""From a problem to its first-order equations in numbers: what `simulate` and `export` begin with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from importlib.util import find_spec
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Diagnostic, GaveUpError, ProblemError
+from lagrange.core.records import record
+from lagrange.mechanics.results import Solution
+from lagrange.mechanics.solution import OnStage, silent, solve
+from lagrange.problem.model import Find, Problem
+from lagrange.programs.starting import Settings, Start, start
+from lagrange.programs.state_equations import StateEquations, state_equations
+
+EXTRA = 'pip install "lagsolve[sim]"'
+LIBRARIES = ("numpy", "scipy", "matplotlib")
+
+
+def require(*libraries: str) -> None:
+    """Raises ProblemError where a library of the extra `sim` is missing."""
+    missing = [name for name in libraries if find_spec(name) is None]
+    if missing:
+        message = (
+            f"a simulation needs {' and '.join(missing)}, which {'is' if len(missing) == 1 else 'are'} not installed"
+        )
+        raise ProblemError(Diagnostic("missing-extra", message, help=f"install the extra `sim`: {EXTRA}"))
+
+
+@record
+class Prepared:
+    """A problem, its equations of motion alone, and where the motion starts.
+
+    problem  as the file has it, with the values of the command line
+    """
+
+    problem: Problem
+    solution: Solution
+    states: StateEquations
+    start: Start
+
+
+def prepared(
+    problem: Problem, choice: str | None = None, settings: Settings | None = None, on_stage: OnStage = silent
+) -> Prepared:
+    """The equations of a problem in a choice of coordinates, or in those in which they are best integrated.
+
+    Raises ProblemError where there are none, or the initial values contradict each other.
+    """
+    settings = settings or Settings()
+    if not problem.masses and not problem.equations:
+        message = "nothing moves here: the problem has no masses"
+        raise ProblemError(Diagnostic("no-equations", message, help="give particles or bodies with masses"))
+    motion = replace(problem, find=(Find.MOTION,), questions=(), initial=(), answers=None)
+    solution = solve(motion, choice or None, complete=False, on_stage=on_stage)
+    if solution.given_up:
+        stage, _, why = solution.given_up.rpartition(", ")
+        raise GaveUpError(stage, why)
+    states = state_equations(solution, choice).with_functions(settings.functions)
+    states = replace(states, problem=replace(states.problem, questions=problem.questions, initial=problem.initial))
+    return Prepared(problem, solution, states, start(states, problem, settings.initial))
+
+
+def require_functions(states: StateEquations, given: Mapping[str, sp.Expr]) -> None:
+    """Raises ProblemError where a function that occurs has not been given."""
+    missing = [name for name in states.functions if name not in given]
+    if not missing:
+        return
+    arguments = {f.name: f.arguments for f in states.problem.functions}
+    name = missing[0]
+    places = arguments.get(name, ("t",))
+    shown = f"{name}({', '.join(places)})"
+    message = f"the motion depends on {shown}, of which nothing is known"
+    example = "0.1*sin(3*t)" if places == ("t",) else f"{places[0]}^2/4"
+    help_ = f"give it as an expression in {', '.join(places)}: `--set '{name}={example}'`"
+    raise ProblemError(Diagnostic("function-not-given", message, help=help_))

@@ -1,0 +1,362 @@
+"""The equations of motion as first-order equations for the state y = (q, s).
+
+The speeds s are the velocities q', or the quasi-velocities u of the file. With the multipliers λ of the constraints
+that the coordinates do not satisfy identically,
+
+    q' = r(q, s, t) ,     M s' − Aᵀ λ = f ,     A s' = b ,
+
+where b contains the time derivatives of the coefficients: the constraints A s + a_t = 0, differentiated once. Finite
+relations g(q, t) = 0 among them have A = ∂g/∂q. In independent coordinates, and in quasi-velocities, there is no A.
+
+An integration keeps the differentiated constraints up to its errors; to be exact, positions are brought back to g = 0,
+speeds to A s + a_t = 0. Energy, conserved quantities, reactions and multipliers are expressions of the state.
+
+Shapes: n coordinates, p speeds, m multipliers; r (n,), M (p, p), f (p,), A (m, p), a_t (m,), b (m,).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import field, replace
+from functools import cached_property
+
+import sympy as sp
+
+from lagrange.core.diagnostics import Diagnostic, NotCoveredError, ProblemError
+from lagrange.core.records import record
+from lagrange.core.symbols import Sign, Slots, Unspecified, base, partial, prime, t
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.dynamics.conservation import Conserved, conserved
+from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw, motion
+from lagrange.mechanics.dynamics.newton import Reaction
+from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
+from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.problem.model import Assumption, Parameter, Problem
+
+
+@record
+class FirstOrder:
+    """First-order equations, in symbols.
+
+    slots        the coordinates, and the prescribed motions u(t)
+    speeds       s: velocities or quasi-velocities, shape (p,)
+    rates        q' in q, s and t, shape (n,)
+    mass         M; in quasi-velocities each row is divided by a common factor, so that M need not be symmetric
+    force        f
+    constraint_matrix  A, without rows that follow from others
+    bias         b
+    multipliers  λ, shape (m,)
+    finite       g of the finite relations g = 0
+    velocity_forms     A s + a_t of each row, zero along the motion; empty in quasi-velocities. A constraint that is not
+                 linear in the velocities is φ = 0, with A = ∂φ/∂s
+    """
+
+    slots: Slots
+    speeds: tuple[sp.Symbol, ...]
+    rates: tuple[sp.Expr, ...]
+    mass: tuple[tuple[sp.Expr, ...], ...]
+    force: tuple[sp.Expr, ...]
+    constraint_matrix: tuple[tuple[sp.Expr, ...], ...] = ()
+    bias: tuple[sp.Expr, ...] = ()
+    multipliers: tuple[sp.Symbol, ...] = ()
+    finite: tuple[sp.Expr, ...] = ()
+    velocity_forms: tuple[sp.Expr, ...] = ()
+
+    @property
+    def state(self) -> tuple[sp.Symbol, ...]:
+        """The components of y, shape (n + p,)."""
+        return (*self.slots.coordinates, *self.speeds)
+
+    @property
+    def speed_rates(self) -> tuple[sp.Symbol, ...]:
+        """s', shape (p,)."""
+        return tuple(prime(s) for s in self.speeds)
+
+    @property
+    def unknowns(self) -> tuple[sp.Symbol, ...]:
+        """What the linear equations determine: s', then λ, shape (p + m,)."""
+        return (*self.speed_rates, *self.multipliers)
+
+    @property
+    def matrix(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """The rows M, −Aᵀ and A, 0 of the linear equations, shape (p + m, p + m)."""
+        a = self.constraint_matrix
+        upper = [(*row, *(-each[k] for each in a)) for k, row in enumerate(self.mass)]
+        return (*upper, *((*row, *(sp.S.Zero for _ in a)) for row in a))
+
+    @property
+    def right(self) -> tuple[sp.Expr, ...]:
+        """Their right sides f, b, shape (p + m,)."""
+        return (*self.force, *self.bias)
+
+    @cached_property
+    def finite_slopes(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """∂g/∂q of each finite relation, with which positions are brought back to it."""
+        return tuple(tuple(partial(g, q) for q in self.slots.coordinates) for g in self.finite)
+
+    @property
+    def kept(self) -> tuple[sp.Expr, ...]:
+        """All that vanishes along the motion: finite relations, then constraints on speeds."""
+        return (*self.finite, *self.velocity_forms)
+
+
+def in_coordinates(dynamics: Motion) -> FirstOrder:
+    """The equations in coordinates and velocities."""
+    form = dynamics.matrices
+    slots, rows = form.configuration.slots, form.configuration.rows
+    used = [n for n in range(len(rows)) if n not in dynamics.equations.elimination.unused]
+    return FirstOrder(
+        slots=slots,
+        speeds=slots.velocities,
+        rates=slots.velocities,
+        mass=form.mass,
+        force=form.force,
+        constraint_matrix=tuple(form.constraint_matrix[n] for n in used),
+        bias=tuple(form.constraint_vector[n] for n in used),
+        multipliers=tuple(dynamics.multipliers[rows[n].name] for n in used),
+        finite=tuple(rows[n].finite for n in used if rows[n].finite is not None),
+        velocity_forms=tuple(rows[n].velocity_form(slots) for n in used),
+    )
+
+
+def in_speeds(equations: QuasiEquations) -> FirstOrder:
+    """The equations in coordinates and quasi-velocities, which satisfy the constraints on velocities identically."""
+    quasi = equations.quasi
+    slots = quasi.configuration.slots
+    unknowns = tuple(prime(s) for s in quasi.symbols)
+    at_rest = dict.fromkeys(unknowns, sp.S.Zero)
+    return FirstOrder(
+        slots=slots,
+        speeds=quasi.symbols,
+        rates=tuple(quasi.shown(quasi.rates[v]) for v in slots.velocities),
+        mass=tuple(tuple(e.diff(a) for a in unknowns) for e in equations.expressions),
+        force=tuple(-e.xreplace(at_rest) for e in equations.expressions),
+        finite=quasi.configuration.finite_constraints,
+    )
+
+
+@record
+class StateEquations:
+    """A motion as first-order equations, with what can be calculated along it.
+
+    name        of the choice of coordinates; empty for the file's own
+    equations   in symbols
+    parameters  those that occur, signs that the derivation leaves open among them
+    functions   names of the undefined functions and prescribed motions that occur: they must be given
+    energy      T + V; None if there is no potential
+    conserved   what stays constant, by name: `energy`, `p_theta`, ...
+    reactions   forces of constraint by the names of the page, in state, parameters and multipliers
+    contacts    by name of a one-sided constraint: not negative while contact lasts
+    slips       speeds of slip, positive in the sense for which the file has written its friction
+    signs       each open sign of a reaction, with the expression whose sign it is
+    branches    the signs of square roots that the coordinates leave open
+    given       expressions that have taken the place of undefined functions and prescribed motions, by name
+    """
+
+    problem: Problem
+    name: str
+    configuration: Configuration
+    equations: FirstOrder
+    energy: sp.Expr | None = None
+    conserved: Mapping[str, sp.Expr] = field(default_factory=dict)
+    reactions: Mapping[str, sp.Expr] = field(default_factory=dict)
+    contacts: Mapping[str, sp.Expr] = field(default_factory=dict)
+    slips: tuple[sp.Expr, ...] = ()
+    signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
+    branches: tuple[Sign, ...] = ()
+    given: Mapping[str, sp.Expr] = field(default_factory=dict)
+
+    @property
+    def state(self) -> tuple[sp.Symbol, ...]:
+        """The components of y."""
+        return self.equations.state
+
+    @cached_property
+    def expressions(self) -> tuple[sp.Expr, ...]:
+        """All that a program has to evaluate for dy/dt, and to keep the constraints."""
+        e = self.equations
+        flat = (entry for row in e.matrix for entry in row)
+        return (*e.rates, *flat, *e.right, *e.kept)
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The parameters that occur, in the order of the file; then open signs and unknown forces."""
+        more = (*self.conserved.values(), *self.reactions.values(), *self.contacts.values())
+        used = _symbols((*self.expressions, *more, *([self.energy] if self.energy is not None else [])))
+        declared = [p for p in self.problem.parameters if p.symbol in used]
+        signs = [Parameter(s, Assumption.SIGN, meaning="+1 or -1") for s in (*self.branches, *self.signs) if s in used]
+        forces = [Parameter(s, Assumption.REAL, meaning="a force") for s in self.problem.unknowns if s in used]
+        return (*declared, *signs, *forces)
+
+    @cached_property
+    def functions(self) -> tuple[str, ...]:
+        """The names of undefined functions f(X, Y) and prescribed motions u(t) that occur."""
+        found = {f.name: None for e in self.expressions for f in e.atoms(Unspecified)}
+        prescribed = {*self.equations.slots.prescribed}
+        moved = {base(s).name: None for s in sorted(_symbols(self.expressions), key=str) if base(s) in prescribed}
+        return (*found, *moved)
+
+    def in_state(self, expression: sp.Expr) -> sp.Expr:
+        """An expression of the file (its coordinates, velocities and named reactions) in the present state."""
+        e = self.equations
+        written = filled(self.configuration.rewritten(expression), self.given, e.slots, self.problem)
+        return written.xreplace(dict(zip(e.slots.velocities, e.rates, strict=True)))
+
+    def with_functions(self, given: Mapping[str, sp.Expr]) -> StateEquations:
+        """The equations after substitution of expressions in t, or in the names of their arguments, for functions."""
+        if not given:
+            return self
+        e = self.equations
+
+        def put(x: sp.Expr) -> sp.Expr:
+            return filled(x, given, e.slots, self.problem)
+
+        equations = replace(
+            e,
+            rates=tuple(map(put, e.rates)),
+            mass=tuple(tuple(map(put, row)) for row in e.mass),
+            force=tuple(map(put, e.force)),
+            constraint_matrix=tuple(tuple(map(put, row)) for row in e.constraint_matrix),
+            bias=tuple(map(put, e.bias)),
+            finite=tuple(map(put, e.finite)),
+            velocity_forms=tuple(map(put, e.velocity_forms)),
+        )
+        return replace(
+            self,
+            equations=equations,
+            energy=None if self.energy is None else put(self.energy),
+            conserved={n: put(x) for n, x in self.conserved.items()},
+            reactions={n: put(x) for n, x in self.reactions.items()},
+            contacts={n: put(x) for n, x in self.contacts.items()},
+            slips=tuple(map(put, self.slips)),
+            signs={s: put(x) for s, x in self.signs.items()},
+            given={**self.given, **given},
+        )
+
+
+def filled(e: sp.Expr, given: Mapping[str, sp.Expr], slots: Slots, problem: Problem) -> sp.Expr:
+    """An expression after substitution for functions f(X, Y), prescribed motions u(t), and their derivatives."""
+    if not given:
+        return e
+    names = {f.name: f.arguments for f in problem.functions}
+
+    def put(f: Unspecified) -> sp.Expr:
+        if f.name not in given:
+            return f
+        value = given[f.name]
+        places = [t if n == "t" else sp.Symbol(n, real=True) for n in names.get(f.name, f.argument_names)]
+        for place, order in zip(places, f.orders, strict=True):
+            value = value.diff(place, order) if order else value
+        return value.xreplace(dict(zip(places, f.arguments, strict=True)))
+
+    e = e.replace(lambda a: isinstance(a, Unspecified), put) if e.has(Unspecified) else e
+    rule: dict[sp.Basic, sp.Expr] = {}
+    for u in slots.prescribed:
+        if u.name in given:
+            rule |= {prime(u, n) if n else u: given[u.name].diff(t, n) if n else given[u.name] for n in range(4)}
+    return e.xreplace(rule) if rule else e
+
+
+def _symbols(expressions: Iterable[sp.Expr]) -> set[sp.Symbol]:
+    return set().union(*(e.free_symbols for e in expressions))
+
+
+def state_equations(solution: Solution, choice: str | None = None) -> StateEquations:
+    """The equations in a choice of coordinates; without one, in those in which they are best integrated.
+
+    Independent coordinates come first: those of a choice that leaves no constraint and no root with two signs, then
+    quasi-velocities, then the file's own coordinates with their constraints. `""` is the file's own coordinates.
+
+    Raises ProblemError where there is no such choice, or nothing moves.
+    """
+    views = [v for v in solution.views if v.dynamics is not None]
+    if solution.law is None or not views:
+        message = "there are no equations of motion"
+        help_ = "a motion needs masses, and a problem that is solved to its end"
+        raise ProblemError(Diagnostic("no-equations", message, help=help_))
+    if choice is not None:
+        views = [v for v in views if v.name == choice]
+        if not views:
+            raise KeyError(choice)
+    return _of_view(min(views, key=_difficulty), solution.law, solution.problem)
+
+
+def _difficulty(view: InCoordinates) -> tuple[bool, int, int, bool]:
+    """Roots with two signs, constraints that are left, coordinates that are not needed; the file's own come last."""
+    quasi = view.in_speeds is not None and view.in_speeds.equations is not None
+    left = len(view.configuration.finite_constraints) if quasi else len(view.configuration.rows)
+    return bool(view.signs), left, len(view.configuration.slots.coordinates), view.is_own
+
+
+def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEquations:
+    dynamics = view.dynamics
+    assert dynamics is not None
+    if dynamics.reactions is None and law.used:
+        dynamics = motion(law, view.coordinates.configuration, view.elimination)
+    quasi = view.in_speeds.equations if view.in_speeds is not None else None
+    equations = in_coordinates(dynamics) if quasi is None else in_speeds(quasi)
+    found = view.conserved or conserved(dynamics, law.newton.multipliers_by_name, {f.name for f in law.frictions})
+    rates = dict(zip(equations.slots.velocities, equations.rates, strict=True)) if quasi is not None else {}
+
+    def here(e: sp.Expr) -> sp.Expr:
+        return e.xreplace(rates)
+
+    contacts = dynamics.reactions.contacts if dynamics.reactions is not None else {}
+    states = StateEquations(
+        problem=problem,
+        name=view.name,
+        configuration=dynamics.equations.configuration,
+        equations=equations,
+        energy=_energy(found, here),
+        conserved={name: here(e) for name, e in _named(found)},
+        reactions={n: here(e) for n, e in _reactions(dynamics, law, equations)},
+        contacts={n: here(e) for n, e in contacts.items()},
+        slips=tuple(map(here, dynamics.slips)),
+        signs={s: here(e) for s, e in dynamics.signs.items()},
+        branches=view.signs,
+    )
+    _refuse_accelerations(states)
+    return states
+
+
+def _energy(found: Conserved, here: Callable[[sp.Expr], sp.Expr]) -> sp.Expr | None:
+    kept: Iterator[sp.Expr] = (i.expression for i in found.integrals if i.quantity == "energy")
+    total = next(kept, None)
+    if total is None and found.energy is not None and not found.energy.hidden:
+        total = found.energy.expression
+    return None if total is None else here(total)
+
+
+def _named(found: Conserved) -> Iterator[tuple[str, sp.Expr]]:
+    """The conserved quantities under names: energy, p_theta, and numbers for the rest."""
+    names: set[str] = set()
+    for n, integral in enumerate(found.integrals, start=1):
+        name = f"p_{integral.coordinate.name}" if integral.coordinate is not None else str(integral.quantity)
+        name = name if name not in names else f"{name}_{n}"
+        names.add(name)
+        yield name, integral.expression
+
+
+def _reactions(dynamics: Motion, law: NewtonLaw, equations: FirstOrder) -> Iterator[tuple[str, sp.Expr]]:
+    """The reactions in state and multipliers, under the names that the page has; those too long to write are solved."""
+    known = dynamics.reactions
+    for r in law.newton.reactions:
+        size = None if known is None else known.sizes.get(r.name)
+        value = size if size is not None else (known.multipliers.get(r.name) if known is not None else None)
+        name = _name_of(r, size is not None)
+        if r.multiplier in equations.multipliers and (value is None or value.has(r.multiplier)):
+            yield r.force.name if not r.named else r.multiplier.name, r.multiplier
+        elif value is not None:
+            yield name, value
+
+
+def _name_of(reaction: Reaction, is_size: bool) -> str:
+    symbol = (reaction.symbol or reaction.multiplier) if is_size else reaction.multiplier
+    return str(symbol.name)
+
+
+def _refuse_accelerations(states: StateEquations) -> None:
+    """Raises NotCoveredError where a force depends on accelerations, so that the equations are not of first order."""
+    accelerations = {prime(v) for v in states.equations.slots.velocities}
+    if not accelerations.isdisjoint(_symbols(states.expressions)):
+        raise NotCoveredError("a motion whose forces depend on accelerations")
