@@ -147,3 +147,9 @@ class Asked:
     def answered(self) -> bool:
         """Whether there is an answer."""
         return bool(self.branches)
+
+    @property
+    def has_bare_numbers(self) -> bool:
+        """Whether a condition or an initial value is a number that may hide a unit, `t = 2`."""
+        sides = [*(e for c in self.question.when for e in (c.lhs, c.rhs)), *(s.value for s in self.initial)]
+        return any(e.is_number and e != 0 and not (e / sp.pi).is_Rational for e in sides)
