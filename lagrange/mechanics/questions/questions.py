@@ -82,7 +82,9 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
             continue
         asked = _with_either_sense(question, setting)
         if asked.answered:
-            return asked
+            starting = setting.known.starting
+            extended = (replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *starting)))) for b in asked.branches)
+            return replace(asked, branches=tuple(extended)) if starting else asked
         tried.append(asked)
     if not tried:
         message = f"the question `{question.name}` mixes coordinates of several choices"
@@ -173,6 +175,8 @@ class _Search:
     def answer(self) -> Asked:
         """The answer, or what is known of it. Raises ProblemError where there is none."""
         mentioned = (self.question.quantity, *(c.function for c in self.question.when))
+        if self.setting.known.held:
+            raise ProblemError(self._slip_has_ended("is about a motion that does not begin: friction holds it at rest"))
         if any(self.known.unknown(e) for e in mentioned) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()

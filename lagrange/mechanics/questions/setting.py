@@ -42,7 +42,7 @@ class Setting:
         self.place = place
         self.problem = problem
         self.initial: Values = initial
-        self.known: Meanings = with_senses(meanings(place), initial, senses)
+        self.known: Meanings = with_senses(meanings(place), initial, senses, self.values, place.law.frictions)
         self.rule = dependent(place.configuration)
         self.integrals, self.missing = integrals(place, self.known, initial)
 
