@@ -287,7 +287,9 @@ class _Search:
         parted = [self._with_stated_slip(b) for b in found.branches]
         lasting = [b for b in parted if b is not None]
         against = [b for b, kept in zip(found.branches, parted, strict=True) if kept is None]
-        chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
+        chosen = first_branches(lasting, replace(self._beginning, values={}), reached, self.question.by, quantity)
+        if sum(not b.excluded_by(self.setting.values) for b in chosen.branches) > 1:
+            chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
         if against and all(self._beginning.is_initial(s) for b in chosen.branches for s in b.states):
             return self._after_turning(route, used)
         branches = list(chosen.branches)

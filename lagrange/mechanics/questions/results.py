@@ -8,7 +8,7 @@ from enum import StrEnum
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.records import record
 from lagrange.problem.model import Question
 
@@ -87,6 +87,12 @@ class AnswerBranch:
     conditions: tuple[SignCondition, ...] = ()
     provided: bool = False
     limit: bool = False
+
+    def excluded_by(self, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
+        """Whether values of the parameters violate one of the conditions."""
+        pairs = [((c.lhs - c.rhs).xreplace(dict(values)), c.relation) for c in self.conditions]
+        signs = [(sign_of(e), relation) for e, relation in pairs if e.is_number]
+        return any((s == -1 and r in ">≥") or (s == 1 and r in "<≤") or (s == 0 and r in "><≠") for s, r in signs)
 
 
 @record
