@@ -213,6 +213,11 @@ def _tension(
         if squared is not None:
             return squared
     lengths = [_length(k, e, placed, configuration) for k, e in terms]
+    if all(e in coordinates for _, e in terms) and _move_apart([e for _, e in terms], configuration):
+        lengths = [
+            x if x is None or x.shown else _carried(k, e, configuration)
+            for x, (k, e) in zip(lengths, terms, strict=True)
+        ]
     if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
         return None
     known = [x for x in lengths if x is not None]
@@ -346,6 +351,28 @@ def _coordinate(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> L
             return Length(share, -1, True, p.name, moved)
         return Length(share, _held_up(p, moved, configuration), True, p.name, moved)
     return Length(share, None, shown=False)
+
+
+def _move_apart(moving: Sequence[sp.Symbol], configuration: Configuration) -> bool:
+    """Whether no point moves with two of these coordinates: x + y = a of one particle is a line and no string."""
+    columns = [configuration.slots.coordinates.index(q) for q in moving]
+    return all(sum(not p.partials[k].is_zero for k in columns) <= 1 for p in configuration.points)
+
+
+def _carried(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> Length:
+    """A coordinate along a line that is counted from what moves, or moves several points: a weight below a pulley."""
+    column = configuration.slots.coordinates.index(q)
+    moved = [(p, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
+    if not moved:
+        return Length(share, None, shown=False)
+    along = moved[0][1]
+    alike = all((u - along).map(textbook_form).is_zero for _, u in moved)
+    steady = all(along.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
+    if not alike or not steady or textbook_form(along.dot(along)) != 1:
+        return Length(share, None, shown=False)
+    toward = next((h for p, _ in moved if (h := _held_up(p, along, configuration)) is not None), None)
+    single = moved[0][1] if len(moved) == 1 else None
+    return Length(share, toward, True, moved[0][0].name, single)
 
 
 def _held_up(point: MassPoint, along: Vector, configuration: Configuration) -> int | None:

@@ -92,7 +92,8 @@ class AnswerBranch:
         """Whether values of the parameters violate one of the conditions."""
         pairs = [((c.lhs - c.rhs).xreplace(dict(values)), c.relation) for c in self.conditions]
         signs = [(sign_of(e), relation) for e, relation in pairs if e.is_number]
-        return any((s == -1 and r in ">≥") or (s == 1 and r in "<≤") or (s == 0 and r in "><≠") for s, r in signs)
+        excluded = {">": (-1, 0), "≥": (-1,), "<": (1, 0), "≤": (1,), "≠": (0,), "=": (1, -1)}
+        return any(s in excluded[r] for s, r in signs)
 
 
 @record
