@@ -191,7 +191,7 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         line = Equation((b.lhs, b.rhs))
         if _operations(line) > LONGEST_ANSWER:
             quantity = None if values is None else values.quantity(b.rhs)
-            if quantity is None or not quantity.is_number or len(branches) > 1:
+            if values is None or quantity is None or not quantity.is_number or len(branches) > 1:
                 continue
             unit = values.unit_of(b.lhs) or ("" if asked.has_bare_numbers else quantity.unit)
             line = Equation((b.lhs, replace(quantity, unit=unit).shown()), relation="≈")

@@ -275,25 +275,18 @@ def recognised_rod(
             length = _length(row, d, squared, ratio, slots)
             if length is None:
                 continue
-            factor = _along_a_line(row, d, slots)
-            factor = factor or textbook_form(-(ratio * length).xreplace({squared: length**2}))
+            factor = _where_it_holds(textbook_form(-(ratio * length).xreplace({squared: length**2})), row, slots)
             return Rod(ends, centre, d, length, ratio, factor)
     return None
 
 
-def _along_a_line(row: Row, d: Vector, slots: Slots) -> sp.Expr | None:
-    """T/λ of f = k (x_1 − x_2 − l), where d has this one component: −k for l > 0, k for l < 0; None for other f."""
-    shown = [c for c in d.components if c != 0]
-    q = next(
-        (q for q in slots.coordinates if len(shown) == 1 and shown[0].diff(q).is_number and shown[0].diff(q) != 0), None
-    )
-    if q is None or row.finite is None or d.triad.directions is not None:
-        return None
-    k = row.finite.diff(q) / shown[0].diff(q)
-    length = sp.expand(shown[0] - row.finite / k) if k.free_symbols.isdisjoint(slots.coordinates) else None
-    if length is None or length.free_symbols & {*slots.coordinates} or not (length.is_positive or length.is_negative):
-        return None
-    return -k if length.is_positive else k
+def _where_it_holds(e: sp.Expr, row: Row, slots: Slots) -> sp.Expr:
+    """An expression after solving the constraint for one coordinate, if it contains none then: d/(x_1 − x_2) is 1."""
+    used = [q for q in slots.coordinates if row.finite is not None and q in row.finite.free_symbols]
+    if e.free_symbols.isdisjoint(slots.coordinates) or not used:
+        return e
+    solved = textbook_form(e.xreplace(dict(solved_constraints([row], used[-1:]).expressed)))
+    return solved if solved.free_symbols.isdisjoint(slots.coordinates) else e
 
 
 def _candidates(

@@ -58,10 +58,13 @@ class Setting:
 
     @cached_property
     def stated_slips(self) -> list[sp.Expr]:
-        """Velocities of slip in a sense that the file states."""
+        """What must not be negative: slip in the sense of the file, and coordinates whose modulus occurs."""
         law = self.place.law
         forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
-        return [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
+        stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
+        sides = self.known.sides
+        rule = {e: v for q, s in sides.items() for e, v in ((sp.Abs(q), s * q), (sp.sign(q), sp.Integer(s)))}
+        return [*(e.xreplace(rule) for e in stated), *(s * q for q, s in sides.items())]
 
     def square_of(self, q: sp.Symbol) -> sp.Expr | None:
         """q'^2 as a function of q alone; None where the integrals do not give it."""

@@ -75,6 +75,7 @@ class Meanings:
     """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known.
 
     senses    the signs with which velocities start, where |q'| or sign q' is replaced by means of them
+    sides     the signs with which coordinates start, likewise for |q|
     starting  the conditions under which a motion from rest starts against friction
     held      whether friction holds it at rest
     """
@@ -83,6 +84,7 @@ class Meanings:
     reactions: Mapping[sp.Symbol, sp.Expr | None]
     energies: Values = field(default_factory=dict)
     senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    sides: Mapping[sp.Symbol, int] = field(default_factory=dict)
     starting: tuple[SignCondition, ...] = ()
     held: bool = False
 
@@ -221,11 +223,24 @@ def with_senses(
                 starting += [more_than_zero(starts)] if moves is None else []
         if way in (1, -1):
             senses[v] = way
-    rule = {f: e for v, s in senses.items() for f, e in ((sp.Abs(v), s * v), (sp.sign(v), sp.Integer(s)))}
+    expressions = [e for e in (*known.accelerations.values(), *known.reactions.values()) if e is not None]
+    sides = {
+        q: way
+        for q in {f.args[0] for e in expressions for f in e.atoms(sp.Abs, sp.sign) if f.args[0].is_Symbol}
+        if prime(q) in initial and q in initial and (way := sign(initial[q])) in (1, -1)
+    }
+    signed = {**sides, **senses}
+    rule = {f: e for v, s in signed.items() for f, e in ((sp.Abs(v), s * v), (sp.sign(v), sp.Integer(s)))}
     accelerations = {a: e.xreplace(rule) for a, e in known.accelerations.items()}
     reactions = {s: e if e is None else e.xreplace(rule) for s, e in known.reactions.items()}
     return replace(
-        known, accelerations=accelerations, reactions=reactions, senses=senses, starting=tuple(starting), held=held
+        known,
+        accelerations=accelerations,
+        reactions=reactions,
+        senses=senses,
+        sides=sides,
+        starting=tuple(starting),
+        held=held,
     )
 
 
