@@ -213,7 +213,7 @@ def _tension(
         if squared is not None:
             return squared
     lengths = [_length(k, e, placed, configuration) for k, e in terms]
-    if all(e in coordinates for _, e in terms) and _move_apart([e for _, e in terms], configuration):
+    if len(terms) > 1 and all(e in coordinates for _, e in terms) and _move_apart([e for _, e in terms], configuration):
         lengths = [
             x if x is None or x.shown else _carried(k, e, configuration)
             for x, (k, e) in zip(lengths, terms, strict=True)
