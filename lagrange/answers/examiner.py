@@ -6,6 +6,7 @@ any number of answers, as `lagsolve check` and `lagsolve grade` do.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, replace
 from functools import cached_property, partial
@@ -168,6 +169,7 @@ def _impending(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -
 def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]]) -> AnswerVerdict:
     """The verdict on equilibria."""
     from lagrange.answers.equilibria import check_equilibria
+    from lagrange.answers.questions.positions_in_numbers import compared_in_numbers
 
     equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
     if not equilibria:  # small oscillations are about an equilibrium too
@@ -178,6 +180,7 @@ def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]])
         diagnosis = "the problem does not ask for equilibrium"
         return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
     verdict = check_equilibria(alternatives, equilibria, reference_of_solution(solution))
+    verdict = compared_in_numbers(alternatives, verdict, solution)
     diagnosis = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
     return replace(verdict, name="equilibrium", diagnosis=diagnosis)
 
@@ -195,10 +198,11 @@ def _equations(solution: Solution, answers: Answers) -> Verdict | None:
 def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
     """The file's equations of motion as they are written there, each with its sides.
 
-    None if one is no pair of sides, or contains a reaction: then they are no equations of motion alone.
+    None if one is no pair of sides, or contains a reaction: then they are no equations of motion alone; none either
+    if one has decimals, which are rounded.
     """
     answers = solution.problem.answers
-    if answers is None or not answers.equations:
+    if answers is None or not answers.equations or any(_HAS_DECIMALS.search(f.text) for f in answers.equations):
         return ()
     sides = sides_of(answers.equations, reference_of_solution(solution))
     scalars = tuple(tuple(s for s in both if isinstance(s, sp.Expr)) for both in sides)
@@ -207,6 +211,9 @@ def stated_equations(solution: Solution) -> tuple[tuple[sp.Expr, ...], ...]:
         if any(e.free_symbols & unknown for pair in scalars for e in pair):
             return ()
     return scalars if all(len(s) == len(both) > 1 for s, both in zip(scalars, sides, strict=True)) else ()
+
+
+_HAS_DECIMALS = re.compile(r"[0-9]\.[0-9]")
 
 
 def _some_left_out(solution: Solution) -> bool:
@@ -489,6 +496,7 @@ def _nothing_to_compare(answers: Answers) -> Iterator[AnswerVerdict]:
 def _check_statics(answer: Sequence[Fragment], solution: Solution) -> tuple[AnswerVerdict, bool, bool]:
     """The verdict on equations without motion; whether they are about equilibria, and about reactions there."""
     from lagrange.answers.equilibria import alternatives_of, check_equilibria
+    from lagrange.answers.questions.positions_in_numbers import compared_in_numbers
 
     equilibria = [v.equilibrium for v in solution.views if v.equilibrium is not None]
     reference = reference_of_solution(solution)
@@ -497,14 +505,17 @@ def _check_statics(answer: Sequence[Fragment], solution: Solution) -> tuple[Answ
     about = [(f, r) for f, r in readings if at_rest and at_rest.mentions_reactions(r)]
     rest = [f for f in answer if all(f is not other for other, _ in about)]
     if not about or at_rest is None:
-        return check_equilibria(alternatives_of(answer), equilibria, reference), True, False
+        verdict = check_equilibria(alternatives_of(answer), equilibria, reference)
+        return compared_in_numbers(alternatives_of(answer), verdict, solution), True, False
     stated = tuple(at_rest.check(r) for _, r in about)
-    verdict = _all_stated(stated)
+    together = _all_stated(stated)
     notes = tuple(n for _, r in about for n in r.notes)
     if not rest:
-        return AnswerVerdict(verdict, stated, notes=notes), False, True
+        return AnswerVerdict(together, stated, notes=notes), False, True
     positions = check_equilibria(alternatives_of(rest), equilibria, reference)
-    both = next((v for v in FIRST if v in (positions.verdict, verdict) and v is not Verdict.TRIVIAL), positions.verdict)
+    both = next(
+        (v for v in FIRST if v in (positions.verdict, together) and v is not Verdict.TRIVIAL), positions.verdict
+    )
     equations, notes = (*positions.equations, *stated), (*positions.notes, *notes)
     return replace(positions, verdict=both, equations=equations, notes=notes), True, True
 

@@ -117,7 +117,7 @@ def read_answer(fragment: Fragment, scope: Scope) -> Reading:
     return Reading(text, (sp.Add(lhs, -rhs),), notes=notes, sides=(lhs, rhs), source=source)
 
 
-_DECIMAL = re.compile(r"[0-9](?:\.|\{,\})[0-9]|\.[0-9][0-9]")
+_DECIMAL = re.compile(r"[0-9](?:\.|\{,\})[0-9]|\.[0-9][0-9]|[0-9]{3}")
 
 
 def decimals_in(expressions: Iterable[sp.Expr]) -> list[Decimal]:

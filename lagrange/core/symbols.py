@@ -69,11 +69,16 @@ class Decimal(sp.Symbol):
 
     @staticmethod
     def is_rounded(text: str) -> bool:
-        """Whether a number may have been rounded: one with a decimal point and two digits that count, but not 2.0."""
+        """Whether a number may have been rounded.
+
+        One with a decimal point and two digits that count, but not 2.0; or a whole number with three digits, 353.
+        """
         mantissa = text.lower().partition("e")[0]
         whole, point, places = mantissa.partition(".")
         digits = (whole + places).lstrip("0")
-        return bool(point) and len(digits) > 1 and not (len(digits) == 2 and not places.strip("0"))
+        if not point:
+            return len(digits) > 2
+        return len(digits) > 1 and not (len(digits) == 2 and not places.strip("0"))
 
     @property
     def text(self) -> str:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.core.units import unit_called
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Detail, Display, Equation, Math, Part, Ref, Rule, Step, Table
 from lagrange.explain.questions import answer_label
@@ -17,6 +18,7 @@ from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.numerical_equilibria import NumericalEquilibria
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.values.dimensions import dimension, dimension_of_unit
 from lagrange.values.quantities import NotRealError, Quantity, Values, is_exact, rounded, with_unit
 
 RESULTS = (
@@ -34,12 +36,13 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
     """The steps with results in numbers."""
     positions = {title: view for view in solution.views for title in _titles(view)}
     excluded = frozenset(_excluded_answers(solution, values))
+    bare = frozenset((b.lhs, b.rhs) for a in solution.asked for b in a.branches if a.has_bare_numbers)
     for step in steps:
         view = positions.get((step.rule, step.title))
         if view is not None:
             step = replace(step, body=(*step.body, *_critical(view, values, digits)))
         if step.rule is Rule.RESULT:
-            yield replace(step, body=tuple(_with_values(b, values, digits) for b in step.body))
+            yield replace(step, body=tuple(_with_values(b, values, digits, bare) for b in step.body))
         elif step.rule not in RESULTS:
             yield step
         elif view is not None and view.in_numbers is not None:
@@ -47,7 +50,7 @@ def with_numbers(steps: Iterable[Step], solution: Solution, values: Values, digi
         elif view is not None and not _determines_forces(view):
             yield step
         else:
-            yield replace(step, body=tuple(_blocks(step, values, digits, excluded)))
+            yield replace(step, body=tuple(_blocks(step, values, digits, excluded, bare)))
 
 
 def _start(values: Values) -> str:
@@ -94,12 +97,14 @@ def _excluded_answers(solution: Solution, values: Values) -> Iterator[str]:
                 yield answer_label(asked, n)
 
 
-def _blocks(step: Step, values: Values, digits: int, excluded: frozenset[str]) -> Iterator[Block]:
+def _blocks(
+    step: Step, values: Values, digits: int, excluded: frozenset[str], bare: Collection[tuple[sp.Expr, sp.Expr]]
+) -> Iterator[Block]:
     for block in step.body:
         yield block
         if isinstance(block, Display) and block.boxed:
             possible = [e for e in block.equations if e.label not in excluded]
-            lines = [_in_numbers(e, values, digits) for e in possible]
+            lines = [_in_numbers(e, values, digits, bare) for e in possible]
             shown = [e for e in lines if e is not None]
             if len(possible) < len(block.equations):
                 gone = [Ref(e.label) for e in block.equations if e.label in excluded]
@@ -112,36 +117,56 @@ def _blocks(step: Step, values: Values, digits: int, excluded: frozenset[str]) -
                 yield display(*shown, detail=Detail.BRIEF)
 
 
-def _with_values(block: Block, values: Values, digits: int) -> Block:
+def _with_values(block: Block, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]]) -> Block:
     """The box at the head, with the number beside each quantity that has one."""
     if not isinstance(block, Display):
         return block
-    return replace(block, equations=tuple(_with_value(e, values, digits) for e in block.equations))
+    return replace(block, equations=tuple(_with_value(e, values, digits, bare) for e in block.equations))
 
 
-def _with_value(equation: Equation, values: Values, digits: int) -> Equation:
-    found = _in_numbers(equation, values, digits) if equation.relation == "=" else None
-    if found is None or not isinstance(found.sides[0], sp.Symbol):
+def _with_value(equation: Equation, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]]) -> Equation:
+    found = _in_numbers(equation, values, digits, bare) if equation.relation == "=" else None
+    if found is None or found.sides[0] != equation.sides[0] or not isinstance(found.sides[0], sp.Expr):
         return equation
     number: tuple[Part, ...] = ("that is ", math(*found.sides, relation=found.relation))
     return replace(equation, condition=(*equation.condition, ", " if equation.condition else "", *number))
 
 
-def _in_numbers(equation: Equation, values: Values, digits: int) -> Equation | None:
-    """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit."""
+def _in_numbers(
+    equation: Equation, values: Values, digits: int, bare: Collection[tuple[sp.Expr, sp.Expr]] = ()
+) -> Equation | None:
+    """An equation with numbers; None where a value is missing. Of T = 19.62 N the right side has its unit.
+
+    bare  sides of equations in which a number hides a unit: only that of the left side is known
+    """
     sides = [s for s in equation.sides if isinstance(s, sp.Expr)]
     if len(sides) != len(equation.sides) or not any(s.free_symbols & values.parameters for s in sides):
         return None
-    left, right = values.quantity(sides[0]), values.quantity(sides[-1])
-    if left is None or right is None:
+    right = values.quantity(sides[-1])
+    if right is None:
         return None
     try:
+        if right.is_number and right.formula != 0 and not sides[0].is_number:
+            number, unit = right.formula_shown(digits), _unit(sides[0], right, values, (sides[0], sides[-1]) in bare)
+            shown = with_unit(number, unit) if unit else number
+            return Equation((sides[0], shown), relation="=" if is_exact(right.formula, number) else "≈")
+        left = values.quantity(sides[0])
+        if left is None:
+            return None
         if not right.is_number or not sides[0].is_Symbol:
             return Equation((left.formula_shown(digits), right.formula_shown(digits)))
         number, shown = right.formula_shown(digits), right.shown(digits)
     except NotRealError:
         return None
     return Equation((sides[0], shown), relation="=" if is_exact(right.formula, number) else "≈")
+
+
+def _unit(left: sp.Expr, right: Quantity, values: Values, is_bare: bool) -> str:
+    """The unit of a result: that of what is on the left, where it is known."""
+    own = dimension(left, values.units) if left.free_symbols else None
+    if own is None:
+        return "" if is_bare else right.unit
+    return right.unit if right.unit and own == dimension_of_unit(right.unit) else unit_called(own)
 
 
 def measured(quantity: Quantity, digits: int) -> Math:

@@ -199,6 +199,13 @@ class _Entry:
             raise ProblemError(Diagnostic("friction-slip", f"`slip` of {self.what} is zero", self.span, help=help_))
         return along
 
+    def refuse_negative(self, value: sp.Expr, key: str, help_: str) -> None:
+        """Raises ProblemError where a value is negative for all parameters, or with the values that they have."""
+        with_values = value.xreplace(self.context.values)
+        if value.is_negative or with_values.is_negative:
+            message = f"`{key}` of {self.what} is negative"
+            raise ProblemError(Diagnostic("negative-coefficient", message, self.node(key).span, help=help_))
+
     def sense(self, key: str) -> int | None:
         """+1 for `positive`, -1 for `negative`; None where the key is absent."""
         node = self.section.get(key)
@@ -258,6 +265,9 @@ def _friction(f: _Entry) -> Force:
         lambda: f.optional_vector("at", POSITION),
         lambda: f.scalar("static") if f.section.get("static") else None,
     )
+    f.refuse_negative(coefficient, "friction", "a coefficient of friction is not negative")
+    if static is not None:
+        f.refuse_negative(static, "static", "a coefficient of friction is not negative")
     sense, toward = (slip, None) if isinstance(slip, int) else (None, slip)
     return Friction(f.name, coefficient, constraint, on, f.span, velocity, sense, contact, at, toward, static)
 
@@ -269,6 +279,8 @@ def _belt(f: _Entry) -> Force:
         lambda: f.scalar("tight", FORCE, f.tensions),
         lambda: f.scalar("slack", FORCE, f.tensions),
     )
+    f.refuse_negative(angle, "angle", "the angle of contact is counted from the slack side, and is positive")
+    f.refuse_negative(coefficient, "belt", "a coefficient of friction is not negative")
     return Belt(f.name, coefficient, angle, tight, slack, f.span)
 
 

@@ -19,10 +19,10 @@ from functools import partial
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base, t
 from lagrange.core.vectors import Vector
-from lagrange.expressions.reader import Scope, read_scalar
+from lagrange.expressions.reader import EquationRead, Scope, Value, read_scalar, read_value
 from lagrange.problem import keys
 from lagrange.problem.limits import MOST_QUESTIONS
 from lagrange.problem.load_context import LoadContext
@@ -38,6 +38,7 @@ from lagrange.problem.sections import (
     scalar_of,
     wrong_kind,
 )
+from lagrange.problem.values import measured_in
 from lagrange.problem.yaml.nodes import ListNode, Node, Scalar
 
 _EXAMPLE_OF_STATE = "initial: {theta: 0, theta': 0}"
@@ -83,7 +84,10 @@ def _initial_value(key: Scalar, node: Node, context: LoadContext, scope: Scope) 
         message = f"`{key.text}` is neither a coordinate nor a velocity"
         help_ = f"the state at t = 0 has coordinates and velocities: `{_EXAMPLE_OF_STATE}`"
         raise ProblemError(Diagnostic("no-state", message, key.span, help=help_))
-    return InitialValue(symbol, context.scalar(node, f"the initial value of `{symbol}`", CONSTANT, scope), key.span)
+    value = measured_in(node.fragment, scope) if isinstance(node, Scalar) else None
+    if value is None:
+        value = context.scalar(node, f"the initial value of `{symbol}`", CONSTANT, scope)
+    return InitialValue(symbol, value, key.span)
 
 
 def read_questions(node: Node | None, context: LoadContext, scope: Scope) -> tuple[Question, ...]:
@@ -132,14 +136,33 @@ def _conditions(node: Node, what: str, context: LoadContext, scope: Scope) -> tu
 
 
 def _condition(scalar: Scalar, what: str, context: LoadContext, scope: Scope) -> Condition:
-    equation = context.equation(scalar.fragment, scope)
-    context.check(equation, scalar.fragment, f"the `when` of {what}", STATE)
-    lhs, rhs = equation.lhs, equation.rhs
+    lhs, rhs = _sides(scalar.fragment, what, context, scope)
     if isinstance(lhs, Vector) or isinstance(rhs, Vector):
         message = f"the `when` of {what} is an equation between vectors"
         help_ = "write an equation for each component"
         raise ProblemError(Diagnostic("vector-for-scalar", message, scalar.span, help=help_))
     return Condition(lhs, rhs, scalar.span)
+
+
+def _sides(fragment: Fragment, what: str, context: LoadContext, scope: Scope) -> tuple[Value, Value]:
+    """The sides of a condition; the right one may be a number with its unit, `theta = 30 deg`."""
+    left, equals, right = fragment.text.partition("=")
+    if equals and "=" not in right:
+        start = len(left) + 1 + len(right) - len(right.lstrip())
+        number = measured_in(_part(fragment, right.strip(), start), scope)
+        if number is not None:
+            quantity = _part(fragment, left.strip(), len(left) - len(left.lstrip()))
+            value = context.read_quietly(read_value, quantity, scope, [])
+            context.check(EquationRead(value, sp.S.Zero), quantity, f"the `when` of {what}", STATE)
+            return value, number
+    equation = context.equation(fragment, scope)
+    context.check(equation, fragment, f"the `when` of {what}", STATE)
+    return equation.lhs, equation.rhs
+
+
+def _part(fragment: Fragment, text: str, start: int) -> Fragment:
+    at = None if fragment.start is None else fragment.start + start
+    return Fragment(text, fragment.span(start, start + len(text)), at)
 
 
 def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:

@@ -7,6 +7,7 @@ parameter is used, as far as these determine it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -133,6 +134,20 @@ def _check_assumption(number: sp.Expr, symbol: sp.Symbol, assume: Assumption, fr
         message = f"the value {fragment.text} is not in the range of the parameter"
         help_ = "change the value, or the range"
         raise ProblemError(Diagnostic("value-against-assumption", message, fragment.whole, help=help_))
+
+
+def measured_in(fragment: Fragment, scope: Scope) -> sp.Expr | None:
+    """`30 deg` or `2.5 m/s` in a place where an expression may stand, in units of SI; None if it is no such text.
+
+    Where all the letters of the unit are names of the file, `2 m` is a product.
+    """
+    parts = split_number(fragment.text)
+    if parts is None or unit_of(parts[1]) is None or split_number(parts[0]) is not None:
+        return None
+    letters = re.findall(r"[^\W\d_]+", parts[1])
+    if all(name in scope.names() for name in letters):
+        return None
+    return _measured(fragment, None).number
 
 
 # -- ranges ------------------------------------------------------------------------------------------------------------

@@ -94,7 +94,10 @@ def asked_number(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
     numbers = {abs(q.number) if of_angle else q.number for q in measured if q is not None and q.is_number}
     if len(numbers) != 1 or None in measured:
         return unknown
-    return {"number": numbers.pop(), "unit": next(q.unit for q in measured if q is not None) or None}
+    unit = next(q.unit for q in measured if q is not None)
+    if asked.has_bare_numbers:  # `x = 2` hides a unit, and that of the quantity is sure
+        unit = values.unit_of(asked.question.quantity)
+    return {"number": numbers.pop(), "unit": unit or None}
 
 
 def equations_in_numbers(motion: EquationsOfMotion, values: Values | None, write: Write) -> dict[str, Any]:

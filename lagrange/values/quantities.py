@@ -17,7 +17,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.core.records import record
-from lagrange.core.symbols import UnitSymbol
+from lagrange.core.symbols import UnitSymbol, base
 from lagrange.core.units import NO_DIMENSION, Dimension, unit_called
 from lagrange.values.dimensions import dimension
 from lagrange.values.limits import LARGEST_IN_NUMBERS, SPARE_DIGITS, WORKING_DIGITS
@@ -101,7 +101,7 @@ class Values:
 
     def unit_of(self, expression: sp.Expr, is_angle: bool = False) -> str:
         """The unit of an expression; empty where the units given do not determine it."""
-        if not expression.free_symbols & self.units.keys():
+        if not {base(s) for s in expression.free_symbols} & self.units.keys():
             return unit_called(NO_DIMENSION, is_angle) if is_angle and expression.is_number else ""
         found = dimension(expression, self.units)
         return "" if found is None else unit_called(found, is_angle)

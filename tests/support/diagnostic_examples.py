@@ -189,6 +189,8 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
         "frame: {type: polar, coordinates: [r, phi]}\nparticles: {P: {mass: m, position: r*e_r}}\n"
         "initial: {r: -l, r': 0, phi: 0, phi': 0}\nask: {what: {quantity: \"r'\", when: r = l}}",
         coordinates="[r, phi]")),
+    "negative-coefficient": ("A coefficient of friction, and the angle of a belt on its drum, are not negative.", problem(
+        PARTICLE + "forces: {drum: {belt: m, angle: -pi, tight: g, slack: l}}\nfind: equilibrium")),
     "nothing-asked": ("A question asks for something that has to be found.",
         problem(PARTICLE + "ask: {what: {quantity: 2}}")),
     "no-variable": ("A quantity is wanted as a function of one coordinate or of t.",

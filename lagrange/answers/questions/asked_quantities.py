@@ -48,7 +48,7 @@ _SAYS_NOTHING = "it says nothing about the quantity that is asked for"
 def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:
     """The verdict on the answers to all questions together."""
     reference = reference_of_solution(solution)
-    asked = {a.question.name: a for a in solution.asked}
+    asked = {a.question.name: _with_values(a, reference.values) for a in solution.asked}
     parts: list[EquationVerdict] = []
     errors: list[Diagnostic] = []
     for name, fragment in stated.items():
@@ -67,6 +67,12 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
         parts.append(EquationVerdict(text, verdict, "" if right else remark, (remark,) if right and remark else ()))
     together = next((v for v in _ORDER if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
     return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="ask")
+
+
+def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:
+    """The answer without the branches that the values exclude."""
+    left = tuple(b for b in asked.branches if not b.excluded_by(values))
+    return replace(asked, branches=left) if left and len(left) < len(asked.branches) else asked
 
 
 class _Claim:

@@ -210,7 +210,11 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
     for b in branches:
         line = Equation((b.lhs, b.rhs))
         if _operations(line) > LONGEST_ANSWER:
-            continue
+            quantity = None if values is None else values.quantity(b.rhs)
+            if values is None or quantity is None or not quantity.is_number or len(branches) > 1:
+                continue
+            unit = values.unit_of(b.lhs) or ("" if asked.has_bare_numbers else quantity.unit)
+            line = Equation((b.lhs, replace(quantity, unit=unit).shown()), relation="≈")
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
             clauses.append(("when ", *listed(math(c.lhs, c.rhs) for c in asked.question.when)))

@@ -34,6 +34,7 @@ from lagrange.core.vectors import Triad, Vector
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.coordinates import solved_constraints
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.constraints.rigid_bodies import Rotation
 
 
 @record
@@ -188,14 +189,38 @@ def _tidied(vectors: Mapping[str, Vector]) -> dict[str, Vector]:
 def _freedoms(configuration: Configuration) -> list[tuple[Freedom, bool]]:
     """Everything that can be placed or turned, and whether it has inertia or is acted on; such things first."""
     loaded = {load.on for load in configuration.loads}
+    marks = marks_on_bodies(configuration)
     ranked = []
     for p in configuration.points:
+        if p.name in marks:
+            continue
         ranked.append((Freedom(p.name, False, p.partials, p.position.triad), p.mass != 0, p.name in loaded))
     for r in configuration.rotations:
         turned = bool(configuration.moments_on(r.name))
         ranked.append((Freedom(r.name, True, r.partials, r.angular_velocity.triad), r.has_inertia, turned))
     ranked.sort(key=lambda item: (not item[1], not item[2]))
     return [(freedom, heavy or acted_on) for freedom, heavy, acted_on in ranked]
+
+
+def marks_on_bodies(configuration: Configuration) -> frozenset[str]:
+    """Massless points on which nothing acts and that move with a rigid body, as a named point of it: no particles."""
+    loaded = {load.on for load in configuration.loads}
+    centres = {p.name: p for p in configuration.points}
+    turning = {r.name for r in configuration.rotations}
+    return frozenset(
+        p.name
+        for p in configuration.points
+        if p.mass == 0 and p.name not in loaded | turning
+        for r in configuration.rotations
+        if _moves_with(p, centres[r.name], r)
+    )
+
+
+def _moves_with(p: MassPoint, centre: MassPoint, rotation: Rotation) -> bool:
+    """Whether ∂r/∂q = ∂r_G/∂q + (∂ω/∂q') × (r − r_G) for all coordinates."""
+    arm = (p.position - centre.position).fixed()
+    rates = zip(p.partials, centre.partials, rotation.partials, strict=True)
+    return all((a.fixed() - b.fixed() - w.fixed().cross(arm)).map(textbook_form).is_zero for a, b, w in rates)
 
 
 def _moved(everything: Iterable[tuple[Freedom, bool]], configuration: Configuration) -> list[int]:
@@ -250,9 +275,18 @@ def recognised_rod(
             length = _length(row, d, squared, ratio, slots)
             if length is None:
                 continue
-            factor = textbook_form(-(ratio * length).xreplace({squared: length**2}))
+            factor = _where_it_holds(textbook_form(-(ratio * length).xreplace({squared: length**2})), row, slots)
             return Rod(ends, centre, d, length, ratio, factor)
     return None
+
+
+def _where_it_holds(e: sp.Expr, row: Row, slots: Slots) -> sp.Expr:
+    """An expression after solving the constraint for one coordinate, if it contains none then: d/(x_1 − x_2) is 1."""
+    used = [q for q in slots.coordinates if row.finite is not None and q in row.finite.free_symbols]
+    if e.free_symbols.isdisjoint(slots.coordinates) or not used:
+        return e
+    solved = textbook_form(e.xreplace(dict(solved_constraints([row], used[-1:]).expressed)))
+    return solved if solved.free_symbols.isdisjoint(slots.coordinates) else e
 
 
 def _candidates(

@@ -186,6 +186,8 @@ def _friction_force(
     direction = direction.xreplace(rule)
     slip = _slip(friction, reaction, direction, configuration, place, opposite)
     speed, along, sense = _sense(friction, slip, direction, configuration)
+    if friction.slip is not None and not _along_own(along, friction, opposite, original, configuration):
+        sense = -sense
     along = _without_moduli(along, configuration)
     side = reaction.constraint.side
     contact = Sign(f"sigma_{reaction.name}") if friction.contact is None else sp.Integer(friction.contact)
@@ -412,6 +414,26 @@ def _line(slip: Vector, friction: Friction, configuration: Configuration) -> tup
         return None
     speed = sp.Add(*(v * textbook_form(p.dot(w) / square) for v, p in zip(velocities, partials, strict=True)))
     return speed + textbook_form(rest.dot(w) / square), (w / textbook_form(sp.sqrt(square))).map(textbook_form)
+
+
+def _along_own(
+    along: Vector, friction: Friction, opposite: str, original: Configuration, configuration: Configuration
+) -> bool:
+    """Whether a direction is that in which the file's own coordinate increases, and not one that depends on it.
+
+    With x_A + x_B = L the slip of B is −x_A' too, and its sense in the file is that of x_B.
+    """
+    place = friction.at if friction.at is not None else _point(original, friction.on).position
+    slip = velocity_at(original, friction.on, place)
+    if opposite and friction.surface_velocity is None:
+        slip = slip - velocity_at(original, opposite, place)
+    of_surface = set() if friction.surface_velocity is None else _symbols(friction.surface_velocity)
+    velocities = [v for v in original.slots.velocities if v in _symbols(slip)]
+    first = next((v for v in sorted(velocities, key=lambda v: v in of_surface)), None)
+    if first is None:
+        return True
+    own = slip.map(lambda c: c.diff(first).xreplace(configuration.substitution)).fixed()
+    return not textbook_form(own.dot(along.fixed())).is_negative
 
 
 def _without_moduli(vector: Vector, configuration: Configuration) -> Vector:

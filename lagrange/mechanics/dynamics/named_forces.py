@@ -10,8 +10,8 @@ The tension does the work −T Σ n_i δℓ_i = λ δf, so that
 
 ℓ = |d| is the distance between two points, each at rest or on a particle or body, if d depends on the places of the
 particles and mass centres as r_A − r_B does: ∂d/∂q = ∂r_A/∂q − ∂r_B/∂q for every coordinate that turns neither. On a
-straight line the coordinate itself may be the length. It grows or decreases toward the pulley; a weight tells which,
-because a string that passes over a pulley holds it up.
+straight line the coordinate itself may be the length, or the difference of two, x_1 − x_2 = d. It grows or decreases
+toward the pulley; a weight tells which, because a string that passes over a pulley holds it up.
 
 *Force along a unit vector.* Otherwise, if R acts on one body along a line, or with opposite signs on two,
 
@@ -213,12 +213,48 @@ def _tension(
         if squared is not None:
             return squared
     lengths = [_length(k, e, placed, configuration) for k, e in terms]
+    if len(terms) > 1 and all(e in coordinates for _, e in terms) and _move_apart([e for _, e in terms], configuration):
+        lengths = [
+            x if x is None or x.shown else _carried(k, e, configuration)
+            for x, (k, e) in zip(lengths, terms, strict=True)
+        ]
     if not all(k.free_symbols.isdisjoint(coordinates) for k, _ in terms) or None in lengths:
         return None
     known = [x for x in lengths if x is not None]
+    bar = _between_two(constant, terms, configuration)
+    if bar is not None:
+        return bar
     if by not in (Keeper.STRING, Keeper.ROD) and not _is_seen(constant, known):
         return None
     return _pulling(constant, known)
+
+
+def _between_two(
+    constant: sp.Expr, terms: Sequence[tuple[sp.Expr, sp.Expr]], configuration: Configuration
+) -> SingleForce | None:
+    """The tension of what keeps two points apart along a line, x_1 − x_2 = d with d > 0: f = k (x_1 − x_2 − d)."""
+    if len(terms) != 2 or any(e not in configuration.slots.coordinates for _, e in terms):
+        return None
+    (k, first), (other, second) = terms
+    apart = -constant / k  # x_1 − x_2
+    if k + other != 0 or not (apart.is_positive or apart.is_negative):
+        return None
+    ends = []
+    for q in (first, second):
+        column = configuration.slots.coordinates.index(q)
+        moved = [(p.name, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
+        if len(moved) != 1:
+            return None
+        ends += moved
+    (one, unit), (two, same) = ends
+    steady = all(unit.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
+    if one == two or not steady or not (unit - same).map(textbook_form).is_zero:
+        return None
+    if textbook_form(unit.dot(unit)) != 1:
+        return None
+    if apart.is_positive:
+        return SingleForce(ForceKind.TENSION, -k, one, -unit, two)
+    return SingleForce(ForceKind.TENSION, k, two, -unit, one)
 
 
 def _is_seen(constant: sp.Expr, lengths: Sequence[Length]) -> bool:
@@ -315,6 +351,28 @@ def _coordinate(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> L
             return Length(share, -1, True, p.name, moved)
         return Length(share, _held_up(p, moved, configuration), True, p.name, moved)
     return Length(share, None, shown=False)
+
+
+def _move_apart(moving: Sequence[sp.Symbol], configuration: Configuration) -> bool:
+    """Whether no point moves with two of these coordinates: x + y = a of one particle is a line and no string."""
+    columns = [configuration.slots.coordinates.index(q) for q in moving]
+    return all(sum(not p.partials[k].is_zero for k in columns) <= 1 for p in configuration.points)
+
+
+def _carried(share: sp.Expr, q: sp.Symbol, configuration: Configuration) -> Length:
+    """A coordinate along a line that is counted from what moves, or moves several points: a weight below a pulley."""
+    column = configuration.slots.coordinates.index(q)
+    moved = [(p, p.partials[column].fixed()) for p in configuration.points if not p.partials[column].is_zero]
+    if not moved:
+        return Length(share, None, shown=False)
+    along = moved[0][1]
+    alike = all((u - along).map(textbook_form).is_zero for _, u in moved)
+    steady = all(along.partial(s).map(textbook_form).is_zero for s in configuration.slots.coordinates)
+    if not alike or not steady or textbook_form(along.dot(along)) != 1:
+        return Length(share, None, shown=False)
+    toward = next((h for p, _ in moved if (h := _held_up(p, along, configuration)) is not None), None)
+    single = moved[0][1] if len(moved) == 1 else None
+    return Length(share, toward, True, moved[0][0].name, single)
 
 
 def _held_up(point: MassPoint, along: Vector, configuration: Configuration) -> int | None:

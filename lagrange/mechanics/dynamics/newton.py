@@ -42,6 +42,7 @@ from lagrange.mechanics.dynamics.free_bodies import (
     Rod,
     form_as_forces,
     left_out,
+    marks_on_bodies,
     placed_freely,
     recognised_rod,
     without_root,
@@ -307,6 +308,7 @@ def newton_equations(
     placed = placed_freely(configuration)
     if at_rest and placed is not None:
         moving = {p.name for p in configuration.points if any(not e.is_zero for e in p.partials)}
+        moving -= marks_on_bodies(configuration)
         placed = placed if moving <= {f.name for f in placed if not f.turning} else None
     reactions = tuple(
         _reaction(row, c, placed, configuration, taken, c.name in rough or c.by in SURFACES)

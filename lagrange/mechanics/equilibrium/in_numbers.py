@@ -217,9 +217,11 @@ def holds(c: SignCondition, at: Evaluate) -> bool | None:
         return None
     value = real_value(difference)
     if value.is_zero:
-        return c.relation in ("≥", "≤")
+        return c.relation in ("≥", "≤", "=")
     if abs(value) < CERTAIN:
         return None
+    if c.relation == "=":
+        return False
     return c.relation == "≠" or bool(value > 0) is (c.relation in ("≥", ">"))
 
 

@@ -1,12 +1,17 @@
-"""Which branches of an answer the motion gets to, and under what conditions: `reach`, for the states of a question."""
+"""Which branches of an answer the motion gets to, and under what conditions.
+
+`reach` decides that for the states of a question. The equations of motion with kinetic friction hold while the slip
+has the sense for which they were found: a ball that has begun to roll goes on in another way.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import base, prime, t
@@ -15,6 +20,7 @@ from lagrange.mechanics.questions.reach import Path, Reach, Reached
 from lagrange.mechanics.questions.results import AnswerBranch
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import Values
+from lagrange.mechanics.questions.times import times
 
 
 @record
@@ -36,8 +42,12 @@ class Arrivals:
         """The branches to which the motion gets, with the conditions of that; a doubt stays with the branch."""
         kept: list[AnswerBranch] = []
         for b in branches:
-            found = [self._reach_of(s, b) for s in b.states[:1]] or [Reach(Reached.OPEN)]
-            reach = found[0]
+            reach = Reach(Reached.OPEN)
+            for n, state in enumerate(b.states):
+                reach = self._reach_of(state, b)
+                if reach.verdict is not Reached.NEVER:
+                    b = replace(b, states=b.states[n:])
+                    break
             if reach.verdict is Reached.NEVER:
                 continue
             conditions = tuple(c for c in reach.conditions if c not in b.conditions)
@@ -70,7 +80,7 @@ class Arrivals:
             direction=replace(beginning, initial=initial).direction(q),
             rest=initial.get(prime(q)) == 0,
             positive=q in beginning.radii,
-            values={p.symbol: p.value for p in self.setting.problem.parameters if p.value is not None},
+            values=self.setting.values,
             known=tuple(c for c in b.conditions if c.relation != "="),
         )
         return path.to(state[q])
@@ -98,3 +108,79 @@ class Arrivals:
             return False
         values = [known.accelerations.get(prime(q, 2), sp.S.One).xreplace(dict(state)) for q in resting]
         return all(is_zero(e) is True for e in values)
+
+
+def while_slipping(
+    speeds: Sequence[sp.Expr], until: sp.Expr, sign: Callable[[sp.Expr], int | None]
+) -> tuple[SignCondition, ...] | None:
+    """The conditions under which slip lasts up to a time; None where it has ended before, or never begins.
+
+    speeds  of the slip, as functions of time in the sense for which the equations hold: not negative while they do
+    until   a time, or t itself
+    sign    of an expression in parameters
+
+    Raises UndecidedError where that is not found.
+    """
+    conditions: list[SignCondition] = []
+    for speed in speeds:
+        start = speed.xreplace({t: sp.S.Zero})
+        if is_zero(start) is True:
+            start = speed.diff(t).xreplace({t: sp.S.Zero})
+        beginning = sign(start)
+        if beginning == -1:
+            return None
+        if beginning is None:
+            conditions.append(more_than_zero(start))
+        ends = times(speed)
+        if ends is None:
+            raise UndecidedError
+        for end in ends:
+            lasts = None if until == t else sign(end.value - until)
+            if lasts == -1 and not end.conditions:
+                return None
+            if lasts not in (0, 1):
+                if end.conditions and len(ends) > 1:
+                    raise UndecidedError
+                before = SignCondition(t, "≤", end.value) if until == t else _not_below(end.value - until)
+                conditions.append(before)
+    return tuple(dict.fromkeys(conditions))
+
+
+def while_it_begins(
+    setting: Setting, rule: Values, sign: Callable[[sp.Expr], int | None]
+) -> list[SignCondition] | None:
+    """The conditions under which slip that is zero at t = 0 begins in the sense of the file; None where it does not."""
+    initial, slots = setting.initial, setting.place.configuration.slots
+    pairs = list(zip(slots.velocities, slots.accelerations, strict=True))
+    conditions = []
+    for e in setting.stated_slips:
+        speed = e.xreplace(dict(rule))
+        if not {*speed.free_symbols} & {*slots.velocities} <= initial.keys() or speed.xreplace(dict(initial)) != 0:
+            continue
+        rate = sp.Add(*(speed.diff(v) * setting.known.accelerations.get(a, a) for v, a in pairs)).xreplace(
+            dict(initial)
+        )
+        if rate.free_symbols & {*setting.place.moving, *slots.accelerations}:
+            continue
+        begins = sign(rate)
+        if begins == -1:
+            return None
+        conditions += [more_than_zero(rate)] if begins is None else []
+    return conditions
+
+
+def _not_below(e: sp.Expr) -> SignCondition:
+    """e ≥ 0; of a root and a negative term without the root: 12 v² ≥ 49 μ g L for 7 √(v² − 2μ g L) ≥ 5 v."""
+    e = sp.expand(sp.fraction(sp.together(e))[0] * (sign_of(sp.fraction(sp.together(e))[1]) or 1))
+    roots = [f for f in e.atoms(sp.Pow) if f.exp == sp.Rational(1, 2) and not f.base.is_number and f.base.is_Add]
+    if len(roots) == 1:
+        letter = sp.Dummy(positive=True)
+        factor, rest = sp.expand(e.xreplace({roots[0]: letter})).coeff(letter, 1), e.xreplace({roots[0]: sp.S.Zero})
+        if sign_of(factor) == 1 and sign_of(rest) == -1 and is_zero(factor * roots[0] + rest - e) is True:
+            e = sp.expand(factor**2 * roots[0].base - rest**2)
+    condition = more_than_zero(e)
+    return replace(condition, relation=condition.relation.replace(">", "≥").replace("<", "≤"))
+
+
+class UndecidedError(Exception):
+    """It is not known when slip ends."""

@@ -16,7 +16,7 @@ the start may be a condition: r_1 > R, where 2k > R v².
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from functools import lru_cache
 
 import sympy as sp
@@ -50,6 +50,7 @@ class Beginning:
     radii          coordinates that are radii, and positive at first
     turning        the coordinate at all turning points of a motion with one degree of freedom; None: not known
     own            the coordinates that are not expressed by the others
+    values         numbers for the parameters, which decide what letters leave open
     """
 
     initial: State
@@ -59,13 +60,21 @@ class Beginning:
     radii: tuple[sp.Symbol, ...] = ()
     turning: Callable[[], Sequence[sp.Expr] | None] = lambda: None
     own: tuple[sp.Symbol, ...] = ()
+    values: State = field(default_factory=dict)
+
+    def sign(self, e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
+        """The sign of a value; where letters leave it open, that with the values of the parameters."""
+        sign = sign_of_value(e, conditions)
+        if sign is not None or not e.free_symbols or not e.free_symbols <= self.values.keys():
+            return sign
+        return sign_of_value(e.xreplace(dict(self.values)))
 
     def direction(self, q: sp.Symbol) -> int | None:
         """The sign with which q starts; 0 where it is at rest and not accelerated; None: not known."""
         speed = self.initial.get(prime(q))
         if speed is None:
             return None
-        sign = sign_of_value(speed)
+        sign = self.sign(speed)
         if sign != 0:
             return sign
         a = self.accelerations.get(prime(q, 2))
@@ -74,7 +83,7 @@ class Beginning:
         value = a.xreplace(dict(self.initial))
         if value.free_symbols & {*self.slots.coordinates, *self.slots.velocities}:
             return None
-        return sign_of_value(value)
+        return self.sign(value)
 
     def is_initial(self, state: State) -> bool:
         """Whether a state is the initial one."""
@@ -109,7 +118,7 @@ def first_branches(
         parted = [_parted(b, reason, beginning, arriving, one) for b in left]
         kept = [b for b, _ in parted if b is not None]
         gone = [b for _, b in parted if b is not None]
-        if kept and gone:
+        if kept:
             left = kept
             dropped += [(b, reason) for b in gone]
     if one:
@@ -173,7 +182,7 @@ def _moving(b: AnswerBranch, q: sp.Symbol, way: int) -> tuple[State, ...]:
 def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBranch | None:
     """The part of a branch in which no radius is negative; None where there is none."""
     kept = tuple(
-        s for s in b.states if not any(q in s and sign_of_value(s[q], b.conditions) == -1 for q in beginning.radii)
+        s for s in b.states if not any(q in s and beginning.sign(s[q], b.conditions) == -1 for q in beginning.radii)
     )
     return b if len(kept) == len(b.states) else replace(b, states=kept) if kept else None
 
@@ -182,7 +191,7 @@ def _with_radius(b: AnswerBranch, beginning: Beginning) -> AnswerBranch:
     """A branch with the condition that a radius is positive, where that is open."""
     conditions = list(b.conditions)
     for q in beginning.radii:
-        if len(b.states) == 1 and q in b.states[0] and sign_of_value(b.states[0][q], b.conditions) is None:
+        if len(b.states) == 1 and q in b.states[0] and beginning.sign(b.states[0][q], b.conditions) is None:
             conditions.append(more_than_zero(b.states[0][q]))
     return replace(b, conditions=tuple(conditions))
 
@@ -217,7 +226,7 @@ def _comes_from_beyond(state: State, q: sp.Symbol, beginning: Beginning, conditi
     way, speed = _way(state, q, beginning, conditions), state.get(prime(q))
     if way is None or speed is None:
         return False
-    sign = sign_of_value(speed, conditions)
+    sign = beginning.sign(speed, conditions)
     if way == 0:  # it comes back, from the side to which it went
         start = beginning.direction(q)
         return start in (1, -1) and sign == start
@@ -234,7 +243,7 @@ def _way(state: State, q: sp.Symbol, beginning: Beginning, conditions: Sequence[
     """The sign of q_1 − q_0; 0 where they are equal, and ±1 where the conditions exclude the other sign."""
     if q not in state or q not in beginning.initial:
         return None
-    return sign_of_value(state[q] - beginning.initial[q], conditions)
+    return beginning.sign(state[q] - beginning.initial[q], conditions)
 
 
 def sign_of_value(e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
@@ -338,7 +347,7 @@ def _nearest(branches: Sequence[AnswerBranch], beginning: Beginning) -> tuple[li
         if not all(_way(s, q, beginning) == start for s in states):
             continue
         for b, s in zip(branches, states, strict=True):
-            if all(sign_of_value(o[q] - s[q]) in (0, start) for o in states):
+            if all(beginning.sign(o[q] - s[q]) in (0, start) for o in states):
                 return [b], [o for o in branches if o is not b]
     return branches, []
 
@@ -363,7 +372,7 @@ def _reached_first(
     if not all(q in s and _way(s, q, beginning) in (1, -1) for _, s in pairs):
         return branches, []
     ahead = [(b, s) for b, s in pairs if _way(s, q, beginning) == way]
-    nearest = [(b, s) for b, s in ahead if all(sign_of_value(o[q] - s[q]) in (0, way) for _, o in ahead)]
+    nearest = [(b, s) for b, s in ahead if all(beginning.sign(o[q] - s[q]) in (0, way) for _, o in ahead)]
     if not nearest or q not in beginning.initial or not _is_free(nearest[0][1][q], q, way, beginning):
         return branches, []
     [b, state], *_ = nearest
@@ -384,9 +393,9 @@ def _nearest_on_each_side(
         return list(branches), []
 
     def is_later(place: sp.Expr) -> bool:
-        way = sign_of_value(place - start)
+        way = beginning.sign(place - start)
         return way in (1, -1) and any(
-            sign_of_value(o - start) == way and sign_of_value(place - o) == way for o in places
+            beginning.sign(o - start) == way and beginning.sign(place - o) == way for o in places
         )
 
     kept = [b for b in branches if not all(is_later(s[q]) for s in b.states)]
@@ -399,8 +408,8 @@ def _is_free(place: sp.Expr, q: sp.Symbol, way: int, beginning: Beginning) -> bo
     if turning is None:
         return False
     for p in turning:
-        past_start = sign_of_value(p - beginning.initial[q])
-        before_end = sign_of_value(place - p)
+        past_start = beginning.sign(p - beginning.initial[q])
+        before_end = beginning.sign(place - p)
         if past_start not in (0, -way) and before_end != -way:
             return False
     return True

@@ -144,9 +144,9 @@ class _SecondRoute:
         right = [_number(e, full) for e in self.system.right]
         if None in right or any(None in row for row in matrix):
             return None
-        try:
-            solved = sp.Matrix(matrix).LUsolve(sp.Matrix(right))
-        except (ValueError, ZeroDivisionError, sp.NonInvertibleMatrixError):
+        rows = [[e for e in (*row, b) if e is not None] for row, b in zip(matrix, right, strict=True)]
+        solved = _solved(rows)
+        if solved is None:
             return None
         full |= dict(zip(self.system.unknowns, solved, strict=True))
         differences = [c.function for c in question.when]
@@ -158,6 +158,23 @@ class _SecondRoute:
             if abs(residual) > _TOLERANCE * 1000:
                 return False
         return True
+
+
+def _solved(rows: list[list[sp.Expr]]) -> list[sp.Expr] | None:
+    """The solution of A x = b, rows [A | b], with the largest pivot of each column; None if there is none, or many."""
+    size = len(rows[0]) - 1
+    if len(rows) != size:
+        return None
+    for k in range(size):
+        at = max(range(k, size), key=lambda n: abs(rows[n][k]))
+        rows[k], rows[at] = rows[at], rows[k]
+        if abs(rows[k][k]) < _TOLERANCE:
+            return None
+        rows[k] = [e / rows[k][k] for e in rows[k]]
+        for n in range(size):
+            if n != k and rows[n][k] != 0:
+                rows[n] = [a - rows[n][k] * b for a, b in zip(rows[n], rows[k], strict=True)]
+    return [row[-1] for row in rows]
 
 
 def _samples(b: AnswerBranch, symbols: Sequence[sp.Symbol]) -> Iterator[dict[sp.Symbol, sp.Expr]]:

@@ -24,7 +24,7 @@ _FUNCTIONS: dict[type[sp.Basic], Callable[..., float]] = {
     sp.sin: math.sin, sp.cos: math.cos, sp.tan: math.tan, sp.exp: math.exp, sp.log: math.log,
     sp.asin: math.asin, sp.acos: math.acos, sp.atan: math.atan, sp.atan2: math.atan2,
     sp.sinh: math.sinh, sp.cosh: math.cosh, sp.tanh: math.tanh, sp.Abs: abs,
-    sp.sign: lambda x: float((x > 0) - (x < 0)),
+    sp.sign: lambda x: float(int(x > 0) - int(x < 0)),
     sp.cot: lambda x: 1 / math.tan(x), sp.sec: lambda x: 1 / math.cos(x), sp.csc: lambda x: 1 / math.sin(x),
 }  # fmt: skip
 

@@ -28,7 +28,7 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import numerical
-from lagrange.mechanics.questions.arrivals import Arrivals
+from lagrange.mechanics.questions.arrivals import Arrivals, UndecidedError, while_it_begins, while_slipping
 from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, dependent, reduced
@@ -82,7 +82,9 @@ def _answer(question: Question, settings: Sequence[Setting]) -> Asked:
             continue
         asked = _with_either_sense(question, setting)
         if asked.answered:
-            return asked
+            starting = setting.known.starting
+            extended = (replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *starting)))) for b in asked.branches)
+            return replace(asked, branches=tuple(extended)) if starting else asked
         tried.append(asked)
     if not tried:
         message = f"the question `{question.name}` mixes coordinates of several choices"
@@ -173,6 +175,8 @@ class _Search:
     def answer(self) -> Asked:
         """The answer, or what is known of it. Raises ProblemError where there is none."""
         mentioned = (self.question.quantity, *(c.function for c in self.question.when))
+        if self.setting.known.held:
+            raise ProblemError(self._slip_has_ended("is about a motion that does not begin: friction holds it at rest"))
         if any(self.known.unknown(e) for e in mentioned) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -206,7 +210,7 @@ class _Search:
 
     def _in_numbers(self) -> Asked | None:
         """The answer at the first time at which the condition holds, in numbers; None where values are missing."""
-        values = {p.symbol: p.value for p in self.setting.problem.parameters if p.value is not None}
+        values = self.setting.values
         known, moving = self.setting.known.accelerations, {*self.place.moving}
         expressions = [*known.values(), *self.setting.initial.values(), self.quantity, *self.when]
         if len(known) < len(self.slots.coordinates) or self._not_given():
@@ -283,7 +287,9 @@ class _Search:
         parted = [self._with_stated_slip(b) for b in found.branches]
         lasting = [b for b in parted if b is not None]
         against = [b for b, kept in zip(found.branches, parted, strict=True) if kept is None]
-        chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
+        chosen = first_branches(lasting, replace(self._beginning, values={}), reached, self.question.by, quantity)
+        if sum(not b.excluded_by(self.setting.values) for b in chosen.branches) > 1:
+            chosen = first_branches(lasting, self._beginning, reached, self.question.by, quantity)
         if against and all(self._beginning.is_initial(s) for b in chosen.branches for s in b.states):
             return self._after_turning(route, used)
         branches = list(chosen.branches)
@@ -292,6 +298,13 @@ class _Search:
             branches = arrivals.reached(branches)
         if not branches:
             raise ProblemError(self._never_holds())
+        if self._is_at_start:
+            begins = while_it_begins(self.setting, self.rule, self._beginning.sign)
+            if begins is None:
+                raise ProblemError(self._slip_has_ended("asks for slip that does not begin: friction prevents it"))
+            branches = [replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *begins)))) for b in branches]
+        if self.setting.stated_slips:
+            branches = [replace(b, provided=True) if self._slip_is_open(b) else b for b in branches]
         if len(branches) == 1 and branches[0].provided:
             branches = [self._confirmed_in_time(branches[0])]
         dropped = (*((b, Because.SENSE) for b in against), *chosen.dropped)
@@ -317,6 +330,13 @@ class _Search:
         """The part of a branch in which slip has the sense with which the equations of motion were found, if any."""
         states = tuple(s for s in b.states if not self._slips_backwards(s, b))
         return b if len(states) == len(b.states) else replace(b, states=states) if states else None
+
+    def _slip_is_open(self, b: AnswerBranch) -> bool:
+        """Whether a state of a branch does not say that slip has the sense that the file states."""
+        if self._is_at_start or self.question.by is not None:
+            return False
+        speeds = [e.xreplace(self.rule).xreplace(dict(s)) for s in b.states for e in self.setting.stated_slips]
+        return any(self._beginning.sign(e, b.conditions) not in (0, 1) for e in speeds)
 
     def _slips_backwards(self, state: Values, b: AnswerBranch) -> bool:
         speeds = [e.xreplace(dict(state)) for e in self.setting.slips]
@@ -354,10 +374,15 @@ class _Search:
         free = len(self.slots.coordinates) - len(self.configuration.rows)
         frame = self.setting.problem.frame
         first = frame.names[0] if frame is not None and frame.turning else ""
-        radii = tuple(q for q in self.slots.coordinates if first == f"e_{q}" and self._starts_positive(q))
+        radii = tuple(
+            q
+            for q in self.slots.coordinates
+            if self._starts_positive(q) and (first == f"e_{q}" or self.setting.is_kept_from_zero(q))
+        )
         own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
         initial = self.setting.initial
-        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own)
+        values = self.setting.values
+        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values)
 
     def _starts_positive(self, q: sp.Symbol) -> bool:
         return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1
@@ -404,13 +429,19 @@ class _Search:
         mentioned = {s for e in (self.quantity, *self.when) for s in e.xreplace(rule).free_symbols & state}
         wanted = {base(s) for s in mentioned} | ({self.question.by} - {t, None})
         accelerations = {a: e.xreplace(rule) for a, e in self.known.accelerations.items()}
-        motions = closed_motions(accelerations, self.setting.initial, wanted)
+        slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
+        motions = closed_motions(accelerations, self.setting.initial, wanted | slipping)
         branches: list[AnswerBranch] = []
+        ended = False
         for m in motions:
             found = self._at_time_of(m)
             if found is None:
                 return None
-            branches += found
+            lasting = [self._while_slipping(b, m) for b in found]
+            ended = ended or None in lasting
+            branches += [b for b in lasting if b is not None]
+        if ended and not branches:
+            raise ProblemError(self._slip_has_ended())
         if not motions:
             return None
         if not branches:
@@ -421,6 +452,34 @@ class _Search:
             branches=tuple(_shown(b) for b in branches),
             solutions={q: under_one_root(e) for q, e in motions[0].solutions.items()} if len(motions) == 1 else {},
         )
+
+    @property
+    def _slips(self) -> list[sp.Expr]:
+        """The speeds of slip in the senses that the file states."""
+        return [] if self._is_at_start else [e.xreplace(self.rule) for e in self.setting.stated_slips]
+
+    def _while_slipping(self, b: AnswerBranch, motion: ClosedMotion) -> AnswerBranch | None:
+        """The branch with the conditions under which slip lasts up to it; None where it has ended."""
+        speeds = [motion.at_time(e) for e in self._slips]
+        by_time = self.question.by == t
+        if by_time:
+            speeds += [s * motion.at_time(v) for v, s in self.setting.known.senses.items()]
+        until = t if by_time else next((s[t] for s in b.states if t in s), None)
+        if not speeds or until is None:
+            return b
+        try:
+            conditions = while_slipping(speeds, until, lambda e: self._beginning.sign(e, b.conditions))
+        except UndecidedError:
+            return replace(b, provided=True)
+        if conditions is None:
+            return None
+        return replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *conditions))))
+
+    def _slip_has_ended(self, holds: str = "holds only after the slip has ended") -> Diagnostic:
+        first = self.question.when[0].span if self.question.when else self.question.span
+        message = f"the `when` of the question `{self.question.name}` {holds}"
+        help_ = "the friction is not that of slipping then: ask for the rolling, or for rest, in a file of its own"
+        return Diagnostic("never-holds", message, first, help=help_)
 
     def _at_time_of(self, motion: ClosedMotion) -> list[AnswerBranch] | None:
         """The quantity in one case of the motion, at the first time at which the conditions hold."""

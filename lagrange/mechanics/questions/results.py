@@ -8,7 +8,7 @@ from enum import StrEnum
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.signs import SignCondition
+from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.core.records import record
 from lagrange.problem.model import Question
 
@@ -88,6 +88,13 @@ class AnswerBranch:
     provided: bool = False
     limit: bool = False
 
+    def excluded_by(self, values: Mapping[sp.Symbol, sp.Expr]) -> bool:
+        """Whether values of the parameters violate one of the conditions."""
+        pairs = [((c.lhs - c.rhs).xreplace(dict(values)), c.relation) for c in self.conditions]
+        signs = [(sign_of(e), relation) for e, relation in pairs if e.is_number]
+        excluded = {">": (-1, 0), "≥": (-1,), "<": (1, 0), "≤": (1,), "≠": (0,), "=": (1, -1)}
+        return any(s in excluded[r] for s, r in signs)
+
 
 @record
 class Substituted:
@@ -147,3 +154,9 @@ class Asked:
     def answered(self) -> bool:
         """Whether there is an answer."""
         return bool(self.branches)
+
+    @property
+    def has_bare_numbers(self) -> bool:
+        """Whether a condition or an initial value is a number that may hide a unit, `t = 2`."""
+        sides = [*(e for c in self.question.when for e in (c.lhs, c.rhs)), *(s.value for s in self.initial)]
+        return any(e.is_number and e != 0 and not (e / sp.pi).is_Rational for e in sides)

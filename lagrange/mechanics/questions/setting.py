@@ -10,6 +10,7 @@ from functools import cached_property
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.signs import sign_of
 from lagrange.core.symbols import prime
 from lagrange.mechanics.dynamics.friction import friction_forces
 from lagrange.mechanics.questions.dependent import dependent, reduced
@@ -41,23 +42,46 @@ class Setting:
         self.place = place
         self.problem = problem
         self.initial: Values = initial
-        self.known: Meanings = with_senses(meanings(place), initial, senses)
+        self.known: Meanings = with_senses(meanings(place), initial, senses, self.values, place.law.frictions)
         self.rule = dependent(place.configuration)
         self.integrals, self.missing = integrals(place, self.known, initial)
 
     @cached_property
+    def values(self) -> Values:
+        """Numbers for the parameters."""
+        return {p.symbol: p.value for p in self.problem.parameters if p.value is not None}
+
+    @cached_property
     def slips(self) -> list[sp.Expr]:
         """Velocities that must not be negative: those of slip in a sense that the file states, or that was taken."""
+        return [*(sense * v for v, sense in self.known.senses.items()), *self.stated_slips]
+
+    @cached_property
+    def stated_slips(self) -> list[sp.Expr]:
+        """What must not be negative: slip in the sense of the file, and coordinates whose modulus occurs."""
         law = self.place.law
         forces = friction_forces(law.frictions, law.newton, law.configuration, self.place.configuration)
         stated = [f.speed * f.sense for f in forces if f.speed is not None and f.sense in (1, -1)]
-        return [*(sense * v for v, sense in self.known.senses.items()), *stated]
+        sides = self.known.sides
+        rule = {e: v for q, s in sides.items() for e, v in ((sp.Abs(q), s * q), (sp.sign(q), sp.Integer(s)))}
+        return [*(e.xreplace(rule) for e in stated), *(s * q for q, s in sides.items())]
 
     def square_of(self, q: sp.Symbol) -> sp.Expr | None:
         """q'^2 as a function of q alone; None where the integrals do not give it."""
         if q not in self._squares:
             self._squares[q] = self._square(q)
         return self._squares[q]
+
+    def is_kept_from_zero(self, q: sp.Symbol) -> bool:
+        """Whether q'^2 → −∞ for q → 0, as a constant angular momentum has it: q then keeps its sign."""
+        square = self.square_of(q) if {q, prime(q)} <= {*self.initial} else None
+        if square is None or not square.is_rational_function(q):
+            return False
+        above, below = sp.fraction(sp.factor(sp.together(square)))
+        power = next((f.as_base_exp()[1] for f in sp.Mul.make_args(below) if f.as_base_exp()[0] == q), sp.S.Zero)
+        if not power.is_Integer or power <= 0 or power % 2:
+            return False
+        return sign_of((above / sp.cancel(below / q**power)).xreplace({q: sp.S.Zero})) == -1
 
     def _square(self, q: sp.Symbol) -> sp.Expr | None:
         configuration = self.place.configuration

@@ -16,7 +16,7 @@ from dataclasses import field, replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.branching import solutions
-from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.signs import SignCondition, more_than_zero, sign_of
 from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
 from lagrange.algebra.fourier.linear_systems import solved_linear, tidy_quotient
@@ -30,7 +30,7 @@ from lagrange.mechanics.dynamics.conservation import Conserved
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
-from lagrange.problem.model import ENERGY, KINETIC_ENERGY, InitialValue, Problem
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Friction, InitialValue, Problem
 
 Values = Mapping[sp.Symbol, sp.Expr]
 Senses = Mapping[sp.Symbol, int]
@@ -74,13 +74,19 @@ class Place:
 class Meanings:
     """What the symbols of questions stand for at a state: accelerations, reactions, energies; None: not known.
 
-    senses  the signs with which velocities start, where |q'| or sign q' is replaced by means of them
+    senses    the signs with which velocities start, where |q'| or sign q' is replaced by means of them
+    sides     the signs with which coordinates start, likewise for |q|
+    starting  the conditions under which a motion from rest starts against friction
+    held      whether friction holds it at rest
     """
 
     accelerations: Values
     reactions: Mapping[sp.Symbol, sp.Expr | None]
     energies: Values = field(default_factory=dict)
     senses: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    sides: Mapping[sp.Symbol, int] = field(default_factory=dict)
+    starting: tuple[SignCondition, ...] = ()
+    held: bool = False
 
     def unknown(self, e: sp.Expr) -> set[sp.Symbol]:
         """The reactions in an expression that are not known."""
@@ -180,25 +186,62 @@ def fixed_coordinates(place: Place, initial: Values) -> dict[sp.Symbol, sp.Expr]
     return fixed
 
 
-def with_senses(known: Meanings, initial: Values, given: Senses | None = None) -> Meanings:
+def with_senses(
+    known: Meanings, initial: Values, given: Senses | None, values: Values, frictions: Sequence[Friction] = ()
+) -> Meanings:
     """The same for the sense in which the motion starts, where |q'| or the sign of q' occurs: c |q'| q' is c q'^2.
 
-    given  the senses, where they are not those of the initial state
+    From rest the motion starts in the direction of the acceleration, if that is against friction in this direction.
+
+    given      the senses, where they are not those of the initial state
+    values     numbers for the parameters, which decide what letters leave open
+    frictions  whose coefficients at rest hold for the start, if they are given
     """
     senses: dict[sp.Symbol, int] = dict(given or {})
+    starting: list[SignCondition] = []
+    held = False
+    at_rest = {f.coefficient: f.static for f in frictions if f.static is not None and f.coefficient.is_Symbol}
+
+    def sign(e: sp.Expr) -> int | None:
+        found = sign_of(e)
+        return sign_of(e.xreplace(dict(values))) if found is None and e.free_symbols <= values.keys() else found
+
     for a, value in known.accelerations.items():
         v = sp.Symbol(a.name[:-1], real=True)
         if v in senses or v not in initial or not value.has(sp.Abs(v), sp.sign(v)):
             continue
-        sign = sign_of(initial[v])
-        if sign == 0 and not value.has(sp.sign(v)):
-            sign = sign_of(value.xreplace(dict(initial)))
-        if sign in (1, -1):
-            senses[v] = sign
-    rule = {f: e for v, s in senses.items() for f, e in ((sp.Abs(v), s * v), (sp.sign(v), sp.Integer(s)))}
+        way = sign(initial[v])
+        if way == 0 and not value.has(sp.sign(v)):
+            way = sign(value.xreplace(dict(initial)))
+        elif way == 0:
+            rates = [value.xreplace({sp.sign(v): s, sp.Abs(v): sp.S.Zero}).xreplace(dict(initial)) for s in (1, -1)]
+            way = sign(sp.expand(sum(rates)))
+            if way in (1, -1):
+                starts = (way * rates[0 if way == 1 else 1]).xreplace(at_rest)
+                moves = sign(starts)
+                held = held or moves in (0, -1)
+                starting += [more_than_zero(starts)] if moves is None else []
+        if way in (1, -1):
+            senses[v] = way
+    expressions = [e for e in (*known.accelerations.values(), *known.reactions.values()) if e is not None]
+    sides = {
+        q: way
+        for q in {f.args[0] for e in expressions for f in e.atoms(sp.Abs, sp.sign) if f.args[0].is_Symbol}
+        if prime(q) in initial and q in initial and (way := sign(initial[q])) in (1, -1)
+    }
+    signed = {**sides, **senses}
+    rule = {f: e for v, s in signed.items() for f, e in ((sp.Abs(v), s * v), (sp.sign(v), sp.Integer(s)))}
     accelerations = {a: e.xreplace(rule) for a, e in known.accelerations.items()}
     reactions = {s: e if e is None else e.xreplace(rule) for s, e in known.reactions.items()}
-    return replace(known, accelerations=accelerations, reactions=reactions, senses=senses)
+    return replace(
+        known,
+        accelerations=accelerations,
+        reactions=reactions,
+        senses=senses,
+        sides=sides,
+        starting=tuple(starting),
+        held=held,
+    )
 
 
 # The initial state

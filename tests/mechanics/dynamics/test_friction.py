@@ -388,3 +388,22 @@ def test_a_coefficient_that_varies_is_rewritten_in_a_choice(
     eliminated = {*found.own.configuration.slots.coordinates} - {*chosen.configuration.slots.coordinates}
     assert all(e.free_symbols.isdisjoint(eliminated) for e in chosen.motion.expressions)
     assert verdict(found, right) is Verdict.EQUIVALENT
+
+
+@pytest.mark.parametrize(("slip", "sign"), [("negative", -1), ("positive", 1)])
+def test_the_sense_of_slip_is_that_of_the_coordinate_of_the_file(problem: Read, slip: str, sign: int) -> None:
+    """x_A + x_B = 0: the block B that slides to −x is held back to +x, and so is A to −x, in every coordinate."""
+    text = f"""title: Two blocks on a cable
+axes: {{i: right, j: up}}
+parameters: [m_A, m_B, F, mu, g]
+coordinates: [x_A, x_B, y_B]
+particles: {{A: {{mass: m_A, position: x_A*i}}, B: {{mass: m_B, position: x_B*i + y_B*j}}}}
+constraints: {{cable: x_A + x_B = 0, floor: {{equation: y_B >= 0, reaction: N}}}}
+gravity: -g*j
+forces: {{push: {{on: A, vector: F*i}}, rub: {{friction: mu, constraint: floor, on: B, slip: {slip}}}}}
+generalized_coordinates: {{A: {{coordinates: [x_A]}}, B: {{coordinates: [x_B]}}}}
+answers: {{equations: ["(m_A + m_B)*x_A'' = F + {sign}*mu*m_B*g"]}}
+"""
+    solution = solve(problem(text))
+    assert [c.name for c in solution.checks if c.passed is not True] == []
+    assert [a.verdict for a in compared_answers(solution)] == [Verdict.EQUIVALENT]

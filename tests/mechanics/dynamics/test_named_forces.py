@@ -11,6 +11,7 @@ from dataclasses import replace
 
 import pytest
 import sympy as sp
+from sympy.parsing.sympy_parser import parse_expr
 
 from lagrange.core.vectors import Vector
 from lagrange.explain.report import report
@@ -307,3 +308,46 @@ def test_two_ways_of_writing_a_constraint_give_one_force(name: str) -> None:
                     (reaction.moment_per_unit(body), after.moment_per_unit(body)),
                 ):
                     assert same(one, None if two is None else two * sp.Integer(sign), configuration), (c.name, body)
+
+
+# -- what keeps two points apart on a line; strings counted from what moves ---------------------------------------------
+
+NUMBERS_OF_WAGONS = {"m": 2, "M": 3, "F": 10, "d": 4}
+WAGONS = """title: Two wagons
+parameters: [m, M, F, d]
+coordinates: [x, y]
+particles: {front: {mass: m, position: x*i}, rear: {mass: M, position: y*i + h*j}}
+constraints: {coupling: {equation: "%s", reaction: T, by: rod}}
+forces: {pull: {on: front, vector: F*i}}
+let: {h: "%s"}
+"""
+
+
+@pytest.mark.parametrize("equation", ["x - y = d", "y = x - d", "2*(y - x) + 2*d = 0", "d = x - y"])
+@pytest.mark.parametrize("height", ["0", "d"])
+def test_a_bar_between_two_points_of_a_line_pulls(problem: Read, equation: str, height: str) -> None:
+    """The rear wagon of mass M is pulled with M a."""
+    reactions = as_object(report(problem(WAGONS % (equation, height))))["reactions"]
+    tension = sp.Rational(3 * 10, 2 + 3) * (sp.sqrt(2) if height == "d" else 1)  # an oblique bar is pulled along itself
+    force = parse_expr(reactions["coupling"]["force"], {n: sp.Integer(v) for n, v in NUMBERS_OF_WAGONS.items()})
+    assert sp.simplify(force - tension) == 0
+
+
+def test_tensions_of_a_double_atwood_machine(problem: Read) -> None:
+    """m a = T − m g for each weight by hand: T_1 = 2 T_2 = 8 m_1 m_2 m_3 g/(4 m_2 m_3 + m_1 (m_2 + m_3))."""
+    text = """title: Three weights on two pulleys
+axes: {j: down}
+parameters: {m_1: {value: 4}, m_2: {value: 3}, m_3: {value: 2}, g: {value: 10}, L: positive, l: positive}
+coordinates: [x, p, y, z]
+particles:
+  A: {mass: m_1, position: x*j}
+  P: {position: p*j}
+  B: {mass: m_2, position: (p + y)*j}
+  C: {mass: m_3, position: (p + z)*j}
+constraints: {upper: {equation: L = x + p, reaction: T_1}, lower: {equation: y + z = l, reaction: T_2}}
+gravity: g*j
+"""
+    reactions = as_object(report(problem(text)))["reactions"]
+    expected = 8 * 4 * 3 * 2 * 10 / (4 * 3 * 2 + 4 * 5)
+    assert reactions["upper"]["number"] == pytest.approx(expected)
+    assert reactions["lower"]["number"] == pytest.approx(expected / 2)

@@ -130,6 +130,28 @@ def without_weaker(conditions: Sequence[RestCondition], signs: Signs) -> tuple[R
     return tuple(kept)
 
 
+def joined_cases(cases: Sequence[tuple[RestCondition, ...]], signs: Signs) -> tuple[tuple[RestCondition, ...], ...]:
+    """The cases without conditions that another one, of one condition, makes needless: p or (not p and q) is p or q."""
+    left = list(dict.fromkeys(cases))
+    for alone in [case[0] for case in left if len(case) == 1]:
+        for n, case in enumerate(left):
+            if case == (alone,):
+                continue
+            kept = [c for c in case if (c.left, c.right) != (alone.right, alone.left)]
+            for d in tuple(kept):
+                others = [c for c in kept if c is not d]
+                if others and any(_implies(c, alone, signs.assuming(d.left - d.right)) for c in others):
+                    kept = others
+            left[n] = tuple(kept)
+    return tuple(dict.fromkeys(left))
+
+
+def _implies(c: RestCondition, other: RestCondition, signs: Signs) -> bool:
+    if c.right == other.right:
+        return signs.of(shortest(c.left - other.left)) in (0, 1)
+    return c.left == other.left and signs.of(shortest(other.right - c.right)) in (0, 1)
+
+
 def _without_signed_factors(slack: sp.Expr, signs: Signs) -> sp.Expr | None:
     """The factors whose sign is not known, with the sign of the others; None if none is left and it is positive."""
     over, under = sp.fraction(slack)

@@ -20,14 +20,17 @@ tried.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import islice, permutations, product
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import factors
-from lagrange.algebra.exact.zero_test import Surface
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -50,6 +53,7 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     RestCondition,
     Wanted,
     bounded_by,
+    joined_cases,
     not_negative,
     without_weaker,
 )
@@ -60,7 +64,7 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     shortest,
     solvable,
 )
-from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
+from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
 from lagrange.mechanics.equilibrium.loads import loads
 from lagrange.problem.model import Friction, Problem
 
@@ -95,6 +99,13 @@ class RoughContact:
     def name(self) -> str:
         """The name of the friction."""
         return self.friction.name
+
+    def at(self, position: Mapping[sp.Symbol, sp.Expr]) -> RoughContact:
+        """The contact where some coordinates have given values."""
+        rule = dict(position)
+        rows = tuple(tuple(shortest(e.xreplace(rule)) for e in row) for row in self.generalized)
+        coefficient, normal = self.coefficient.xreplace(rule), self.normal.xreplace(rule)
+        return replace(self, coefficient=coefficient, normal=normal, generalized=rows) if rule else self
 
 
 @record
@@ -143,11 +154,21 @@ def rough_contacts(
     problem: Problem, newton: Newton, original: Configuration, configuration: Configuration
 ) -> tuple[RoughContact, ...]:
     """The contacts with static friction. Raises ProblemError, NotCoveredError."""
-    frictions = [f for f in problem.forces if isinstance(f, Friction)]
+    frictions = each_contact_once(f for f in problem.forces if isinstance(f, Friction))
     if len(frictions) > MOST_ROUGH_CONTACTS:
         raise NotCoveredError(f"friction at rest in more than {MOST_ROUGH_CONTACTS} contacts", frictions[-1].span)
     taken = {*problem.scope.names(), *(r.force.name for r in newton.reactions)}
     return tuple(_contact(f, frictions, newton, original, configuration, taken) for f in frictions)
+
+
+def each_contact_once(frictions: Iterable[Friction]) -> list[Friction]:
+    """The frictions without the opposite ones, where each of the two that touch has an entry of its own."""
+    kept: list[Friction] = []
+    for f in frictions:
+        own = next((k for k in kept if k.constraint == f.constraint and k.on != f.on and k.static == f.static), None)
+        if own is None:
+            kept.append(f)
+    return kept
 
 
 def _contact(
@@ -225,9 +246,10 @@ def at_rest(
 
     Raises NotCoveredError if that cannot be decided, ProblemError if a contact is not as the file says.
     """
-    contacts = rough_contacts(problem, newton, original, configuration)
+    held = held_coordinates(configuration)
+    contacts = tuple(c.at(held) for c in rough_contacts(problem, newton, original, configuration))
     belts = belt_laws(problem, newton, configuration)
-    system = _System(newton, contacts, original, configuration, work, problem.unknowns, _sought(problem, belts))
+    system = _System(newton, contacts, original, configuration, work, problem.unknowns, _sought(problem, belts), held)
     wanted = Wanted(_sought(problem, belts), tuple(c.coefficient for c in contacts), loads(original, problem.unknowns))
     angles = {p.symbol for p in problem.parameters}
     positions = angles | {*configuration.slots.coordinates}
@@ -241,6 +263,8 @@ def at_rest(
                 if not solved.open:
                     break
                 continue
+            if acute is angles and angles != positions and _is_evident(cases, Signs(positions)):
+                break
             return AtRest(
                 configuration,
                 contacts,
@@ -252,10 +276,36 @@ def at_rest(
                 cases,
                 tuple(sorted(signs.used, key=str)),
                 solved.presupposed,
-                _verified(solved, contacts, newton, original, configuration),
+                _verified(solved, contacts, newton, original, configuration, held),
             )
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
+
+
+def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that the constraints hold at a constant, of an angle the value with a positive cosine."""
+    finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
+    used = [q for q in coordinates if any(q in f.free_symbols for f in finite)]
+    if not used or len(used) > len(finite) or any(f.count_ops() > LONGEST_SLACK for f in finite):
+        return {}
+    turning = {f.args[0] for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan)}
+    try:
+        solved = solutions(finite, used)
+    except (NotAlgebraicError, DivisionByZeroError):
+        return {}
+    found = []
+    for b in solved.branches:
+        values = {r.lhs: r.rhs for r in b.relations if r.lhs in used and r.rhs.free_symbols.isdisjoint(used)}
+        if b.left or b.special or len(values) < len(used):
+            return {}
+        if all(sign_of(sp.cos(v)) == 1 for q, v in values.items() if q in turning):
+            found.append(values)
+    return found[0] if len(found) == 1 else {}
+
+
+def _is_evident(cases: Sequence[Sequence[RestCondition]], signs: Signs) -> bool:
+    """Whether a condition says no more than that sines and cosines of positions are positive."""
+    return any(signs.of(shortest(c.right - c.left)) == 1 for case in cases for c in case)
 
 
 def _sought(problem: Problem, belts: Sequence[BeltLaw]) -> tuple[sp.Symbol, ...]:
@@ -293,8 +343,11 @@ class _System:
         work: VirtualWork,
         unknown: Sequence[sp.Symbol],
         sought: Sequence[sp.Symbol],
+        held: Mapping[sp.Symbol, sp.Expr],
     ) -> None:
-        write = configuration.rewritten
+        def write(e: sp.Expr) -> sp.Expr:
+            return configuration.rewritten(e).xreplace(dict(held))
+
         columns: dict[sp.Symbol, list[sp.Expr]] = {}
         extra: list[dict[sp.Symbol, sp.Expr]] = []
         for c in contacts:
@@ -401,7 +454,7 @@ def _cases(
         for case in solvable(inequalities, signs, most):
             conditions = tuple(c for slack in case.slacks for c in not_negative(slack, wanted, signs))
             cases.append(without_weaker(conditions, signs))
-    return tuple(dict.fromkeys(cases))
+    return joined_cases(cases, signs)
 
 
 def _scaled(factor: sp.Expr, i: Inequality) -> Inequality:
@@ -502,6 +555,7 @@ def _verified(
     newton: Newton,
     original: Configuration,
     configuration: Configuration,
+    held: Mapping[sp.Symbol, sp.Expr],
 ) -> bool | None:
     """Whether the forces satisfy Lagrange's equations at rest, but for the conditions that are equations."""
     if solved.equations:
@@ -513,5 +567,5 @@ def _verified(
         reactions = [r.force * r.per_force * without_root(r.row, slots).coefficients[k] for r in newton.reactions]
         friction = [f * row[k] for c in contacts for f, row in zip(c.components, c.generalized, strict=True)]
         balance = configuration.rewritten(left.xreplace(at_rest) - sp.Add(*reactions)) - sp.Add(*friction)
-        verdicts.append(configuration.surface.is_zero(balance.xreplace(dict(solved.forces))))
+        verdicts.append(configuration.surface.is_zero(balance.xreplace(dict(held)).xreplace(dict(solved.forces))))
     return all_hold(verdicts)

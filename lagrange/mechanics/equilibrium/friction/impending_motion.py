@@ -37,7 +37,7 @@ from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium, VirtualWork, equilibrium
 from lagrange.mechanics.equilibrium.friction.belts import BeltLaw, belt_laws
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, Wanted, not_negative
-from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact, rough_contacts
+from lagrange.mechanics.equilibrium.friction.friction_at_rest import RoughContact, each_contact_once, rough_contacts
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
 from lagrange.problem.model import Friction, Problem
 
@@ -160,7 +160,8 @@ def _given_senses(
 ) -> dict[str, int]:
     """The sense of each friction whose direction the file gives: the tangent of a vector `slip` is against it."""
     senses = {c.name: 1 for c in contacts if c.friction.toward is not None}
-    along = [f for f in problem.forces if isinstance(f, Friction) and f.slip is not None]
+    rough = each_contact_once(f for f in problem.forces if isinstance(f, Friction))
+    along = [f for f in rough if f.slip is not None]
     for f in friction_forces(along, newton, original, configuration):
         [contact] = (c for c in contacts if c.name == f.friction.name)
         share = textbook_form((f.along * f.sense).fixed().dot(contact.tangents[0]))

@@ -1,0 +1,88 @@
+"""Positions of equilibrium stated as numbers, where they have no closed form: θ = 0 or θ = 0.902.
+
+Each stated number stands for all numbers that round to it. It is right if one of the positions found numerically is
+among these, and the answer is complete if every position is stated. Angles count modulo 2π.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from lagrange.answers.readings import Reading, decimals_in, read_answer
+from lagrange.answers.references import reference_of_solution
+from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written
+from lagrange.core.diagnostics import Fragment
+from lagrange.core.symbols import Decimal
+from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers, Position
+from lagrange.mechanics.results import Solution
+
+_EXACT = 1e-12
+"""How far an exact number may be from a position in closed form, which is evaluated in floating point."""
+
+Stated = Mapping[sp.Symbol, tuple[float, float]]
+
+
+def compared_in_numbers(
+    alternatives: Sequence[Sequence[Fragment]], verdict: AnswerVerdict, solution: Solution
+) -> AnswerVerdict:
+    """The verdict where positions were found numerically and the answer gives numbers; the old one otherwise."""
+    if verdict.verdict not in (Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE):
+        return verdict
+    reference = reference_of_solution(solution)
+    for view in solution.views:
+        found = view.in_numbers
+        if found is None or found.numerical is None:
+            continue
+        readings = [[read_answer(f, reference.scope) for f in a] for a in alternatives]
+        stated = [_stated(a, found, dict(reference.values)) for a in readings]
+        if any(s is None for s in stated):
+            continue
+        matches = [{n for n, p in enumerate(found.positions) if s and _is_at(s, p, found)} for s in stated]
+        if not all(matches):
+            return verdict
+        covered = set[int]().union(*matches)
+        missing = len(found.positions) - len(covered)
+        equations = tuple(EquationVerdict(r.text, Verdict.EQUIVALENT) for a in readings for r in a)
+        whole = Verdict.INCOMPLETE if missing else Verdict.EQUIVALENT
+        whole = whole if missing or found.numerical.complete else Verdict.UNDECIDED
+        return AnswerVerdict(whole, equations, missing=missing)
+    return verdict
+
+
+def _stated(
+    readings: Sequence[Reading], found: EquilibriaInNumbers, values: Mapping[sp.Symbol, sp.Expr]
+) -> Stated | None:
+    """The unknowns with their numbers and half a unit of the last place; None if the equations are not of this form."""
+    stated: dict[sp.Symbol, tuple[float, float]] = {}
+    for r in readings:
+        components = r.with_decimals or r.components
+        unknown = {s for e in components for s in e.free_symbols} & {*found.unknowns}
+        if len(components) != 1 or len(unknown) != 1:
+            return None
+        [e], [u] = components, unknown
+        slope = e.diff(u)
+        value = (-e.xreplace({u: sp.S.Zero}) / slope).xreplace(dict(values)) if slope.is_number and slope != 0 else None
+        if value is None or any(not isinstance(s, Decimal) for s in value.free_symbols):
+            return None
+        width = as_written(sp.Add(*(abs(value.diff(d)) * d.half_width for d in decimals_in([value]))))
+        number = as_written(value).evalf()
+        if not number.is_Float and not number.is_Rational:
+            return None
+        stated[u] = (float(number), float(width))
+    return stated
+
+
+def _is_at(stated: Stated, position: Position, found: EquilibriaInNumbers) -> bool:
+    for u, (number, width) in stated.items():
+        if u not in position.coordinates or (position.branch is None and width == 0):
+            return False
+        off = number - position.coordinates[u].number
+        if u in found.angles:
+            turn = float(2 * sp.pi)
+            off -= turn * round(off / turn)
+        if abs(off) > width + _EXACT * (1 + abs(number)):
+            return False
+    return True
