@@ -134,6 +134,10 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         else:
             why = "the problem does not ask for steady motions"
             yield AnswerVerdict(Verdict.UNDECIDED, name="steady", diagnosis=why)
+    if answers.impact:
+        from lagrange.answers.questions.impact import check_impact_answers
+
+        yield check_impact_answers(answers.impact, solution)
     if answers.hamiltonian is not None:
         from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
 

@@ -20,7 +20,7 @@ from lagrange.answers.force_names import other_readings
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
-from lagrange.core.symbols import CONSTANT, Sign, prime, variation
+from lagrange.core.symbols import CONSTANT, Sign, prime, variation, velocity_before
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -230,6 +230,7 @@ def reference_of_solution(solution: Solution) -> Reference:
             **_quasi_variations(solution),
             **energies,
             **_reactions(solution),
+            **_of_impact(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
             **scope.scalars,
@@ -347,6 +348,16 @@ def _energies(solution: Solution) -> dict[str, sp.Expr]:
             functions = {named.hamiltonian: found.function, named.routhian: found.routhian}
             energies |= {s.name: e.xreplace(by_momenta) for s, e in functions.items() if e is not None}
     return energies
+
+
+def _of_impact(solution: Solution) -> dict[str, sp.Expr]:
+    """The velocities just before an impact, the impulses of its reactions, the kinetic energies before and after."""
+    found = solution.impact
+    if found is None:
+        return {}
+    symbols = [*(i.symbol for i in found.impulses), *map(velocity_before, found.slots.coordinates)]
+    kinetic = energy_symbols(solution).kinetic.name
+    return {s.name: s for s in symbols} | {f"{kinetic}_0": found.kinetic[0], kinetic: found.kinetic[1]}
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
     from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
@@ -118,6 +119,7 @@ class Solution:
     works            the work of the reactions
     asked            the answers to the questions of the file
     from_start       the motion from the initial state, where nothing is asked
+    impact           the velocities after an impact, and the impulses
     given_up         the stage at which the work was given up, and why; later results are missing
     """
 
@@ -132,6 +134,7 @@ class Solution:
     checks: tuple[Check, ...] = ()
     asked: tuple[Asked, ...] = ()
     from_start: FromStart | None = None
+    impact: ImpulsiveMotion | None = None
     given_up: str = ""
 
     @property

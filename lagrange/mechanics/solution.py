@@ -137,6 +137,8 @@ def _stages(
         yield lambda s: _with_linearization(s, on_stage)
     if {Find.HAMILTONIAN, Find.STEADY} & {*problem.find}:
         yield lambda s: _with_momenta(s, on_stage)
+    if Find.IMPACT in problem.find:
+        yield lambda s: _with_impact(s, on_stage)
     if Find.EQUILIBRIUM in problem.find and not rough:
         yield lambda s: _with_equilibrium(s, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
@@ -351,6 +353,17 @@ def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
 
     own, *choices = map(in_momenta, solution.views)
     return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))
+
+
+def _with_impact(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the velocities after the impact of the file, and the impulses."""
+    from lagrange.mechanics.momenta.impact import impulsive_motion
+    from lagrange.mechanics.momenta.impact_checks import check_impact
+
+    on_stage("the impact")
+    choices = [c.coordinates for c in solution.choices]
+    found = impulsive_motion(solution.problem, choices, solution.own.coordinates, _names(solution.problem))
+    return replace(solution, impact=found, checks=(*solution.checks, *check_impact(found, solution.problem)))
 
 
 def _names(problem: Problem) -> frozenset[str]:

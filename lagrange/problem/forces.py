@@ -6,7 +6,7 @@ Applied forces may depend on position, velocity and time, never on accelerations
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -15,8 +15,8 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, ProblemError, suggestion
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
-from lagrange.problem.declared_names import canonical, names_in
-from lagrange.problem.keys import FORCES, SENSES, Form
+from lagrange.problem.declared_names import Namespace, canonical, names_in
+from lagrange.problem.keys import FORCES, IMPULSES, SENSES, Form
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import (
     AppliedForce,
@@ -47,6 +47,7 @@ from lagrange.problem.sections import (
 from lagrange.problem.yaml.nodes import Node, Scalar
 
 _EXAMPLE = "forces: {push: {on: P, vector: F*i}}"
+_EXAMPLE_OF_IMPULSE = "impulses: {blow: {on: P, vector: J*i}}"
 
 
 def read_gravity(node: Node | None, context: LoadContext) -> Vector | None:
@@ -69,28 +70,50 @@ def read_forces(node: Node | None, context: LoadContext, constraints: Iterable[C
     return tuple(forces)
 
 
-def _force(name: str, key: Scalar, node: Node, context: LoadContext, tensions: Scope) -> Force:
-    what = f"the force `{name}`"
+def read_impulses(node: Node | None, context: LoadContext) -> tuple[AppliedForce | AppliedMoment, ...]:
+    """name -> a given impulse: a vector or a moment."""
+    if node is None:
+        return ()
+    impulses, declared = [], Namespace(context.names)
+    for key, value in context.diagnostics.attempt(lambda: entries_of(node, "`impulses`", _EXAMPLE_OF_IMPULSE)) or ():
+        name = declared.declare(key, "an impulse")
+        if name is not None:
+            read = partial(_force, name, key, value, context, context.scope, IMPULSES, "impulse")
+            impulses.append(context.diagnostics.attempt(read))
+    return tuple(i for i in impulses if isinstance(i, AppliedForce | AppliedMoment))
+
+
+def _force(
+    name: str,
+    key: Scalar,
+    node: Node,
+    context: LoadContext,
+    tensions: Scope,
+    forms: Mapping[str, Form] = FORCES,
+    noun: str = "force",
+) -> Force:
+    what = f"the {noun} `{name}`"
     mapping = mapping_of(node, what, f"{name}: {{on: P, vector: F*i}}")
-    kinds = [k for k in FORCES if any(entry.text == k for entry, _ in mapping.entries)]
+    kinds = [k for k in forms if any(entry.text == k for entry, _ in mapping.entries)]
     if len(kinds) > 1:
         listed = " and ".join(f"`{k}`" for k in kinds)
-        help_ = "give every force an entry of its own"
+        help_ = f"give every {noun} an entry of its own"
         raise ProblemError(Diagnostic("force-kind", f"{what} has {listed}", key.span, help=help_))
-    section = Section(mapping, what, FORCES[kinds[0]] if kinds else _ANY_FORCE, context.diagnostics)
-    kind = kinds[0] if kinds else next((k for k in FORCES if section.has(k)), None)
+    section = Section(mapping, what, forms[kinds[0]] if kinds else _any_of(noun, forms), context.diagnostics)
+    kind = kinds[0] if kinds else next((k for k in forms if section.has(k)), None)
     if kind is None and section.strange:
         raise ProblemError(())  # one of these keys may have been meant to be the kind, and has been reported
     if kind is None:
-        listed = ", ".join(f"`{k}`" for k in FORCES)
+        listed = ", ".join(f"`{k}`" for k in forms)
         message = f"{what} does not say what acts"
         raise ProblemError(Diagnostic("force-kind", message, key.span, help=f"give it one of {listed}"))
-    section.form = FORCES[kind]
+    section.form = forms[kind]
     return _READERS[kind](_Entry(name, what, key, section, context, tensions))
 
 
-_ANY_FORCE = Form("a force", tuple({key.name: key for form in FORCES.values() for key in form.keys}.values()))
-"""All keys of forces, to suggest one where the kind of a force is not clear."""
+def _any_of(noun: str, forms: Mapping[str, Form]) -> Form:
+    """All keys of forces, to suggest one where the kind of a force is not clear."""
+    return Form(f"a {noun}", tuple({key.name: key for form in forms.values() for key in form.keys}.values()))
 
 
 class _Entry:

@@ -127,6 +127,7 @@ class Find(StrEnum):
     IMPENDING = "impending"
     HAMILTONIAN = "hamiltonian"
     STEADY = "steady"
+    IMPACT = "impact"
 
 
 class FrameType(StrEnum):
@@ -407,6 +408,45 @@ CHOICE = Form(
     ),
 )
 
+IMPACT = Form(
+    "an impact",
+    (
+        Key(
+            "before",
+            _or_nothing(Named("expression", new=False)),
+            "The state just before: velocities, and coordinates where the position is known: {x': v, theta: 0}. "
+            "A velocity that is not given stays a symbol, x'_0.",
+        ),
+        Key("impulses", _or_nothing(Named("impulse")), "Given blows."),
+        Key(
+            "constraints",
+            _or_nothing(Named(AnyOf(("equation", "constraint")))),
+            "Constraints that begin to act; those of the file go on.",
+        ),
+        Key(
+            "restitution",
+            _or_nothing(Named("expression", new=False)),
+            "The coefficient of restitution of each of these constraints; 0 where none is given.",
+        ),
+    ),
+)
+
+IMPULSES = {
+    "vector": Form(
+        "an impulse",
+        (
+            Key("vector", "vector", "An impulse: its vector.", required=True, example="J*i"),
+            _ON,
+            Key("at", "vector", "Where it acts, if not at that point itself."),
+        ),
+    ),
+    "moment": Form(
+        "an impulsive moment",
+        (Key("moment", "vector", "An impulsive moment on a body.", required=True, example="H*k"), _ON_BODY),
+    ),
+}
+"""The kinds of given impulses, each recognised by the key of its name."""
+
 QUESTION = Form(
     "a question",
     (
@@ -444,6 +484,11 @@ ANSWERS = Form(
         Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
         Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
         Key("virtual_displacements", _one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
+        Key(
+            "impact",
+            Named(AnyOf(("expression", "equation")), new=False),
+            "After an impact: velocities (x'), impulses by the names of their constraints, `energy_lost`.",
+        ),
     ),
 )
 
@@ -553,6 +598,7 @@ PROBLEM = Form(
         ),
         Key("initial", _or_nothing(Named("expression", new=False)), "The state at t = 0: {theta: 0, theta': 0}."),
         Key("ask", _or_nothing(Named("question")), "Questions about the motion, by names of your own."),
+        Key("impact", IMPACT, "Blows, and constraints that begin to act in an instant."),
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
         Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
@@ -578,6 +624,7 @@ PARTS: dict[str, Kind] = {
     "body": BODY,
     "constraint": CONSTRAINT,
     "force": AnyOf(tuple(FORCES.values())),
+    "impulse": AnyOf(tuple(IMPULSES.values())),
     "choice": CHOICE,
     "question": QUESTION,
     "answers": _or_nothing(ANSWERS),
@@ -586,6 +633,6 @@ PARTS: dict[str, Kind] = {
 
 FORMS = (
     *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
-    *(*FORCES.values(), CHOICE, QUESTION, ANSWERS, FIGURE, CIRCLE, CURVE),
+    *(*FORCES.values(), CHOICE, QUESTION, IMPACT, *IMPULSES.values(), ANSWERS, FIGURE, CIRCLE, CURVE),
 )
 """All forms, in the order in which the documentation has them."""

@@ -33,6 +33,7 @@ from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.figures import read_figure
 from lagrange.problem.forces import read_forces, read_gravity
 from lagrange.problem.frames import read_frame
+from lagrange.problem.impacts import read_impact
 from lagrange.problem.keys import AXES, PROBLEM, Find
 from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
@@ -102,6 +103,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         energies = {s.name: s for s in (KINETIC_ENERGY, ENERGY) if s.name not in scope.names()}
         scope = replace(scope, scalars={**energies, **scope.scalars})
     answers = AnswerReader(context, constraints, choices, scope, questions)
+    impact = read_impact(root.section("impact"), context, asking, constraints)
     problem = Problem(
         title=diagnostics.attempt(lambda: _title(root)) or "",
         source=root.text("source"),
@@ -125,12 +127,18 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         choices=choices,
         initial=initial,
         questions=questions,
+        impact=impact,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
         figure=read_figure(root, context, choices),
     )
     _check_whole(problem, root, diagnostics)
-    return replace(problem, find=_find(root.get("find"), problem, diagnostics))
+    find = _find(root.get("find"), problem, diagnostics)
+    if Find.IMPACT in find and impact is None and not root.has("impact"):
+        message = "an impact is asked for, and the file has no `impact`"
+        help_ = "say what happens: `impact: {constraints: {wall: x = 0}}` or `impact: {impulses: {blow: {on: P, vector: J*i}}}`"
+        diagnostics.report(Diagnostic("missing-key", message, root.span_of("find"), help=help_))
+    return replace(problem, find=find)
 
 
 def _title(root: Section) -> str:
@@ -180,7 +188,11 @@ def _question(node: Node) -> Find:
 
 
 def _suggested(problem: Problem) -> Find:
-    """Motion where there are masses, equilibrium where there are forces without masses, constraints otherwise."""
+    """An impact where the file has one; motion where there are masses, equilibrium where there are forces without
+    masses, constraints otherwise.
+    """
+    if problem.impact is not None:
+        return Find.IMPACT
     masses = [p.mass for p in problem.particles] + [m for b in problem.bodies for m in (b.mass, *b.inertia)]
     if any(m != 0 for m in masses) or problem.equations:
         return Find.MOTION

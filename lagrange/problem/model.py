@@ -384,6 +384,23 @@ class Question:
 
 
 @record
+class Impact:
+    """What happens in an instant: blows, and constraints that begin to act.
+
+    before       coordinates and velocities just before, as far as they are given
+    impulses     given impulses, and impulsive moments, on particles and bodies
+    constraints  those that begin to act
+    restitution  the coefficient e of each of these, by name; 0 where there is none
+    """
+
+    span: Span
+    before: tuple[InitialValue, ...] = ()
+    impulses: tuple[AppliedForce | AppliedMoment, ...] = ()
+    constraints: tuple[Constraint, ...] = ()
+    restitution: Mapping[str, sp.Expr] = field(default_factory=dict)
+
+
+@record
 class Answers:
     """The textbook's answers. Expressions stay text: they are read like anybody's answer."""
 
@@ -402,6 +419,7 @@ class Answers:
     generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
     conserved: tuple[Fragment, ...] = ()
     virtual_displacements: tuple[Fragment, ...] = ()
+    impact: Mapping[str, Fragment] = field(default_factory=dict)
 
 
 @record
@@ -434,6 +452,7 @@ class Problem:
     choices: tuple[Choice, ...] = ()
     initial: tuple[InitialValue, ...] = ()
     questions: tuple[Question, ...] = ()
+    impact: Impact | None = None
     equations: tuple[Fragment, ...] = ()
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None

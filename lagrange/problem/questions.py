@@ -20,6 +20,7 @@ from functools import partial
 import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, ProblemError
+from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope, read_scalar
@@ -40,8 +41,20 @@ from lagrange.problem.sections import (
 )
 from lagrange.problem.yaml.nodes import ListNode, Node, Scalar
 
-_EXAMPLE_OF_STATE = "initial: {theta: 0, theta': 0}"
 _EXAMPLE = 'ask: {leaves: {quantity: theta, when: "N = 0"}}'
+
+
+@record
+class Instant:
+    """What messages call a section with a state, that state, and a value in it; an example of the section."""
+
+    section: str
+    state: str
+    value: str
+    example: str
+
+
+_AT_START = Instant("`initial`", "the state at t = 0", "initial value", "initial: {theta: 0, theta': 0}")
 
 
 def scope_of_questions(scope: Scope, constraints: Iterable[Constraint], choices: Iterable[Choice]) -> Scope:
@@ -60,30 +73,36 @@ def scope_of_questions(scope: Scope, constraints: Iterable[Constraint], choices:
 
 def read_initial(node: Node | None, context: LoadContext, scope: Scope) -> tuple[InitialValue, ...]:
     """coordinate or velocity -> its value at t = 0."""
+    return read_state(node, context, scope, _AT_START)
+
+
+def read_state(node: Node | None, context: LoadContext, scope: Scope, at: Instant) -> tuple[InitialValue, ...]:
+    """coordinate or velocity -> its value at one instant."""
     if node is None:
         return ()
     values: dict[sp.Symbol, InitialValue] = {}
-    entries = context.diagnostics.attempt(lambda: entries_of(node, "`initial`", _EXAMPLE_OF_STATE))
+    entries = context.diagnostics.attempt(lambda: entries_of(node, at.section, at.example))
     for key, value in entries or ():
-        read = context.diagnostics.attempt(partial(_initial_value, key, value, context, scope))
+        read = context.diagnostics.attempt(partial(_value_at, key, value, context, scope, at))
         if read is None:
             continue
         if read.symbol in values:  # once as `θ`, once as `theta`
-            message = f"the initial value of `{read.symbol}` is given twice"
+            message = f"the {at.value} of `{read.symbol}` is given twice"
             context.diagnostics.report(Diagnostic("declared-twice", message, key.span, help="keep one of the two"))
             continue
         values[read.symbol] = read
     return tuple(values.values())
 
 
-def _initial_value(key: Scalar, node: Node, context: LoadContext, scope: Scope) -> InitialValue:
+def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: Instant) -> InitialValue:
     symbol = context.read_quietly(read_scalar, key.fragment, scope, [])
     kind = quantity(symbol, scope.slots, context.unknowns) if symbol.is_Symbol else None
     if kind not in (AllowedQuantity.COORDINATE, AllowedQuantity.VELOCITY):
         message = f"`{key.text}` is neither a coordinate nor a velocity"
-        help_ = f"the state at t = 0 has coordinates and velocities: `{_EXAMPLE_OF_STATE}`"
+        help_ = f"{at.state} has coordinates and velocities: `{at.example}`"
         raise ProblemError(Diagnostic("no-state", message, key.span, help=help_))
-    return InitialValue(symbol, context.scalar(node, f"the initial value of `{symbol}`", CONSTANT, scope), key.span)
+    value = context.scalar(node, f"the {at.value} of `{symbol}`", CONSTANT, scope)
+    return InitialValue(symbol, value, key.span)
 
 
 def read_questions(node: Node | None, context: LoadContext, scope: Scope) -> tuple[Question, ...]:

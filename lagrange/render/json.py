@@ -17,7 +17,7 @@ from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.problem.values import no_values
-from lagrange.render.json_momenta import hamiltonian, steady_motions
+from lagrange.render.json_momenta import hamiltonian, impact, steady_motions
 from lagrange.render.json_numbers import (
     add_oscillations,
     asked_number,
@@ -109,6 +109,8 @@ def as_object(report: Report) -> dict[str, Any]:
     if own.reactions_at_rest is not None:
         moving = found.get("reactions", {})
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
+    if solution.impact is not None:
+        found["impact"] = impact(solution.impact, write)
     if solution.asked:
         found["asked"] = [_asked(a, report.values or no_values(solution.problem), write) for a in solution.asked]
     if solution.from_start is not None:

@@ -11,6 +11,7 @@ from lagrange.core.symbols import prime
 
 if TYPE_CHECKING:
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
 
 Write = Callable[[Any], str]
@@ -32,6 +33,30 @@ def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:
     if found.routhian is not None:
         result["routhian"] = write(found.routhian)
     return result
+
+
+def impact(found: ImpulsiveMotion, write: Write) -> dict[str, Any]:
+    """`velocities` just after, by coordinate; `impulses` by constraint, `null` where they are not determined, with the
+    `directions` of those that are single forces; `energy_lost`, and where; `conditions` of contact.
+    """
+    single = {i.name: i.reaction.single for i in found.impulses if i.reaction.single is not None}
+    result: dict[str, Any] = {
+        "velocities": {q.name: write(v) for q, v in found.all_velocities.items()},
+        "before": {q.name: write(v) for q, v in zip(found.slots.coordinates, found.before, strict=True)},
+        "position": {q.name: write(v) for q, v in found.position.items()},
+        "impulses": {i.name: None if i.value is None else write(i.value) for i in found.impulses},
+        "directions": {
+            name: {"on": s.on, "direction": write(s.direction.map(found.at))}
+            for name, s in single.items()
+            if s.direction is not None
+        },
+        "energy_lost": write(found.energy_lost),
+        "lost_at": {i.name: write(i.lost) for i in found.impulses if i.lost is not None},
+        "kinetic_energy": {"before": write(found.kinetic[0]), "after": write(found.kinetic[1])},
+        "work_of_impulses": write(found.work),
+        "conditions": [f"{write(c.quantity)} {'>=' if c.is_impulse else '>'} 0" for c in found.conditions],
+    }
+    return result | ({"choice": found.configuration.name} if found.configuration.name else {})
 
 
 def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
