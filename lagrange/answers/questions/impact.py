@@ -61,7 +61,7 @@ def check_impact_answers(stated: Mapping[str, Fragment], solution: Solution) -> 
 
 def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, reference: Reference) -> Judged:
     """The verdict on one entry. Raises ProblemError, DivisionByZeroError."""
-    values = dict(_values(name, fragment, found))
+    values = [*_values(name, fragment, found)]
     scope = replace(reference.scope, decimals="")
     expression, equation = read_stated(fragment, scope, name)
     if expression is None:
@@ -74,7 +74,7 @@ def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, reference: Re
     if not values:
         return Verdict.UNDECIDED, _OPEN
     undecided = False
-    for value, remark in values.items():
+    for value, remark in values:
         same = _same(expression, value, found, reference)
         if same is None:
             undecided = True
@@ -100,9 +100,8 @@ def _values(name: str, fragment: Fragment, found: ImpulsiveMotion) -> Iterator[t
         i = impulses[name]
         if i.value is not None and i.multiplier is not None:
             yield i.value, ""
-            if i.value != 0:
-                yield -i.value, _OPPOSITE
-                yield i.multiplier, _MULTIPLIER
+            others = ((-i.value, _OPPOSITE), (i.multiplier, _MULTIPLIER))
+            yield from ((value, remark) for value, remark in others if value != i.value)
     else:
         known = [*(f"{q}'" for q in velocities), *(i.name for i in found.impulses), ENERGY_LOST]
         message = f"`{name}` is neither a velocity nor an impulse of this impact"

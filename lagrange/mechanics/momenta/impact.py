@@ -44,6 +44,9 @@ from lagrange.mechanics.dynamics.newton import Newton, Reaction, newton_equation
 from lagrange.mechanics.dynamics.reactions import over_one_denominator
 from lagrange.problem.model import Friction, Impact, InitialValue, Problem
 
+LONGEST_FACTORED = 60
+"""The most operations of a result that is factored."""
+
 ZERO, HALF = sp.S.Zero, sp.Rational(1, 2)
 
 
@@ -524,8 +527,12 @@ def _with_energies(
 
 
 def _tidy(expression: sp.Expr) -> sp.Expr:
-    """A quotient in lowest terms, over one denominator."""
-    return over_one_denominator(tidy_quotient(expression))
+    """A quotient in lowest terms, over one denominator, in factors where that is shorter."""
+    tidied = over_one_denominator(tidy_quotient(expression))
+    if tidied.is_Atom or tidied.count_ops() > LONGEST_FACTORED or tidied.atoms(sp.Function):
+        return tidied
+    factors = sp.factor(tidied)
+    return factors if factors.count_ops() <= tidied.count_ops() else tidied
 
 
 def _sum(expression: sp.Expr) -> sp.Expr:
