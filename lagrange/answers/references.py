@@ -29,6 +29,7 @@ from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
+from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem
@@ -231,6 +232,7 @@ def reference_of_solution(solution: Solution) -> Reference:
             **energies,
             **_reactions(solution),
             **_of_impact(solution),
+            **_given(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
             **scope.scalars,
@@ -348,6 +350,16 @@ def _energies(solution: Solution) -> dict[str, sp.Expr]:
             functions = {named.hamiltonian: found.function, named.routhian: found.routhian}
             energies |= {s.name: e.xreplace(by_momenta) for s, e in functions.items() if e is not None}
     return energies
+
+
+def _given(solution: Solution) -> dict[str, sp.Expr]:
+    """Q_x of forces that the file gives as such, U of potentials with velocities, L where it is given outright."""
+    configuration = solution.own.configuration
+    pairs = zip(configuration.slots.coordinates, given_forces(configuration), strict=False)
+    meant = {f"Q_{q.name}": f for q, f in pairs if f != 0}
+    if configuration.is_outright:
+        return meant | {"L": configuration.velocity_part - configuration.potential}
+    return meant | ({"U": -configuration.velocity_part} if configuration.velocity_part != 0 else {})
 
 
 def _of_impact(solution: Solution) -> dict[str, sp.Expr]:

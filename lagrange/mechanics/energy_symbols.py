@@ -66,7 +66,7 @@ class EnergySymbols:
         known = {
             self.kinetic: energies.kinetic,
             self.potential: energies.potential,
-            self.lagrangian: energies.kinetic - energies.potential,
+            self.lagrangian: energies.lagrangian,
         }
         known |= {s: s for s in self.any}
         known |= {self.speed(name): sp.sqrt(square) for name, square in energies.squares.items()}

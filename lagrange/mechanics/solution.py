@@ -97,6 +97,8 @@ def kinematics_and_law(problem: Problem) -> Solution:
 
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     refuse_what_is_not_covered(problem)
+    if problem.lagrangian is not None:
+        method = Method.LAGRANGE  # there are no masses and forces for d'Alembert's principle
     needs_motion = {Find.LINEARIZATION, Find.HAMILTONIAN, Find.STEADY} & {*problem.find} or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))

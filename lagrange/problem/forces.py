@@ -26,6 +26,7 @@ from lagrange.problem.model import (
     Damper,
     Force,
     Friction,
+    GeneralizedForce,
     Potential,
     Spring,
 )
@@ -256,6 +257,26 @@ def _potential(f: _Entry) -> Force:
     return Potential(f.name, f.scalar("potential", ENERGY), f.span)
 
 
+def _generalized(f: _Entry) -> Force:
+    example = "generalized: {theta: -c*theta'}"
+    entries = entries_of(f.node("generalized"), f"`generalized` of {f.what}", example)
+    coordinates = {q.name: q for q in f.context.scope.slots.coordinates}
+    components: dict[sp.Symbol, sp.Expr] = {}
+    for key, value in entries:
+        name = canonical(key.text, coordinates)
+        if name not in coordinates:
+            if not f.context.names.has_failed(key.text):
+                help_ = suggestion(name, list(coordinates), "coordinates")
+                message = f"`{key.text}` is not a coordinate of this file"
+                f.context.diagnostics.report(Diagnostic("unknown-name", message, key.span, help=help_))
+            continue
+        what = f"the generalized force of `{name}` in {f.what}"
+        read = f.context.diagnostics.attempt(lambda v=value, w=what: f.context.scalar(v, w, FORCE))  # type: ignore[misc]
+        if read is not None:
+            components[coordinates[name]] = read
+    return GeneralizedForce(f.name, components, f.span)
+
+
 def _friction(f: _Entry) -> Force:
     constraints = f.context.constraints.known()
     coefficient, constraint, on, velocity, slip, contact, at, static = f.all_of(
@@ -288,6 +309,7 @@ _READERS: dict[str, Callable[[_Entry], Force]] = {
     "spring": _spring,
     "damper": _damper,
     "potential": _potential,
+    "generalized": _generalized,
     "friction": _friction,
     "belt": _belt,
 }

@@ -362,7 +362,19 @@ FORCES = {
     ),
     "potential": Form(
         "a field of force",
-        (Key("potential", "expression", "A field of force: its potential energy.", required=True, example="m*g*y"),),
+        (Key("potential", "expression", "A field of force: its potential energy, which may depend on velocities.", required=True, example="m*g*y"),),
+    ),
+    "generalized": Form(
+        "generalized forces",
+        (
+            Key(
+                "generalized",
+                Named("expression", new=False),
+                "Generalized forces, by coordinates: {theta: -c*theta'}.",
+                required=True,
+                example="{theta: -c*theta'}",
+            ),
+        ),
     ),
     "friction": Form(
         "Coulomb friction",
@@ -599,6 +611,7 @@ PROBLEM = Form(
         Key("initial", _or_nothing(Named("expression", new=False)), "The state at t = 0: {theta: 0, theta': 0}."),
         Key("ask", _or_nothing(Named("question")), "Questions about the motion, by names of your own."),
         Key("impact", IMPACT, "Blows, and constraints that begin to act in an instant."),
+        Key("lagrangian", "expression", "The Lagrangian outright, instead of particles and bodies."),
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
         Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),

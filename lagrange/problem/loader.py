@@ -40,7 +40,7 @@ from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
 from lagrange.problem.questions import read_initial, read_questions, scope_of_questions
-from lagrange.problem.sections import Section, entries_of, items_of, scalar_of
+from lagrange.problem.sections import RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
 from lagrange.problem.values import check_dimensions, with_settings
@@ -103,6 +103,8 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         energies = {s.name: s for s in (KINETIC_ENERGY, ENERGY) if s.name not in scope.names()}
         scope = replace(scope, scalars={**energies, **scope.scalars})
     answers = AnswerReader(context, constraints, choices, scope, questions)
+    given = root.get("lagrangian")
+    lagrangian = None if given is None else diagnostics.attempt(lambda: context.scalar(given, "`lagrangian`", RATE))
     impact = read_impact(root.section("impact"), context, asking, constraints)
     problem = Problem(
         title=diagnostics.attempt(lambda: _title(root)) or "",
@@ -128,6 +130,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         initial=initial,
         questions=questions,
         impact=impact,
+        lagrangian=lagrangian,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
         figure=read_figure(root, context, choices),
@@ -193,6 +196,8 @@ def _suggested(problem: Problem) -> Find:
     """
     if problem.impact is not None:
         return Find.IMPACT
+    if problem.lagrangian is not None:
+        return Find.MOTION
     masses = [p.mass for p in problem.particles] + [m for b in problem.bodies for m in (b.mass, *b.inertia)]
     if any(m != 0 for m in masses) or problem.equations:
         return Find.MOTION
@@ -217,6 +222,10 @@ def _check_whole(problem: Problem, root: Section, diagnostics: Diagnostics) -> N
         message = "the equations are given outright, and there are masses to derive them from"
         help_ = "keep `equations` (to check answers against) or the particles and bodies (to derive them)"
         diagnostics.report(Diagnostic("two-systems", message, root.span_of("equations"), help=help_))
+    if root.get("lagrangian") is not None and (problem.particles or problem.bodies or problem.gravity is not None):
+        message = "the Lagrangian is given outright, and there are masses or a gravity to derive it from"
+        help_ = "keep `lagrangian`, or the particles, bodies and gravity; massless points are `let` names"
+        diagnostics.report(Diagnostic("two-systems", message, root.span_of("lagrangian"), help=help_))
     open_choices = [c for c in problem.choices if c.substitute is None]
     for p in problem.parameters:
         if open_choices and re.fullmatch(r"sigma_[0-9]+", p.symbol.name):

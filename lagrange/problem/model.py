@@ -198,10 +198,19 @@ class Damper:
 
 @record
 class Potential:
-    """A potential energy V(q, t)."""
+    """A potential energy V(q, t), or one that depends on velocities too, U(q, q', t)."""
 
     name: str
     energy: sp.Expr
+    span: Span
+
+
+@record
+class GeneralizedForce:
+    """Generalized forces Q_k, by coordinate."""
+
+    name: str
+    components: Mapping[sp.Symbol, sp.Expr]
     span: Span
 
 
@@ -242,7 +251,7 @@ class Belt:
     span: Span
 
 
-Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction | Belt
+Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | GeneralizedForce | Friction | Belt
 
 
 @record
@@ -453,6 +462,7 @@ class Problem:
     initial: tuple[InitialValue, ...] = ()
     questions: tuple[Question, ...] = ()
     impact: Impact | None = None
+    lagrangian: sp.Expr | None = None
     equations: tuple[Fragment, ...] = ()
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None
