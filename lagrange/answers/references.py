@@ -232,6 +232,7 @@ def reference_of_solution(solution: Solution) -> Reference:
             **energies,
             **_reactions(solution),
             **_of_impact(solution),
+            **_of_response(solution),
             **_given(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
@@ -360,6 +361,12 @@ def _given(solution: Solution) -> dict[str, sp.Expr]:
     if configuration.is_outright:
         return meant | {"L": configuration.velocity_part - configuration.potential}
     return meant | ({"U": -configuration.velocity_part} if configuration.velocity_part != 0 else {})
+
+
+def _of_response(solution: Solution) -> dict[str, sp.Expr]:
+    """The letters of amplitudes and lags."""
+    found = [v.response for v in solution.views if v.response is not None]
+    return {s.name: s for r in found for s in (*r.letters, *r.lags)}
 
 
 def _of_impact(solution: Solution) -> dict[str, sp.Expr]:

@@ -224,6 +224,7 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     if solution.own.dynamics is None:
         yield _speeds(solution.own.in_speeds, solution)
     yield _small_oscillations(solution.own.linearization)
+    yield _forced(solution.own)
     yield from _in_momenta(solution.own, solution)
     for c in solution.choices:
         yield from (step and replace(step, choice=c.name) for step in _in_choice(solution, c, complete))
@@ -266,6 +267,7 @@ def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator
     yield _rolling(c)
     yield _conserved(c.conserved, problem, c.name)
     yield _small_oscillations(c.linearization)
+    yield _forced(c)
     yield from _in_momenta(c, solution)
 
 
@@ -321,6 +323,14 @@ def _small_oscillations(linearization: Linearization | None) -> Step | None:
     from lagrange.explain.rest.oscillations import explain_linearization
 
     return explain_linearization(linearization)
+
+
+def _forced(view: InCoordinates) -> Step | None:
+    if view.forced is None:
+        return None
+    from lagrange.explain.rest.response import explain_response
+
+    return explain_response(view.forced, view.response)
 
 
 def _in_momenta(view: InCoordinates, solution: Solution) -> Iterator[Step]:
@@ -447,6 +457,7 @@ def notation_of(solution: Solution) -> Notation:
     new = [q for c in solution.choices for q in c.configuration.slots.coordinates]
     lengths = [link.length_symbol for link in solution.own.configuration.links]
     momenta = (p for v in solution.views if v.hamiltonian is not None for p in v.hamiltonian.momenta)
+    steady = [s for v in solution.views if v.response is not None for s in (*v.response.letters, *v.response.lags)]
     struck = solution.impact
     before = [] if struck is None else [velocity_before(q) for q in struck.slots.coordinates]
     return Notation(
@@ -454,7 +465,7 @@ def notation_of(solution: Solution) -> Notation:
         prescribed=problem.slots.prescribed,
         speeds=(*(s.symbol for s in problem.speeds), *momenta, *before),
         frequencies=letters_of_oscillations(solution),
-        parameters=tuple(p.symbol for p in problem.parameters),
+        parameters=(*(p.symbol for p in problem.parameters), *steady),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),
     )

@@ -109,7 +109,9 @@ def small_displacements(solution: Solution) -> tuple[sp.Symbol, ...]:
 
 def _linearizations(solution: Solution) -> list[Linearization]:
     """Those about equilibria, and about steady motions."""
-    found = [v.linearization for v in solution.views] + [v.steady.about for v in solution.views if v.steady is not None]
+    found = [v.linearization for v in solution.views]
+    found += [v.forced.linearization for v in solution.views if v.forced is not None]
+    found += [v.steady.about for v in solution.views if v.steady is not None]
     return [f for f in found if f is not None]
 
 

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization
+    from lagrange.mechanics.equilibrium.response import ForcedEquations, Response
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
@@ -60,6 +61,8 @@ class InCoordinates:
     linearization      small oscillations
     hamiltonian        Hamilton's function and equations
     steady             steady motions
+    forced             the linear equations under a harmonic drive, or a prescribed motion
+    response           the steady state under a harmonic drive
     in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
     at_rest            where the system can be at rest with friction
     rolling            the conditions under which what rolls does not slip
@@ -81,6 +84,8 @@ class InCoordinates:
     linearization: Linearization | None = None
     hamiltonian: Hamiltonian | None = None
     steady: SteadyMotions | None = None
+    forced: ForcedEquations | None = None
+    response: Response | None = None
     in_numbers: EquilibriaInNumbers | None = None
     at_rest: AtRest | None = None
     rolling: Rolling | None = None

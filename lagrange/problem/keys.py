@@ -128,6 +128,7 @@ class Find(StrEnum):
     HAMILTONIAN = "hamiltonian"
     STEADY = "steady"
     IMPACT = "impact"
+    RESPONSE = "response"
 
 
 class FrameType(StrEnum):
@@ -496,6 +497,11 @@ ANSWERS = Form(
         Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
         Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
         Key("virtual_displacements", _one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
+        Key(
+            "response",
+            Named(AnyOf(("expression", "equation")), new=False),
+            "Amplitudes of the steady state under a harmonic drive, by coordinates.",
+        ),
         Key(
             "impact",
             Named(AnyOf(("expression", "equation")), new=False),

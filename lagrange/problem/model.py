@@ -428,6 +428,7 @@ class Answers:
     generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
     conserved: tuple[Fragment, ...] = ()
     virtual_displacements: tuple[Fragment, ...] = ()
+    response: Mapping[str, Fragment] = field(default_factory=dict)
     impact: Mapping[str, Fragment] = field(default_factory=dict)
 
 

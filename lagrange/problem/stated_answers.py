@@ -93,6 +93,7 @@ class AnswerReader:
             generalized_forces=self._by_coordinates(section.get("generalized_forces")),
             conserved=self._texts(section.get("conserved"), "`conserved`", '["m*r^2*phi\' = const"]'),
             virtual_displacements=self.equations(section.get("virtual_displacements"), "`virtual_displacements`"),
+            response=self._named(section.get("response"), "`response`", "response: {x: F_0/(k - m*w^2)}"),
             impact=self._named(section.get("impact"), "`impact`", "impact: {x': J/m}"),
         )
 

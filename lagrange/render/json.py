@@ -17,7 +17,7 @@ from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.problem.values import no_values
-from lagrange.render.json_momenta import hamiltonian, impact, steady_motions
+from lagrange.render.json_momenta import hamiltonian, impact, response, steady_motions
 from lagrange.render.json_numbers import (
     add_oscillations,
     asked_number,
@@ -109,6 +109,10 @@ def as_object(report: Report) -> dict[str, Any]:
     if own.reactions_at_rest is not None:
         moving = found.get("reactions", {})
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
+    forced = next((v for v in reversed(solution.views) if v.forced is not None), None)
+    if forced is not None and forced.forced is not None:
+        named = {"choice": forced.name} if forced.name else {}
+        found["response"] = response(forced.forced, forced.response, write) | named
     if solution.impact is not None:
         found["impact"] = impact(solution.impact, write)
     if solution.asked:

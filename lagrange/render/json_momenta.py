@@ -1,4 +1,4 @@
-"""Hamilton's function, the canonical equations, Routh's function and steady motions in JSON."""
+"""Forced oscillations, impacts, Hamilton's function, the canonical equations, Routh's function and steady motions in JSON."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import sympy as sp
 from lagrange.core.symbols import prime
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.response import ForcedEquations, Response
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
@@ -32,6 +33,28 @@ def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:
     }
     if found.routhian is not None:
         result["routhian"] = write(found.routhian)
+    return result
+
+
+def response(forced: ForcedEquations, found: Response | None, write: Write) -> dict[str, Any]:
+    """`linear`: the forced equations; `amplitudes`, `phases` (the lag behind the drive) and `motions` by coordinate."""
+    coordinates = forced.configuration.slots.coordinates
+    result: dict[str, Any] = {
+        "about": [f"{write(r.lhs)} = {write(r.rhs)}" for r in forced.branch.equations],
+        "linear": [f"{write(left)} = {write(right)}" for left, right in forced.sides],
+    }
+    if found is None:
+        return result
+    names = [q.name for q in coordinates]
+    result |= {
+        "amplitudes": {q: write(e) for q, e in zip(names, found.amplitudes, strict=True)},
+        "phases": {q: None if e is None else write(e) for q, e in zip(names, found.phases, strict=True)},
+        "motions": {q: write(e) for q, e in zip(names, found.motions, strict=True)},
+        "drive": write(found.drive.law),
+        "frequency": write(found.drive.frequency),
+        "resonances": [write(e) for e in found.resonances],
+        "at_rest": {q: [write(e) for e in places] for q, places in zip(names, found.rests, strict=True) if places},
+    }
     return result
 
 

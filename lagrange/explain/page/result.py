@@ -44,6 +44,7 @@ _CALLED = {
     Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.STEADY: "steady motions",
     Rule.LINEARIZATION: "small oscillations",
+    Rule.RESPONSE: "the steady state",
     Rule.IMPACT: "the impact",
     Rule.QUESTION: "what is asked",
 }
@@ -107,6 +108,11 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     if view.steady is not None:
         branches = view.steady.about.branches
         yield Rule.STEADY, [e for b in branches for e in _branch(b) if _operations(e) <= LONGEST_ANSWER]
+    if view.response is not None:
+        pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
+        yield Rule.RESPONSE, [Equation(pair) for pair in pairs]
+    elif view.forced is not None:
+        yield Rule.LINEARIZATION, [Equation(sides) for sides in view.forced.sides]
     if view.linearization is not None:
         yield Rule.LINEARIZATION, [*_frequencies(view.linearization)]
 
