@@ -28,8 +28,8 @@ from lagrange.mechanics.dynamics.checks import multiplier_system
 from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
-from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.dynamics.principle import given_forces
+from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Problem

@@ -205,8 +205,8 @@ def _forces(setup: LagrangeExposition) -> list[Block]:
         if q != 0
     ]
     idle = [letters.force(x) for q, x in zip(energies.applied, setup.coordinates, strict=True) if q == 0]
-    included: tuple[Part, ...] = (", not included in ", math(letters.lagrangian if configuration.is_outright else letters.potential),
-                                   ",") if other else ()  # fmt: skip
+    function = letters.lagrangian if configuration.is_outright else letters.potential
+    included: tuple[Part, ...] = (", not included in ", math(function), ",") if other else ()
     words = (capital(joined(acting)), *included, plural(len(acting), " does", " do"), " the virtual work")
     rest: list[Block] = [prose(*listed(math(s) for s in idle), plural(len(idle), " is 0.", " are 0."))] if idle else []
     so = plural(len(lines), "so the generalized force is", "so the generalized forces are")

@@ -50,7 +50,11 @@ def _momenta(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
     lagrangian = math(letters.lagrangian, letters.kinetic - letters.potential)
     lagrangian = math(letters.lagrangian) if found.energies.moving != 0 else lagrangian
     of: tuple[Part, ...] = (", and with ", lagrangian) if function is letters.lagrangian else ()
-    energy = "The Lagrangian is" if found.energies.moving != 0 else plural(len(stated), "The kinetic energy is", "The kinetic and the potential energy are")
+    energy = (
+        "The Lagrangian is"
+        if found.energies.moving != 0
+        else plural(len(stated), "The kinetic energy is", "The kinetic and the potential energy are")
+    )
     momentum = plural(len(momenta), " the generalized momentum is", " the generalized momenta are")
     gives = "Solved for the velocity, it gives" if len(solved) == 1 else "Solved for the velocities, they give"
     return [

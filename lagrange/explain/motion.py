@@ -9,9 +9,9 @@ import sympy as sp
 from lagrange.core.symbols import DotProduct, VectorSymbol, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
-from lagrange.explain.statement import given_force
 from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
+from lagrange.explain.statement import given_force
 from lagrange.explain.words import (
     are,
     capital,

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, prose, series
@@ -14,7 +15,6 @@ from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Ste
 from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies, unit_vectors
 from lagrange.explain.page.texts import set_text
 from lagrange.explain.words import are, capital, constraints_called, plural, spoken, the
-from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
 from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
@@ -236,8 +236,8 @@ def _beside_energies(configuration: Configuration) -> list[Block]:
     words: Prose = prose(plural(len(lines), "A generalized force is given", "Generalized forces are given"))
     blocks: list[Block] = []
     if X != 0:
-        blocks = [prose("A potential energy depends on velocities,"),
-                  display(Equation((sp.Symbol("U", real=True), sp.expand(-X)), label="velocity-potential"))]  # fmt: skip
+        U = Equation((sp.Symbol("U", real=True), sp.expand(-X)), label="velocity-potential")
+        blocks = [prose("A potential energy depends on velocities:"), display(U)]
         also = ", with those that are given" if configuration.generalized else ""
         words = prose("It gives each coordinate the generalized force d/dt ∂U/∂q′ − ∂U/∂q" + also + ":")
     return [*blocks, words, display(*lines)]

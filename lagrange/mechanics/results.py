@@ -28,13 +28,13 @@ from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
+    from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
     from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
     from lagrange.mechanics.equilibrium.in_numbers import EquilibriaInNumbers
     from lagrange.mechanics.equilibrium.linearization import Linearization
-    from lagrange.mechanics.equilibrium.response import ForcedEquations, Response
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian

@@ -99,7 +99,9 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     refuse_what_is_not_covered(problem)
     if problem.lagrangian is not None:
         method = Method.LAGRANGE  # there are no masses and forces for d'Alembert's principle
-    needs_motion = {Find.LINEARIZATION, Find.RESPONSE, Find.HAMILTONIAN, Find.STEADY} & {*problem.find} or problem.questions
+    needs_motion = {Find.LINEARIZATION, Find.RESPONSE, Find.HAMILTONIAN, Find.STEADY} & {
+        *problem.find
+    } or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     running = ""
@@ -335,8 +337,8 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
 
 
 def _is_driven(solution: Solution) -> bool:
-    """Whether time is left in the equations of motion of every set of coordinates, as harmonic or prescribed motions."""
-    from lagrange.mechanics.equilibrium.driven import harmonics
+    """Whether harmonic or prescribed motions are left in the equations of motion of every set of coordinates."""
+    from lagrange.mechanics.equilibrium.driven.drives import harmonics
     from lagrange.mechanics.equilibrium.relative_equilibrium import is_time
 
     problem = solution.problem
@@ -351,9 +353,9 @@ def _is_driven(solution: Solution) -> bool:
 
 
 def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
-    """The solution with the forced linear equations and, for one harmonic drive, the steady state, in free coordinates."""
-    from lagrange.mechanics.equilibrium.forced_systems import forced_systems
-    from lagrange.mechanics.equilibrium.response import check_forced, check_response, response
+    """The solution with the forced linear equations in free coordinates and, for a harmonic drive, the steady state."""
+    from lagrange.mechanics.equilibrium.driven.forced_systems import forced_systems
+    from lagrange.mechanics.equilibrium.driven.response import check_forced, check_response, response
 
     on_stage("forced oscillations")
     problem, taken = solution.problem, _names(solution.problem)
@@ -369,8 +371,8 @@ def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
             return view
         still = resting[view.name]
         configuration = moving[view.name].configuration
+        from lagrange.mechanics.equilibrium.driven.response import forced_equations
         from lagrange.mechanics.equilibrium.linearization import linearization
-        from lagrange.mechanics.equilibrium.response import forced_equations
 
         linear = linearization(law.equations(still.configuration, still.elimination), taken)
         equations = forced_equations(linear, configuration, systems.small)

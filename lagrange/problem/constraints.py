@@ -45,9 +45,7 @@ from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
 
 
-def read_constraints(
-    node: Node | None, context: LoadContext, names: Namespace | None = None
-) -> tuple[Constraint, ...]:
+def read_constraints(node: Node | None, context: LoadContext, names: Namespace | None = None) -> tuple[Constraint, ...]:
     """name -> equation, or name -> {equation, note, reaction, by}; a vector equation gives one for each component.
 
     names  of constraints; those of the context by default

@@ -33,13 +33,12 @@ from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
 from lagrange.problem.figures import read_figure
 from lagrange.problem.forces import read_forces, read_gravity
 from lagrange.problem.frames import read_frame
-from lagrange.problem.impacts import read_impact
 from lagrange.problem.keys import AXES, PROBLEM, Find
 from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
-from lagrange.problem.questions import read_initial, read_questions, scope_of_questions
+from lagrange.problem.questions import read_impact, read_initial, read_questions, scope_of_questions
 from lagrange.problem.sections import RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
@@ -103,8 +102,10 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         energies = {s.name: s for s in (KINETIC_ENERGY, ENERGY) if s.name not in scope.names()}
         scope = replace(scope, scalars={**energies, **scope.scalars})
     answers = AnswerReader(context, constraints, choices, scope, questions)
-    given = root.get("lagrangian")
-    lagrangian = None if given is None else diagnostics.attempt(lambda: context.scalar(given, "`lagrangian`", RATE))
+    function = root.get("lagrangian")
+    lagrangian = (
+        None if function is None else diagnostics.attempt(lambda: context.scalar(function, "`lagrangian`", RATE))
+    )
     impact = read_impact(root.section("impact"), context, asking, constraints)
     problem = Problem(
         title=diagnostics.attempt(lambda: _title(root)) or "",
@@ -139,7 +140,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
     find = _find(root.get("find"), problem, diagnostics)
     if Find.IMPACT in find and impact is None and not root.has("impact"):
         message = "an impact is asked for, and the file has no `impact`"
-        help_ = "say what happens: `impact: {constraints: {wall: x = 0}}` or `impact: {impulses: {blow: {on: P, vector: J*i}}}`"
+        help_ = "say what happens: `impact: {constraints: {wall: x = 0}}`, or `impulses: {blow: {on: P, vector: J*i}}`"
         diagnostics.report(Diagnostic("missing-key", message, root.span_of("find"), help=help_))
     return replace(problem, find=find)
 

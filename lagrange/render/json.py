@@ -17,7 +17,7 @@ from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.problem.values import no_values
-from lagrange.render.json_momenta import hamiltonian, impact, response, steady_motions
+from lagrange.render.json_momenta import beside_motion, hamiltonian
 from lagrange.render.json_numbers import (
     add_oscillations,
     asked_number,
@@ -99,22 +99,10 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _reactions(solution, own.dynamics.reactions, report.values, write)
     if own.conserved is not None:
         found["conserved"] = integrals(own.conserved, write)
-    steady = next((v for v in reversed(solution.views) if v.steady is not None), None)
-    if steady is not None and steady.steady is not None:
-        found["steady"] = steady_motions(steady.steady, write)
-    in_momenta = next((v for v in solution.views if v.hamiltonian is not None), None)
-    if in_momenta is not None and in_momenta.hamiltonian is not None:
-        named = {"choice": in_momenta.name} if in_momenta.name else {}
-        found["hamiltonian"] = hamiltonian(in_momenta.hamiltonian, write) | named
+    found |= beside_motion(solution, write)
     if own.reactions_at_rest is not None:
         moving = found.get("reactions", {})
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
-    forced = next((v for v in reversed(solution.views) if v.forced is not None), None)
-    if forced is not None and forced.forced is not None:
-        named = {"choice": forced.name} if forced.name else {}
-        found["response"] = response(forced.forced, forced.response, write) | named
-    if solution.impact is not None:
-        found["impact"] = impact(solution.impact, write)
     if solution.asked:
         found["asked"] = [_asked(a, report.values or no_values(solution.problem), write) for a in solution.asked]
     if solution.from_start is not None:

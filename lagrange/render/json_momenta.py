@@ -1,4 +1,4 @@
-"""Forced oscillations, impacts, Hamilton's function, the canonical equations, Routh's function and steady motions in JSON."""
+"""Forced oscillations, impacts, Hamilton's function, Routh's function and steady motions in JSON."""
 
 from __future__ import annotations
 
@@ -10,12 +10,35 @@ import sympy as sp
 from lagrange.core.symbols import prime
 
 if TYPE_CHECKING:
-    from lagrange.mechanics.equilibrium.response import ForcedEquations, Response
+    from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
     from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.results import InCoordinates, Solution
 
 Write = Callable[[Any], str]
+
+
+def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
+    """`steady`, `hamiltonian`, `response` and `impact`, as far as they are asked for."""
+    found: dict[str, Any] = {}
+    views = solution.views
+    steady = next((v for v in reversed(views) if v.steady is not None), None)
+    if steady is not None and steady.steady is not None:
+        found["steady"] = steady_motions(steady.steady, write)
+    in_momenta = next((v for v in views if v.hamiltonian is not None), None)
+    if in_momenta is not None and in_momenta.hamiltonian is not None:
+        found["hamiltonian"] = hamiltonian(in_momenta.hamiltonian, write) | _named(in_momenta)
+    forced = next((v for v in reversed(views) if v.forced is not None), None)
+    if forced is not None and forced.forced is not None:
+        found["response"] = response(forced.forced, forced.response, write) | _named(forced)
+    if solution.impact is not None:
+        found["impact"] = impact(solution.impact, write)
+    return found
+
+
+def _named(view: InCoordinates) -> dict[str, str]:
+    return {"choice": view.name} if view.name else {}
 
 
 def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:

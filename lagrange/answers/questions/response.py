@@ -19,7 +19,7 @@ from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
-from lagrange.mechanics.equilibrium.response import Response
+from lagrange.mechanics.equilibrium.driven.response import Response
 from lagrange.mechanics.results import Solution
 
 _ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)

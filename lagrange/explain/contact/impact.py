@@ -93,8 +93,10 @@ def _principle(found: ImpulsiveMotion) -> Iterator[Block]:
     slots, elimination = found.slots, found.elimination
     parts = [c * variation(q) for c, q in zip(found.balance, slots.coordinates, strict=True)]
     workless = " in which the reactions do no work" if found.rows else ""
-    yield prose(f"For all virtual displacements,{workless}{',' if workless else ''} the principle for impulses holds: "
-                "the changes of momentum less the given impulses do no work, Σ (m Δv − J)·δr = 0. Here it reads")  # fmt: skip
+    yield prose(
+        f"For all virtual displacements,{workless}{',' if workless else ''} the principle for impulses holds: the "
+        "changes of momentum less the given impulses do no work, Σ (m Δv − J)·δr = 0. Here it reads"
+    )
     yield display(Equation((sp.Add(*parts, evaluate=False), ZERO), label="impulses"))
     free = [math(variation(slots.coordinates[k])) for k in elimination.independent]
     if not free:
@@ -177,13 +179,13 @@ def _energy(found: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
     earlier = sp.Symbol(f"{T.name}_0", real=True)
     blows = found.full.loads or found.full.torques
     if found.is_driven:
-        yield prose("Positions or constraints contain time: what drives them does work too. The kinetic energy changes by")
+        yield prose(
+            "Positions or constraints contain time: what drives them does work too. The kinetic energy changes by"
+        )
         yield display(Equation((T - earlier, sp.expand(-found.energy_lost)), label="energy-change"))
         return
     yield prose("The kinetic energy before and after the impact is")
-    yield display(
-        Equation((earlier, before), label="energy-before"), Equation((T, after), label="energy-after")
-    )
+    yield display(Equation((earlier, before), label="energy-before"), Equation((T, after), label="energy-after"))
     if blows:
         yield prose("The blow does the work of its impulse on the mean of the velocities before and after, ",
                     math(found.work), ".")  # fmt: skip

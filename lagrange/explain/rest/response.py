@@ -10,8 +10,7 @@ from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
 from lagrange.explain.words import branch_conditions, plural, suffix_of, title_in
-from lagrange.mechanics.equilibrium.linear_stability import Ground
-from lagrange.mechanics.equilibrium.response import ForcedEquations, Response
+from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
 
 ZERO = sp.S.Zero
@@ -67,10 +66,9 @@ def _steady_state(found: Response) -> Iterator[Block]:
     else:
         yield prose("Beside the free oscillations, which nothing damps here, the system follows the drive with its "
                     "frequency ", math(w), ". Substituting a multiple of the drive gives")  # fmt: skip
-    yield display(
-        *(Equation((x, e), label=_label(forced, f"steady-{n}")) for n, (x, e) in enumerate(zip(moved, found.motions, strict=True), 1)),
-        boxed=not found.is_damped,
-    )  # fmt: skip
+    motions = enumerate(zip(moved, found.motions, strict=True), start=1)
+    lines = [Equation((x, e), label=_label(forced, f"steady-{n}")) for n, (x, e) in motions]
+    yield display(*lines, boxed=not found.is_damped)
     amplitudes = zip(found.letters, found.amplitudes, strict=True)
     yield prose(plural(len(moved), "The amplitude is", "The amplitudes are"))
     yield display(
@@ -82,8 +80,7 @@ def _steady_state(found: Response) -> Iterator[Block]:
 
 
 def _dies_out(found: Response) -> bool:
-    judgement = found.forced.free.judgement
-    return judgement.stability.verdict is StabilityVerdict.STABLE and judgement.ground is not Ground.POTENTIAL
+    return found.forced.free.judgement.asymptotic
 
 
 def _lags(found: Response) -> Iterator[Block]:
@@ -112,9 +109,13 @@ def _resonance(found: Response) -> Iterator[Block]:
     elif found.resonances:
         count = len(found.resonances)
         words = plural(count, "a frequency of free oscillations", "frequencies of free oscillations")
-        yield prose(f"The denominator vanishes at {words}: at resonance there is no steady state, and the amplitude grows "
-                    "without bound as it is approached.")  # fmt: skip
-        lines = [Equation((w**2, e), label=_label(found.forced, f"resonance-{n}")) for n, e in enumerate(found.resonances)]
+        yield prose(
+            f"The denominator vanishes at {words}: at resonance there is no steady state, and the amplitude grows "
+            "without bound as it is approached."
+        )
+        lines = [
+            Equation((w**2, e), label=_label(found.forced, f"resonance-{n}")) for n, e in enumerate(found.resonances)
+        ]
         yield display(*lines)
     for q, places in zip(found.forced.configuration.slots.coordinates, found.rests, strict=True):
         for n, place in enumerate(places):

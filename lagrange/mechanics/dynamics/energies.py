@@ -72,7 +72,7 @@ class Energies(Balance):
     @property
     def has_lagrangian(self) -> bool:
         """Whether L is more than T."""
-        return self.potential != 0 or self.moving != 0
+        return bool(self.potential != 0 or self.moving != 0)
 
     @property
     def lagrangian(self) -> sp.Expr:

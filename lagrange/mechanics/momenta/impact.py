@@ -183,7 +183,7 @@ def impulsive_motion(problem: Problem, choices: Sequence[GeneralizedCoordinates]
     imposed = [ZERO] * n
     for k, rate in zip(elimination.dependent, elimination.drift, strict=True):
         imposed[k] = rate
-    _check_consistent([after[r] for r in elimination.unused], imposed, shape, surface, impact)
+    _check_consistent([after[r] for r in elimination.unused], imposed, surface, impact)
     mass = [[textbook_form(e.xreplace(position)) for e in row] for row in mass_matrix(configuration)]
     blows = [textbook_form(e.xreplace(position)) for e in generalized_impulses(configuration)]
     velocities = _velocities(mass, blows, before, imposed, elimination, surface)
@@ -193,19 +193,16 @@ def impulsive_motion(problem: Problem, choices: Sequence[GeneralizedCoordinates]
     equations = tuple(
         _sum(sp.Add(*(shape[k][j] * balance[k] for k in range(n)))) for j in range(len(elimination.independent))
     )
-    moving = [*configuration.points, *configuration.rotations]
     still = dict.fromkeys(slots.velocities, ZERO)
-    is_driven = any(r.drift != 0 for r in rows) or any(
-        c.xreplace(still) != 0
-        for p in moving
-        for c in (p.velocity if hasattr(p, "velocity") else p.angular_velocity).components
-    )
+    speeds = [*(p.velocity for p in configuration.points), *(r.angular_velocity for r in configuration.rotations)]
+    carried = any(c.xreplace(still) != 0 for v in speeds for c in v.components)
+    is_driven = carried or any(r.drift != 0 for r in rows)
     found = ImpulsiveMotion(
         coordinates, full, configuration, position, surface, rows, new, before, elimination, balance, equations,
         velocities, (), (), ZERO, ZERO, (ZERO, ZERO), is_driven,
     )  # fmt: skip
     found = replace(found, impulses=tuple(_impulses(found, problem, impact, restitution, taken)))
-    found = replace(found, conditions=tuple(_conditions(found, impact)))
+    found = replace(found, conditions=tuple(_conditions(found)))
     return _with_energies(found, mass, blows)
 
 
@@ -275,7 +272,9 @@ def _chosen(
             return view
     unknown = next((v for v in before if v.symbol not in {*full.slots.coordinates, *full.slots.velocities}), before[0])
     message = f"no set of coordinates knows both `{unknown.symbol}` and the rest of the state before the impact"
-    help_ = f"give the state in the coordinates {', '.join(f'`{q}`' for q in old.coordinates)}, or in those of one choice"
+    help_ = (
+        f"give the state in the coordinates {', '.join(f'`{q}`' for q in old.coordinates)}, or in those of one choice"
+    )
     raise ProblemError(Diagnostic("no-state", message, unknown.span, help=help_))
 
 
@@ -321,7 +320,7 @@ def _check_position(row: Row, relation: sp.Expr, impact: Impact) -> None:
         return
     span = next((c.span for c in impact.constraints if c.name == row.name), impact.span)
     message = f"the position given in `before` does not satisfy the constraint `{row.name}`"
-    help_ = "all constraints, the new ones too, hold at the instant of the impact; correct the position, or leave out a coordinate"
+    help_ = "all constraints hold at the instant of the impact; correct the position, or leave out a coordinate"
     raise ProblemError(Diagnostic("contradictory-state", message, span, help=help_))
 
 
@@ -377,7 +376,6 @@ def _with_restitution(row: Row, before: Sequence[sp.Expr], restitution: sp.Expr)
 def _check_consistent(
     unused: Sequence[Row],
     imposed: Sequence[sp.Expr],
-    shape: Sequence[Sequence[sp.Expr]],
     surface: Surface,
     impact: Impact,
 ) -> None:
@@ -385,9 +383,13 @@ def _check_consistent(
     for row in unused:
         holds = _residual(row, imposed, surface)
         if holds is None:
-            raise UndecidedError(f"whether `{row.name}` agrees with the other constraints after the impact", impact.span)
+            raise UndecidedError(
+                f"whether `{row.name}` agrees with the other constraints after the impact", impact.span
+            )
         if holds is False:
-            message = f"`{row.name}` depends on the other constraints, and they give it another velocity after the impact"
+            message = (
+                f"`{row.name}` depends on the other constraints, and they give it another velocity after the impact"
+            )
             span = next((c.span for c in impact.constraints if c.name == row.name), impact.span)
             help_ = "leave the constraint out, or give dependent constraints the same coefficient of restitution"
             raise ProblemError(Diagnostic("contradictory-impact", message, span, help=help_))
@@ -418,7 +420,9 @@ def _velocities(
     if free is None:
         raise NotCoveredError("an impact whose velocities are too long to be written")
     if None in free:
-        raise NotCoveredError("an impact after which a velocity is not determined, since nothing with mass moves with it,")
+        raise NotCoveredError(
+            "an impact after which a velocity is not determined, since nothing with mass moves with it,"
+        )
     return tuple(
         _tidy(sp.Add(imposed[k], *(shape[k][j] * v for j, v in enumerate(free) if v is not None))) for k in range(n)
     )
@@ -469,8 +473,8 @@ def reactions_of(full: Configuration, problem: Problem, impact: Impact) -> Newto
     return newton_equations(full, constraints, 0, frozenset(problem.scope.names()))
 
 
-def _conditions(found: ImpulsiveMotion, impact: Impact) -> Iterator[Condition]:
-    """Of one-sided constraints: new ones are approached, and no impulse pulls. Raises ProblemError where one is wrong."""
+def _conditions(found: ImpulsiveMotion) -> Iterator[Condition]:
+    """Of one-sided constraints: new ones are approached, and no impulse pulls. Raises ProblemError otherwise."""
     sides = {i.name: i.reaction.constraint.side for i in found.impulses}
     spans = {i.name: i.reaction.constraint.span for i in found.impulses}
     for impulse in found.impulses:

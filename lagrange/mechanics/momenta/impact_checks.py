@@ -29,9 +29,7 @@ def check_impact(found: ImpulsiveMotion, problem: Problem) -> list[Check]:
     assert problem.impact is not None
     name, surface = found.configuration.name, found.surface
     checks = [
-        Check(
-            "the velocities after the impact satisfy the constraints", _constraints_hold(found), _HOW, name
-        ),
+        Check("the velocities after the impact satisfy the constraints", _constraints_hold(found), _HOW, name),
         Check("the impulses change the momenta ∂T/∂q' by the right amount", _momenta_change(found), _HOW, name),
         Check("the kinetic energy changes by the work of the impulses", _energy_agrees(found), _HOW, name),
     ]
@@ -58,7 +56,7 @@ def _constraints_hold(found: ImpulsiveMotion) -> bool | None:
 
 
 def _momenta_change(found: ImpulsiveMotion) -> bool | None:
-    """∂T/∂q' after less that before, less the blows, in all coordinates of the file: Aᵀ Λ, or in the span of the rows."""
+    """∂T/∂q' after less that before, less the blows, in all coordinates: Aᵀ Λ, or in the span of the rows."""
     full = found.full
     energy = kinetic_energy(full)
     changes = []
@@ -88,7 +86,7 @@ def _energy_agrees(found: ImpulsiveMotion) -> bool | None:
 
 
 def _balance_of_bodies(found: ImpulsiveMotion, problem: Problem, impact: Impact) -> Iterator[sp.Expr]:
-    """The components of m Δv − R̂ − Ĵ and of ΔH − Γ̂ − Ĝ, in i, j, k, for each free body; none where there are no such."""
+    """The components of m Δv − R̂ − Ĵ and of ΔH − Γ̂ − Ĝ, in i, j, k, for each free body, if there are any."""
     newton = reactions_of(found.full, problem, impact)
     if newton.bodies is None or found.open_impulses or newton.idle:
         return

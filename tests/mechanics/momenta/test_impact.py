@@ -98,9 +98,7 @@ def _rods() -> dict[str, float]:
         return [x - c, y - s], [x + c, y + s]
 
     def kept(q: Sequence[float]) -> list[float]:
-        return [
-            p - o for k in range(2) for p, o in zip(ends(q, k)[1], ends(q, k + 1)[0], strict=True)
-        ]
+        return [p - o for k in range(2) for p, o in zip(ends(q, k)[1], ends(q, k + 1)[0], strict=True)]
 
     place = [l / 2, 0, 0, 3 * l / 2, 0, 0, 5 * l / 2, 0, 0]
     after = struck(rod(l) * 3, place, [0] * 9, kept, [0, J, -J * l / 2] + [0] * 6)
@@ -110,6 +108,7 @@ def _rods() -> dict[str, float]:
 def _step() -> dict[str, float]:
     # the edge seen from the centre, kept in place by the point of the disc that touches it; clockwise angle
     b = sqrt(2 * R * h - h * h)
+
     def kept(q: Sequence[float]) -> list[float]:
         c, s = cos(-q[2]), sin(-q[2])
         return [q[0] + c * b - s * (h - R) - b, q[1] + s * b + c * (h - R) - (h - R)]

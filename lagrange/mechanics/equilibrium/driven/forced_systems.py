@@ -9,7 +9,7 @@ import sympy as sp
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.core.symbols import prime
-from lagrange.mechanics.equilibrium.driven import (
+from lagrange.mechanics.equilibrium.driven.drives import (
     Drive,
     drive_of,
     driven,
@@ -46,7 +46,9 @@ def forced_systems(problem: Problem, steady: bool) -> ForcedSystems:
     if sp.nan in frequencies or time_beside_harmonics(problem):
         raise NotCoveredError("forced oscillations under a drive that is not harmonic, F*cos(w*t),")
     if len(frequencies) > 1:
-        raise NotCoveredError("forced oscillations under drives of several frequencies: one file for each, as they add up,")
+        raise NotCoveredError(
+            "forced oscillations under drives of several frequencies: one file for each, as they add up,"
+        )
     if problem.slots.prescribed:
         if steady or frequencies:
             names = ", ".join(f"`{u}(t)`" for u in problem.slots.prescribed)
@@ -54,7 +56,9 @@ def forced_systems(problem: Problem, steady: bool) -> ForcedSystems:
         small = {prime(u, k) if k else u: prime(u, k) if k else u for u in problem.slots.prescribed for k in range(3)}
         return ForcedSystems(without_prescribed(problem), problem, small, None)
     if not frequencies:
-        raise NotCoveredError("the response of a system that nothing drives: give a force or a support cos(w*t), otherwise it")
+        raise NotCoveredError(
+            "the response of a system that nothing drives: give a force or a support cos(w*t), otherwise it"
+        )
     [frequency] = frequencies
     drive = drive_of(problem, frequency, frozenset(problem.scope.names()))
     return ForcedSystems(undriven(problem, drive), driven(problem, drive), drive.slots, drive)

@@ -33,7 +33,7 @@ from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.principle import dalembert
-from lagrange.mechanics.equilibrium.driven import Drive
+from lagrange.mechanics.equilibrium.driven.drives import Drive
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict, on_branch
 
@@ -200,7 +200,7 @@ def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Re
         lag = _lag(real, imaginary, of_cosine, of_sine)
         phases.append(lag if is_damped else _lag_without_damping(z, determinant, of_cosine, of_sine))
     found = tuple(amplitudes)
-    resonances = _resonances(forced, determinant, found, w, is_damped)
+    resonances = _resonances(determinant, found, w, is_damped)
     rests = tuple(_zeros(_squared(z), w) if n > 1 else () for z in numerators)
     names = [q.name for q in forced.configuration.slots.coordinates]
     amplitude = free_letter("A", "C", "Amp", taken=taken, of=names)
@@ -315,7 +315,7 @@ def _lag(real: sp.Expr, imaginary: sp.Expr, of_cosine: bool, of_sine: bool) -> s
 
 
 def _resonances(
-    forced: ForcedEquations, determinant: sp.Expr, amplitudes: Sequence[sp.Expr], w: sp.Expr, is_damped: bool
+    determinant: sp.Expr, amplitudes: Sequence[sp.Expr], w: sp.Expr, is_damped: bool
 ) -> tuple[sp.Expr, ...]:
     """ω² at which the amplitude is unbounded or, of one damped coordinate, greatest."""
     if not is_damped:
@@ -389,7 +389,7 @@ def check_forced(forced: ForcedEquations, moved: Configuration, small: Mapping[s
     steps: dict[sp.Symbol, sp.Expr] = dict(small)
     for q, x in zip(slots.coordinates, linear.displacements, strict=True):
         steps |= {q: x, prime(q): prime(x), prime(q, 2): prime(x, 2)}
-    verdicts = []
+    verdicts: list[bool | None] = []
     for e, (left, force) in zip(lagrange_equations(moved).left, forced.sides, strict=True):
         slopes = {s: on_branch(forced.branch, sp.diff(e, s).xreplace(still), linear.equilibrium) for s in steps}
         if None in slopes.values():

@@ -39,7 +39,7 @@ class Drive:
     def slots(self) -> dict[sp.Symbol, sp.Expr]:
         """u, u' and u'' as functions of t."""
         rate = sp.diff(self.law, t)
-        return {self.symbol: self.law, prime(self.symbol): rate, prime(self.symbol, 2): -self.frequency**2 * self.law}
+        return {self.symbol: self.law, prime(self.symbol): rate, prime(self.symbol, 2): -(self.frequency**2) * self.law}
 
 
 def harmonics(problem: Problem) -> set[sp.Expr]:
