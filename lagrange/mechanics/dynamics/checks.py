@@ -308,6 +308,8 @@ def check_reactions(
 
     passed = follow(configuration, claims, known, unknowns)
     equations = "Lagrange's equations" if method is Method.DALEMBERT else "the equations of d'Alembert's principle"
+    if configuration.is_outright:
+        equations = "the equations from the derivatives of L along a curve"
     what = (
         f"reactions satisfy {equations} with multipliers"
         if multipliers
