@@ -37,9 +37,10 @@ class Drive:
 
     @property
     def slots(self) -> dict[sp.Symbol, sp.Expr]:
-        """u, u' and u'' as functions of t."""
-        rate = sp.diff(self.law, t)
-        return {self.symbol: self.law, prime(self.symbol): rate, prime(self.symbol, 2): -(self.frequency**2) * self.law}
+        """u and its first three derivatives as functions of t; with a phase, a position contains u' already."""
+        rate, square = sp.diff(self.law, t), self.frequency**2
+        laws = (self.law, rate, -square * self.law, -square * rate)
+        return {prime(self.symbol, order) if order else self.symbol: law for order, law in enumerate(laws)}
 
 
 def harmonics(problem: Problem) -> set[sp.Expr]:

@@ -53,7 +53,7 @@ def forced_systems(problem: Problem, steady: bool) -> ForcedSystems:
         if steady or frequencies:
             names = ", ".join(f"`{u}(t)`" for u in problem.slots.prescribed)
             raise NotCoveredError(f"the response to {names}, which has no law: write a*cos(w*t) instead, otherwise it")
-        small = {prime(u, k) if k else u: prime(u, k) if k else u for u in problem.slots.prescribed for k in range(3)}
+        small = {prime(u, k) if k else u: prime(u, k) if k else u for u in problem.slots.prescribed for k in range(4)}
         return ForcedSystems(without_prescribed(problem), problem, small, None)
     if not frequencies:
         raise NotCoveredError(

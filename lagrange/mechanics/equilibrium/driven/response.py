@@ -27,7 +27,7 @@ from lagrange.algebra.exact.zero_test import Surface, is_zero
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
-from lagrange.core.symbols import free_letter, prime, t
+from lagrange.core.symbols import base, free_letter, prime, t
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.checks import Check
@@ -153,15 +153,25 @@ def forced_equations(
         balance = principle.textbook.form(element)
         if any(sp.diff(balance, a).has(*small) for a in slots.accelerations):
             raise NotCoveredError("forced oscillations where the motion that drives them changes the inertia")
+        drives = {base(u) for u in small}
+        if any(base(s) in drives and s not in small for s in balance.free_symbols):
+            raise NotCoveredError("forced oscillations with derivatives of the drive beyond the third")
         terms = []
         for s, law in small.items():
             slope = sp.diff(balance, s).xreplace(still).xreplace(off)
-            value = on_branch(linear.branches[number], slope, linear.equilibrium, in_parameters=True)
+            value = _at_rest(linear, number, slope)
             if value is None:
                 raise NotCoveredError("forced oscillations whose forces have no closed form")
             terms.append(-value * law)
         forces.append(sp.Add(*terms))
     return ForcedEquations(linear, number, tuple(forces))
+
+
+def _at_rest(linear: Linearization, number: int, e: sp.Expr) -> sp.Expr | None:
+    """An expression at an equilibrium; a condition may be linear in an angle, φ = 0, whose cosine is no letter."""
+    branch, coordinates = linear.branches[number], linear.configuration.slots.coordinates
+    stated = {r.lhs: r.rhs for r in branch.equations if r.lhs in coordinates and not r.rhs.has(*coordinates)}
+    return on_branch(branch, e.xreplace(stated), linear.equilibrium, in_parameters=True)
 
 
 def response(forced: ForcedEquations, drive: Drive, taken: frozenset[str]) -> Response:
@@ -391,7 +401,7 @@ def check_forced(forced: ForcedEquations, moved: Configuration, small: Mapping[s
         steps |= {q: x, prime(q): prime(x), prime(q, 2): prime(x, 2)}
     verdicts: list[bool | None] = []
     for e, (left, force) in zip(lagrange_equations(moved).left, forced.sides, strict=True):
-        slopes = {s: on_branch(forced.branch, sp.diff(e, s).xreplace(still), linear.equilibrium) for s in steps}
+        slopes = {s: _at_rest(linear, forced.number, sp.diff(e, s).xreplace(still)) for s in steps}
         if None in slopes.values():
             verdicts.append(None)
             continue

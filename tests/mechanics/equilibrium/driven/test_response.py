@@ -115,6 +115,36 @@ def test_linearization_of_a_driven_system_keeps_its_forced_equations() -> None:
     assert solution.own.response is None
 
 
+BEAM = """
+parameters: [m, k, l, a, w]
+coordinates: [phi]
+bodies: {beam: {mass: m, inertia: m*l^2/12, position: "(a*cos(w*t) + l/2*sin(phi))*j + l/2*cos(phi)*i", angle: phi}}
+forces: {spring: {potential: "k*phi^2/2"}}
+find: response
+"""
+
+
+def test_an_equilibrium_that_is_found_without_sines() -> None:
+    solution = solve(read(f"title: T\n{BEAM.lstrip()}"))
+    assert solution.holds
+    assert solution.own.response is not None
+    [amplitude] = solution.own.response.amplitudes
+    assert "phi" not in {s.name for s in amplitude.free_symbols}
+
+
+def test_the_phase_of_the_drive_does_not_change_amplitudes() -> None:
+    plain, turned = (
+        solve(read(f"title: T\n{text.lstrip()}")).own.response
+        for text in (BEAM, BEAM.replace("cos(w*t)", "cos(w*t + pi/6)"))
+    )
+    assert plain is not None
+    assert turned is not None
+    assert sp.cancel(plain.amplitudes[0] ** 2 - turned.amplitudes[0] ** 2) == 0
+    mass, stiffness, length, amplitude, rate = (sp.Symbol(n, positive=True) for n in ("m", "k", "l", "a", "w"))
+    expected = mass * length * amplitude * rate**2 / 2 / (stiffness - mass * length**2 * rate**2 / 3)
+    assert sp.cancel(plain.amplitudes[0] ** 2 - expected**2) == 0
+
+
 def test_json() -> None:
     found = as_object(reported("damped-oscillator"))["response"]
     assert found["amplitudes"].keys() == found["phases"].keys() == {"x"}
