@@ -135,6 +135,14 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         else:
             why = "the problem does not ask for steady motions"
             yield AnswerVerdict(Verdict.UNDECIDED, name="steady", diagnosis=why)
+    if answers.response:
+        from lagrange.answers.questions.response import check_response_answers
+
+        yield check_response_answers(answers.response, solution)
+    if answers.impact:
+        from lagrange.answers.questions.impact import check_impact_answers
+
+        yield check_impact_answers(answers.impact, solution)
     if answers.hamiltonian is not None:
         from lagrange.answers.questions.hamiltonian import check_hamiltonian_answer
 

@@ -20,7 +20,7 @@ from lagrange.answers.force_names import other_readings
 from lagrange.answers.readings import Reading, radii, with_positive_radii
 from lagrange.answers.validity import Factorizations
 from lagrange.core.records import record
-from lagrange.core.symbols import CONSTANT, Sign, prime, variation
+from lagrange.core.symbols import CONSTANT, Sign, prime, variation, velocity_before
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -28,6 +28,7 @@ from lagrange.mechanics.dynamics.checks import multiplier_system
 from lagrange.mechanics.dynamics.comparison import System
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion, LagrangeMotion
 from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.mechanics.dynamics.quasi_velocities import quasi_variation
 from lagrange.mechanics.energy_symbols import energy_symbols, letters_of_oscillations, small_displacements
 from lagrange.mechanics.results import InCoordinates, Solution
@@ -230,6 +231,9 @@ def reference_of_solution(solution: Solution) -> Reference:
             **_quasi_variations(solution),
             **energies,
             **_reactions(solution),
+            **_of_impact(solution),
+            **_of_response(solution),
+            **_given(solution),
             **{a.name: a for a in angles},
             **_lengths(solution),
             **scope.scalars,
@@ -347,6 +351,32 @@ def _energies(solution: Solution) -> dict[str, sp.Expr]:
             functions = {named.hamiltonian: found.function, named.routhian: found.routhian}
             energies |= {s.name: e.xreplace(by_momenta) for s, e in functions.items() if e is not None}
     return energies
+
+
+def _given(solution: Solution) -> dict[str, sp.Expr]:
+    """Q_x of forces that the file gives as such, U of potentials with velocities, L where it is given outright."""
+    configuration = solution.own.configuration
+    pairs = zip(configuration.slots.coordinates, given_forces(configuration), strict=False)
+    meant = {f"Q_{q.name}": f for q, f in pairs if f != 0}
+    if configuration.is_outright:
+        return meant | {"L": configuration.velocity_part - configuration.potential}
+    return meant | ({"U": -configuration.velocity_part} if configuration.velocity_part != 0 else {})
+
+
+def _of_response(solution: Solution) -> dict[str, sp.Expr]:
+    """The letters of amplitudes and lags."""
+    found = [v.response for v in solution.views if v.response is not None]
+    return {s.name: s for r in found for s in (*r.letters, *r.lags)}
+
+
+def _of_impact(solution: Solution) -> dict[str, sp.Expr]:
+    """The velocities just before an impact, the impulses of its reactions, the kinetic energies before and after."""
+    found = solution.impact
+    if found is None:
+        return {}
+    symbols = [*(i.symbol for i in found.impulses), *map(velocity_before, found.slots.coordinates)]
+    kinetic = energy_symbols(solution).kinetic.name
+    return {s.name: s for s in symbols} | {f"{kinetic}_0": found.kinetic[0], kinetic: found.kinetic[1]}
 
 
 def _applied_forces(solution: Solution) -> dict[str, Vector]:

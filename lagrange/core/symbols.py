@@ -216,6 +216,11 @@ def variation(symbol: sp.Symbol) -> sp.Symbol:
     return sp.Symbol(f"delta({symbol.name})", real=True)
 
 
+def velocity_before(coordinate: sp.Symbol) -> sp.Symbol:
+    """The velocity just before an impact, x'_0."""
+    return sp.Symbol(f"{coordinate.name}'_0", real=True)
+
+
 def multiplier(constraint: str) -> sp.Symbol:
     """The multiplier of a constraint, λ_rod."""
     return sp.Symbol(f"lambda_{constraint}", real=True)

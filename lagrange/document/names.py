@@ -87,6 +87,7 @@ SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _DOTS = ("", "\u0307", "\u0308")
 _OPERATED = re.compile(r"(d|delta)\((.+)\)\Z")
 _MIXED = re.compile(r"(\d+)([aehijklmnoprstuvx])\Z")  # a_1t
+_BEFORE = re.compile(r"([^']+)('+)_(\d+)\Z")  # x'_0, a velocity at one instant
 _NUMBERED = re.compile(r"([^\W\d_]+)(\d+)\Z")
 
 
@@ -112,6 +113,10 @@ class WrittenName:
         if operated := _OPERATED.match(name):
             inner = cls.of(operated[2])
             return cls(operated[1], inner.letter, inner.indices, inner.primes)
+        if instant := _BEFORE.match(name):
+            inner = cls.of(instant[1])
+            return cls("", inner.letter, (*inner.indices[:-1], ",".join((*inner.indices[-1:], instant[3]))),
+                       len(instant[2]))  # fmt: skip
         stem = name.rstrip("'")
         letter, _, label = stem.partition("_")
         indices = (label,) if label else ()
@@ -158,6 +163,8 @@ def _letter(word: str) -> str:
 
 
 def _unicode_index(index: str) -> str:
+    if "," in index:
+        return ",".join(map(_unicode_index, index.split(",")))
     if mixed := _MIXED.match(index):
         return mixed[1].translate(SUBSCRIPTS) + SMALL[mixed[2]]
     return index.translate(SUBSCRIPTS) if index.isdigit() else "_" + unicode_name(WrittenName.of(index))
@@ -180,6 +187,8 @@ def _latex_letter(word: str, bold: bool) -> str:
 
 
 def _latex_index(index: str) -> str:
+    if "," in index:
+        return ",".join(map(_latex_index, index.split(",")))
     if _MIXED.match(index):
         return index
     inner = WrittenName.of(index)

@@ -21,7 +21,7 @@ from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.motion import NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.energy_symbols import EnergySymbols
-from lagrange.problem.model import Friction, Problem
+from lagrange.problem.model import Friction, GeneralizedForce, Problem
 
 ZERO = sp.S.Zero
 
@@ -74,7 +74,7 @@ class LagrangeExposition:
     @property
     def function(self) -> sp.Symbol:
         """The function to differentiate: L where there is a potential energy, T otherwise."""
-        return self.letters.kinetic if self.energies.potential == 0 else self.letters.lagrangian
+        return self.letters.lagrangian if self.energies.has_lagrangian else self.letters.kinetic
 
     def reaction(self, row: Row) -> Reaction:
         """The reaction that maintains a constraint."""
@@ -87,10 +87,31 @@ class LagrangeExposition:
 
 def explain_energies(setup: LagrangeExposition) -> Step:
     """v² and ω, T, V, and the generalized forces of forces that have no potential energy."""
-    body = [*_velocities(setup), *_kinetic(setup), *_potential(setup), *_forces(setup)]
+    if setup.energies.configuration.is_outright:
+        return _outright(setup)
+    body = [*_velocities(setup), *_kinetic(setup), *_potential(setup), *_moving(setup), *_forces(setup)]
     title = "Kinetic and potential energy" if setup.energies.potential != 0 else "Kinetic energy"
     title += ", generalized forces" * any(q != 0 for q in setup.energies.applied)
     return Step(Rule.ENERGIES, setup.title(title), tuple(body))
+
+
+def _outright(setup: LagrangeExposition) -> Step:
+    """A Lagrangian that the file gives, and the generalized forces beside it."""
+    L = Equation((setup.letters.lagrangian, setup.energies.lagrangian), label=f"lagrangian{setup.suffix}")
+    given = prose("The Lagrangian is given. The derivation begins with it: there are no masses and forces to which "
+                  "d'Alembert's principle could be applied, and none that could check it." if not setup.choice else
+                  "In these coordinates the Lagrangian is")  # fmt: skip
+    return Step(Rule.ENERGIES, setup.title("The Lagrangian"), (given, display(L), *_forces(setup)))
+
+
+def _moving(setup: LagrangeExposition) -> list[Block]:
+    """L with potentials that depend on velocities."""
+    energies, letters = setup.energies, setup.letters
+    if energies.moving == 0:
+        return []
+    L = Equation((letters.lagrangian, energies.lagrangian), label=f"lagrangian{setup.suffix}")
+    words = "A potential that depends on velocities belongs to the Lagrangian, with a minus sign, as it is:"
+    return [prose(words), display(L)]
 
 
 def _velocities(setup: LagrangeExposition) -> list[Block]:
@@ -169,7 +190,7 @@ def _potential(setup: LagrangeExposition) -> list[Block]:
 
 def _forces(setup: LagrangeExposition) -> list[Block]:
     """δW of the forces that are not in V, and the Q_k that follow."""
-    energies, letters = setup.energies, setup.letters
+    energies, letters, configuration = setup.energies, setup.letters, setup.energies.configuration
     acting = _acting(setup)
     other = "other " if energies.potential != 0 else ""
     if not acting:
@@ -184,7 +205,8 @@ def _forces(setup: LagrangeExposition) -> list[Block]:
         if q != 0
     ]
     idle = [letters.force(x) for q, x in zip(energies.applied, setup.coordinates, strict=True) if q == 0]
-    included: tuple[Part, ...] = (", not included in ", math(letters.potential), ",") if other else ()
+    function = letters.lagrangian if configuration.is_outright else letters.potential
+    included: tuple[Part, ...] = (", not included in ", math(function), ",") if other else ()
     words = (capital(joined(acting)), *included, plural(len(acting), " does", " do"), " the virtual work")
     rest: list[Block] = [prose(*listed(math(s) for s in idle), plural(len(idle), " is 0.", " are 0."))] if idle else []
     so = plural(len(lines), "so the generalized force is", "so the generalized forces are")
@@ -219,6 +241,7 @@ def _acting(setup: LagrangeExposition) -> list[str]:
             kind = "the friction" if load.name in rubbing else "the force"
             names.append(f"{kind} {spoken(load.name)}" if load.name != "weight" else "the weight")
     names += [f"the moment {spoken(m.name)}" for m in configuration.torques]
+    names += [f"the force {spoken(f.name)}" for f in setup.problem.forces if isinstance(f, GeneralizedForce)]
     names += [
         "the damper" if spoken(d.name) == "damper" else f"the damper {spoken(d.name)}" for d in configuration.dampers
     ]

@@ -34,8 +34,10 @@ def _label(found: Hamiltonian, kind: str) -> str:
 def _momenta(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
     """p_k = ∂L/∂q_k', and q_k' in terms of them."""
     velocities = found.configuration.slots.velocities
-    function = letters.lagrangian if found.energies.potential != 0 else letters.kinetic
+    function = letters.lagrangian if found.energies.has_lagrangian else letters.kinetic
     energies = [(letters.kinetic, found.energies.kinetic), (letters.potential, found.energies.potential)]
+    if found.energies.moving != 0:
+        energies = [(letters.lagrangian, found.energies.lagrangian)]
     stated = [Equation(pair, label=_label(found, f"energy-{pair[0].name}")) for pair in energies if pair[1] != 0]
     momenta = [
         Equation((p, Partial(function, v), e), label=_label(found, f"momentum-{p.name}"))
@@ -46,8 +48,13 @@ def _momenta(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
         for v, e in zip(velocities, found.velocities, strict=True)
     ]
     lagrangian = math(letters.lagrangian, letters.kinetic - letters.potential)
+    lagrangian = math(letters.lagrangian) if found.energies.moving != 0 else lagrangian
     of: tuple[Part, ...] = (", and with ", lagrangian) if function is letters.lagrangian else ()
-    energy = plural(len(stated), "The kinetic energy is", "The kinetic and the potential energy are")
+    energy = (
+        "The Lagrangian is"
+        if found.energies.moving != 0
+        else plural(len(stated), "The kinetic energy is", "The kinetic and the potential energy are")
+    )
     momentum = plural(len(momenta), " the generalized momentum is", " the generalized momenta are")
     gives = "Solved for the velocity, it gives" if len(solved) == 1 else "Solved for the velocities, they give"
     return [
@@ -63,14 +70,19 @@ def _momenta(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
 def _function(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
     """H, and whether it is the energy."""
     H = letters.hamiltonian
-    function = letters.lagrangian if found.energies.potential != 0 else letters.kinetic
+    function = letters.lagrangian if found.energies.has_lagrangian else letters.kinetic
     definition = math(H, _transformed(function, found, range(len(found.momenta))))
     body: list[Block] = [
         prose("Hamilton's function ", definition, ", in terms of coordinates and momenta, is"),
         display(Equation((H, found.function), label=_label(found, "hamiltonian")), boxed=True),
     ]
     energy = letters.kinetic + letters.potential if found.energies.potential != 0 else letters.kinetic
-    if found.is_energy:
+    if found.configuration.is_outright:
+        return body
+    if found.is_energy and found.energies.moving_energy != 0:
+        body.append(prose("It is the energy ", math(energy), ", with what the potential that depends on velocities "
+                          "adds to it."))  # fmt: skip
+    elif found.is_energy:
         body.append(prose("It is the energy ", math(energy), "."))
     elif found.is_energy is False:
         body.append(prose("It is not the energy ", math(energy), ": the positions contain time, so the kinetic "
@@ -109,7 +121,7 @@ def _constant(found: Hamiltonian, letters: EnergySymbols) -> list[Block]:
     body.append(prose(*listed(cyclic), verb, math(H), ", so ", *listed(constant), are(constant), "constant."))
     if found.routhian is not None:
         R = letters.routhian
-        function = letters.lagrangian if found.energies.potential != 0 else letters.kinetic
+        function = letters.lagrangian if found.energies.has_lagrangian else letters.kinetic
         others = [math(q) for k, q in enumerate(found.coordinates) if k not in found.cyclic]
         definition = math(R, -_transformed(function, found, found.cyclic))
         replaced = listed(math(prime(found.coordinates[c])) for c in found.cyclic)

@@ -37,7 +37,7 @@ def _general(setup: LagrangeExposition) -> list[Block]:
     bound = bool(setup.energies.configuration.rows)
     right = force if bound or any(q != 0 for q in setup.energies.applied) else ZERO
     with_potential: tuple[Part, ...] = ("Lagrange's equations for the coordinates ", math(q))
-    if setup.energies.potential != 0:
+    if setup.energies.has_lagrangian and setup.energies.moving == 0 and not _is_outright(setup):
         with_potential = ("With ", math(function, letters.kinetic - letters.potential), ", ", *with_potential)
     words = prose(*with_potential, ", and the generalized momenta in them, are")
     lines = (
@@ -46,6 +46,10 @@ def _general(setup: LagrangeExposition) -> list[Block]:
     )
     reactions = _of_reactions(setup)
     return [words, display(*lines), *([paragraph(*reactions)] if reactions else [])]
+
+
+def _is_outright(setup: LagrangeExposition) -> bool:
+    return setup.energies.configuration.is_outright
 
 
 def _without_multipliers(setup: LagrangeExposition) -> list[Block]:

@@ -11,6 +11,7 @@ from lagrange.document.builders import display, listed, math, paragraph, prose, 
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Ref, Rule, Step
 from lagrange.explain.bodies import law_times_displacement, terms_of_bodies, terms_of_dampers
 from lagrange.explain.displacements import displacements_in_choice, of_points
+from lagrange.explain.statement import given_force
 from lagrange.explain.words import (
     are,
     capital,
@@ -26,6 +27,7 @@ from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationOfMotion, EquationsOfMotion, WithMultipliers
 from lagrange.mechanics.dynamics.motion import Motion
+from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Problem
 
 ZERO = sp.S.Zero
@@ -86,6 +88,9 @@ def _principle(configuration: Configuration) -> sp.Expr:
         if load.elsewhere:
             terms.append(-DotProduct(VectorSymbol(f"F_{load.name}"), VectorSymbol(f"delta(r_{load.name})")))
     potential = variation(sp.Symbol("V", real=True)) if configuration.potential != 0 else ZERO
+    coordinates = configuration.slots.coordinates
+    given = zip(coordinates, given_forces(configuration), strict=False)
+    terms += [-given_force(q) * variation(q) for q, f in given if f != 0]
     return sp.Add(*terms, *terms_of_bodies(configuration), *terms_of_dampers(configuration), potential)
 
 

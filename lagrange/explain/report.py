@@ -14,6 +14,7 @@ from lagrange.answers.verdicts import AnswerVerdict, Verdict
 from lagrange.core.diagnostics import Diagnostic, GaveUpError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
+from lagrange.core.symbols import velocity_before
 from lagrange.document.derivation import Derivation, MadeWhenRead, Step
 from lagrange.document.notation import Notation
 from lagrange.explain.checks import explain_checks
@@ -223,9 +224,14 @@ def _steps(solution: Solution, answers: tuple[AnswerVerdict, ...], complete: boo
     if solution.own.dynamics is None:
         yield _speeds(solution.own.in_speeds, solution)
     yield _small_oscillations(solution.own.linearization)
+    yield _forced(solution.own)
     yield from _in_momenta(solution.own, solution)
     for c in solution.choices:
         yield from (step and replace(step, choice=c.name) for step in _in_choice(solution, c, complete))
+    if solution.impact is not None and problem.impact is not None:
+        from lagrange.explain.contact.impact import explain_impact
+
+        yield explain_impact(solution.impact, problem.impact, energy_symbols(solution))
     if solution.asked:
         from lagrange.explain.questions import explain_questions
 
@@ -261,6 +267,7 @@ def _in_choice(solution: Solution, c: InCoordinates, complete: bool) -> Iterator
     yield _rolling(c)
     yield _conserved(c.conserved, problem, c.name)
     yield _small_oscillations(c.linearization)
+    yield _forced(c)
     yield from _in_momenta(c, solution)
 
 
@@ -316,6 +323,14 @@ def _small_oscillations(linearization: Linearization | None) -> Step | None:
     from lagrange.explain.rest.oscillations import explain_linearization
 
     return explain_linearization(linearization)
+
+
+def _forced(view: InCoordinates) -> Step | None:
+    if view.forced is None:
+        return None
+    from lagrange.explain.rest.response import explain_response
+
+    return explain_response(view.forced, view.response)
 
 
 def _in_momenta(view: InCoordinates, solution: Solution) -> Iterator[Step]:
@@ -442,12 +457,15 @@ def notation_of(solution: Solution) -> Notation:
     new = [q for c in solution.choices for q in c.configuration.slots.coordinates]
     lengths = [link.length_symbol for link in solution.own.configuration.links]
     momenta = (p for v in solution.views if v.hamiltonian is not None for p in v.hamiltonian.momenta)
+    steady = [s for v in solution.views if v.response is not None for s in (*v.response.letters, *v.response.lags)]
+    struck = solution.impact
+    before = [] if struck is None else [velocity_before(q) for q in struck.slots.coordinates]
     return Notation(
         coordinates=tuple(dict.fromkeys((*problem.slots.coordinates, *new, *lengths, *small_displacements(solution)))),
         prescribed=problem.slots.prescribed,
-        speeds=(*(s.symbol for s in problem.speeds), *momenta),
+        speeds=(*(s.symbol for s in problem.speeds), *momenta, *before),
         frequencies=letters_of_oscillations(solution),
-        parameters=tuple(p.symbol for p in problem.parameters),
+        parameters=(*(p.symbol for p in problem.parameters), *steady),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),
     )
@@ -456,5 +474,7 @@ def notation_of(solution: Solution) -> Notation:
 def _names_of_reactions(solution: Solution) -> Iterator[sp.Symbol]:
     """The multipliers, and the tensions of rods."""
     yield from (c.reaction for c in solution.problem.constraints)
+    if solution.impact is not None:
+        yield from (i.symbol for i in solution.impact.impulses)
     if solution.law is not None:
         yield from solution.law.newton.single_forces

@@ -7,14 +7,16 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import VectorSymbol
 from lagrange.core.vectors import UNITS, Vector
 from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Equation, Part, Rule, Step, Table
+from lagrange.document.derivation import Block, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.bodies import explain_links, explain_rotation, moments_on, triads_of_bodies, unit_vectors
 from lagrange.explain.page.texts import set_text
 from lagrange.explain.words import are, capital, constraints_called, plural, spoken, the
 from lagrange.mechanics.constraints.kinematics import Configuration, MassPoint
+from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Assumption, Coordinate, Friction, Parameter, Problem
 
 
@@ -211,12 +213,39 @@ def _forces(configuration: Configuration, frictions: Sequence[Friction], with_po
             blocks += [prose(f"The {force} on {the(f.on)} and its point of application are"), display(*lines)]
     blocks += moments_on(configuration)
     blocks += explain_links(configuration)
-    if configuration.potential != 0 and with_potential:
+    blocks += _beside_energies(configuration)
+    if configuration.potential != 0 and with_potential and not configuration.is_outright:
         blocks += [
             prose("The potential energy is"),
             display(Equation((sp.Symbol("V", real=True), configuration.potential), label="potential")),
         ]
     return blocks
+
+
+def _beside_energies(configuration: Configuration) -> list[Block]:
+    """A given Lagrangian; potentials with velocities and generalized forces, with the Q_k that they amount to."""
+    X = configuration.velocity_part
+    if configuration.is_outright:
+        L = Equation((sp.Symbol("L", real=True), X - configuration.potential), label="given-lagrangian")
+        return [prose("The Lagrangian is given:"), display(L)]
+    forces = given_forces(configuration)
+    pairs = zip(configuration.slots.coordinates, forces, strict=False)
+    lines = [Equation((given_force(q), textbook_form(f)), label=f"given-{q.name}") for q, f in pairs if f != 0]
+    if not lines:
+        return []
+    words: Prose = prose(plural(len(lines), "A generalized force is given", "Generalized forces are given"))
+    blocks: list[Block] = []
+    if X != 0:
+        U = Equation((sp.Symbol("U", real=True), sp.expand(-X)), label="velocity-potential")
+        blocks = [prose("A potential energy depends on velocities:"), display(U)]
+        also = ", with those that are given" if configuration.generalized else ""
+        words = prose("It gives each coordinate the generalized force d/dt ∂U/∂q′ − ∂U/∂q" + also + ":")
+    return [*blocks, words, display(*lines)]
+
+
+def given_force(coordinate: sp.Symbol) -> sp.Symbol:
+    """Q_x, a generalized force that is given, or comes from a potential that depends on velocities."""
+    return sp.Symbol(f"Q_{coordinate.name}", real=True)
 
 
 def _force_called(name: str, rough: bool, alone: bool) -> str:

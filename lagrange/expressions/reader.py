@@ -121,6 +121,21 @@ def _read(
     return value
 
 
+def _at_one_instant(read: list[Token], scope: Scope) -> list[Token]:
+    """`ẋ₀`, read as x_0 with a prime, is the velocity x'_0 where that is declared and x_0 is not."""
+    merged: list[Token] = []
+    for token in read:
+        before = merged[-1] if merged else None
+        if token.kind is TokenKind.PRIMES and before is not None and before.kind is TokenKind.NAME:
+            stem, _, index = before.text.rpartition("_")
+            name = f"{stem}{chr(39) * token.count}_{index}"
+            if stem and name in scope.scalars and before.text not in scope.names():
+                merged[-1] = replace(before, text=name, end=token.end)
+                continue
+        merged.append(token)
+    return merged
+
+
 class _Reading:
     """One text and its parse."""
 
@@ -135,6 +150,7 @@ class _Reading:
         else:
             written, notes = tokens(fragment, scientific=scope.scalar("e") is None)
         resolved = [replace(w, text=scope.spelling(w.text)) if w.loose else w for w in written]
+        resolved = _at_one_instant(resolved, scope)
         self._scope = scope
         self._fragment, self._tokens = fragment, resolved
         self._parser = Parser(fragment, resolved, scope)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 from enum import Enum, auto
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
@@ -71,6 +72,7 @@ _TOKEN = re.compile(
     rf"|(?P<superscript>{_any_of(SUPERSCRIPTS)}+)|(?P<fraction>{_any_of(FRACTIONS)})|(?P<root>√)"
     r"|(?P<inequality><=|>=|!=|[<>≤≥≠≪≫⩽⩾])|(?P<double>\*\*|==)|(?P<operator>[-+*/^=()\[\],|])"
 )
+_INDEX = re.compile(r"_[0-9]{1,3}(?![A-Za-z0-9_])")
 _POWER_OF_TEN = re.compile(r"[eE]([-+]?)([0-9]+)")
 
 
@@ -114,8 +116,7 @@ class _Lexer:
             case "number":
                 self._number(text, start)
             case "primes":
-                count = sum(PRIMES[c] for c in text)
-                self._add(TokenKind.PRIMES, "'" * count, start, count=count)
+                self._primes(text, start)
             case "superscript":
                 self._superscript(text, start)
             case "fraction":
@@ -137,6 +138,18 @@ class _Lexer:
         self._add(TokenKind.NAME, name, start, loose=stem != plain or plain[0] in "ϑϱςℓ")
         if dots:
             self._add(TokenKind.PRIMES, "'" * dots, start, count=dots)
+
+    def _primes(self, text: str, start: int) -> None:
+        """Primes; with an index behind them, x'_0, they and the letter are the name of a velocity at one instant."""
+        count = sum(PRIMES[c] for c in text)
+        before = self.tokens[-1] if self.tokens else None
+        index = _INDEX.match(self.text, self.at)
+        if index is None or before is None or before.kind is not TokenKind.NAME or self.text[start - 1] == " ":
+            self._add(TokenKind.PRIMES, "'" * count, start, count=count)
+            return
+        self.at = index.end()
+        _, last = self.normalized.written(start, self.at)
+        self.tokens[-1] = replace(before, text=f"{before.text}{chr(39) * count}{index[0]}", end=last)
 
     def _number(self, text: str, start: int) -> None:
         integer, _, decimals = text.partition(".")

@@ -66,7 +66,7 @@ class EnergySymbols:
         known = {
             self.kinetic: energies.kinetic,
             self.potential: energies.potential,
-            self.lagrangian: energies.kinetic - energies.potential,
+            self.lagrangian: energies.lagrangian,
         }
         known |= {s: s for s in self.any}
         known |= {self.speed(name): sp.sqrt(square) for name, square in energies.squares.items()}
@@ -111,6 +111,7 @@ def _linearizations(solution: Solution) -> list[Linearization]:
     """Those about equilibria, and about steady motions."""
     found = [v.linearization for v in solution.views]
     found += [f.about for v in solution.views if v.steady is not None for f in v.steady.families]
+    found += [v.forced.linearization for v in solution.views if v.forced is not None]
     return [f for f in found if f is not None]
 
 

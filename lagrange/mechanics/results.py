@@ -28,6 +28,7 @@ from lagrange.problem.model import Problem
 
 if TYPE_CHECKING:
     from lagrange.mechanics.dynamics.quasi_equations import QuasiVelocityForm
+    from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
     from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
     from lagrange.mechanics.equilibrium.friction.impending_motion import ImpendingMotion
@@ -37,6 +38,7 @@ if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.stability import SecondVariation
     from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
     from lagrange.mechanics.questions.from_start import FromStart
     from lagrange.mechanics.questions.results import Asked
@@ -59,6 +61,8 @@ class InCoordinates:
     linearization      small oscillations
     hamiltonian        Hamilton's function and equations
     steady             steady motions
+    forced             the linear equations under a harmonic drive, or a prescribed motion
+    response           the steady state under a harmonic drive
     in_numbers         the equilibria, with the frequencies if they are requested, where the parameters have values
     at_rest            where the system can be at rest with friction
     rolling            the conditions under which what rolls does not slip
@@ -80,6 +84,8 @@ class InCoordinates:
     linearization: Linearization | None = None
     hamiltonian: Hamiltonian | None = None
     steady: SteadyMotions | None = None
+    forced: ForcedEquations | None = None
+    response: Response | None = None
     in_numbers: EquilibriaInNumbers | None = None
     at_rest: AtRest | None = None
     rolling: Rolling | None = None
@@ -118,6 +124,7 @@ class Solution:
     works            the work of the reactions
     asked            the answers to the questions of the file
     from_start       the motion from the initial state, where nothing is asked
+    impact           the velocities after an impact, and the impulses
     given_up         the stage at which the work was given up, and why; later results are missing
     """
 
@@ -132,6 +139,7 @@ class Solution:
     checks: tuple[Check, ...] = ()
     asked: tuple[Asked, ...] = ()
     from_start: FromStart | None = None
+    impact: ImpulsiveMotion | None = None
     given_up: str = ""
 
     @property

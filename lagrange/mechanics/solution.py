@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from lagrange.core.diagnostics import GaveUpError
+from lagrange.core.diagnostics import GaveUpError, NotCoveredError
 from lagrange.core.effort import GivenUpError, allowed, reason
 from lagrange.mechanics.constraints.classification import classify
 from lagrange.mechanics.constraints.coordinates import GeneralizedCoordinates, generalized_coordinates, own_coordinates
@@ -97,7 +97,11 @@ def kinematics_and_law(problem: Problem) -> Solution:
 
 def _solved(problem: Problem, choice: str | None, complete: bool, method: Method, on_stage: OnStage) -> Solution:
     refuse_what_is_not_covered(problem)
-    needs_motion = {Find.LINEARIZATION, Find.HAMILTONIAN, Find.STEADY} & {*problem.find} or problem.questions
+    if problem.lagrangian is not None:
+        method = Method.LAGRANGE  # there are no masses and forces for d'Alembert's principle
+    needs_motion = {Find.LINEARIZATION, Find.RESPONSE, Find.HAMILTONIAN, Find.STEADY} & {
+        *problem.find
+    } or problem.questions
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     running = ""
@@ -133,10 +137,14 @@ def _stages(
         yield lambda s: _with_motion(s, complete, method, on_stage)
     if problem.speeds:
         yield lambda s: _with_speeds(s, on_stage)
-    if Find.LINEARIZATION in problem.find:
+    if Find.RESPONSE in problem.find:
+        yield lambda s: _with_response(s, on_stage)
+    elif Find.LINEARIZATION in problem.find:
         yield lambda s: _with_linearization(s, on_stage)
     if {Find.HAMILTONIAN, Find.STEADY} & {*problem.find}:
         yield lambda s: _with_momenta(s, on_stage)
+    if Find.IMPACT in problem.find:
+        yield lambda s: _with_impact(s, on_stage)
     if Find.EQUILIBRIUM in problem.find and not rough:
         yield lambda s: _with_equilibrium(s, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
@@ -311,6 +319,8 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
 
     on_stage("small oscillations")
     taken = _names(solution.problem)
+    if _is_driven(solution):
+        return _with_response(solution, on_stage)
     checks = [*solution.checks]
 
     def linearized(view: InCoordinates) -> InCoordinates:
@@ -324,6 +334,57 @@ def _with_linearization(solution: Solution, on_stage: OnStage) -> Solution:
     is_solved_in_choice = any(at for c in choices if c.linearization for at in c.linearization.at)
     own = solution.own if is_solved_in_choice else linearized(solution.own)
     return replace(solution, own=own, choices=choices, checks=tuple(checks))
+
+
+def _is_driven(solution: Solution) -> bool:
+    """Whether harmonic or prescribed motions are left in the equations of motion of every set of coordinates."""
+    from lagrange.mechanics.equilibrium.driven.drives import harmonics
+    from lagrange.mechanics.equilibrium.relative_equilibrium import is_time
+
+    problem = solution.problem
+    if not harmonics(problem) and not problem.slots.prescribed:
+        return False
+    motions = [v for v in solution.views if v.motion is not None and not v.signs]
+    return all(
+        any(is_time(s, v.configuration) for e in v.motion.expressions for s in e.free_symbols)
+        for v in motions
+        if v.motion is not None
+    )
+
+
+def _with_response(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the forced linear equations in free coordinates and, for a harmonic drive, the steady state."""
+    from lagrange.mechanics.equilibrium.driven.forced_systems import forced_systems
+    from lagrange.mechanics.equilibrium.driven.response import check_forced, check_response, response
+
+    on_stage("forced oscillations")
+    problem, taken = solution.problem, _names(solution.problem)
+    systems = forced_systems(problem, Find.RESPONSE in problem.find)
+    checks = [*solution.checks]
+    at_rest, moved = (_kinematics(p, None, silent) for p in (systems.still, systems.moved))
+    law = _law(at_rest, method=Method.LAGRANGE if problem.lagrangian is not None else Method.DALEMBERT)
+    moving = {v.name: v for v in moved.views}
+    resting = {v.name: v for v in at_rest.views}
+
+    def forced(view: InCoordinates) -> InCoordinates:
+        if view.configuration.rows or view.signs or view.coordinates.through_rates:
+            return view
+        still = resting[view.name]
+        configuration = moving[view.name].configuration
+        from lagrange.mechanics.equilibrium.driven.response import forced_equations
+        from lagrange.mechanics.equilibrium.linearization import linearization
+
+        linear = linearization(law.equations(still.configuration, still.elimination), taken)
+        equations = forced_equations(linear, configuration, systems.small)
+        checks.extend(check_forced(equations, configuration, systems.small))
+        steady = response(equations, systems.drive, taken) if systems.drive is not None else None
+        checks.extend(check_response(steady) if steady is not None else ())
+        return replace(view, forced=equations, response=steady)
+
+    own, *choices = map(forced, solution.views)
+    if all(v.forced is None for v in (own, *choices)):
+        raise NotCoveredError("forced oscillations without a choice of free coordinates")
+    return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))
 
 
 def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
@@ -351,6 +412,17 @@ def _with_momenta(solution: Solution, on_stage: OnStage) -> Solution:
 
     own, *choices = map(in_momenta, solution.views)
     return replace(solution, own=own, choices=tuple(choices), checks=tuple(checks))
+
+
+def _with_impact(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the velocities after the impact of the file, and the impulses."""
+    from lagrange.mechanics.momenta.impact import impulsive_motion
+    from lagrange.mechanics.momenta.impact_checks import check_impact
+
+    on_stage("the impact")
+    choices = [c.coordinates for c in solution.choices]
+    found = impulsive_motion(solution.problem, choices, solution.own.coordinates, _names(solution.problem))
+    return replace(solution, impact=found, checks=(*solution.checks, *check_impact(found, solution.problem)))
 
 
 def _names(problem: Problem) -> frozenset[str]:

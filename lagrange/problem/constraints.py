@@ -35,6 +35,7 @@ from lagrange.core.symbols import Slots, differential, multiplier, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.expressions.relations import limit_of
 from lagrange.problem import keys
+from lagrange.problem.declared_names import Namespace
 from lagrange.problem.limits import MOST_ALTERNATIVES_SHOWN
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import Constraint, Given, Keeper
@@ -44,13 +45,16 @@ from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar
 _EXAMPLE = "constraints: {rod: x^2 + y^2 = l^2}"
 
 
-def read_constraints(node: Node | None, context: LoadContext) -> tuple[Constraint, ...]:
-    """name -> equation, or name -> {equation, note, reaction, by}; a vector equation gives one for each component."""
+def read_constraints(node: Node | None, context: LoadContext, names: Namespace | None = None) -> tuple[Constraint, ...]:
+    """name -> equation, or name -> {equation, note, reaction, by}; a vector equation gives one for each component.
+
+    names  of constraints; those of the context by default
+    """
     if node is None:
         return ()
     constraints: list[Constraint] = []
     for key, value in context.diagnostics.attempt(lambda: entries_of(node, "`constraints`", _EXAMPLE)) or ():
-        name = context.constraints.declare(key, "a constraint")
+        name = (names or context.constraints).declare(key, "a constraint")
         if name is not None:
             read = partial(_constraint, name, key, value, context)
             constraints += context.diagnostics.attempt(read) or ()

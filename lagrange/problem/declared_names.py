@@ -133,6 +133,10 @@ class Namespace:
         self.names.diagnostics.report(Diagnostic("declared-twice", message, scalar.span, _first_on(known.span), help_))
         return None
 
+    def reserve(self, name: str, what: str, span: Span) -> None:
+        """Takes a name, and for the component C.x of a vector equation the name C."""
+        self._declared.setdefault(name.partition(".")[0], Declaration(what, span))
+
     def known(self) -> tuple[str, ...]:
         """The names, whether or not what they name could be read."""
         return tuple(self._declared)

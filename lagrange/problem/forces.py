@@ -6,7 +6,7 @@ Applied forces may depend on position, velocity and time, never on accelerations
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -15,8 +15,8 @@ import sympy as sp
 from lagrange.core.diagnostics import Diagnostic, ProblemError, suggestion
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
-from lagrange.problem.declared_names import canonical, names_in
-from lagrange.problem.keys import FORCES, SENSES, Form
+from lagrange.problem.declared_names import Namespace, canonical, names_in
+from lagrange.problem.keys import FORCES, IMPULSES, SENSES, Form
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import (
     AppliedForce,
@@ -26,6 +26,7 @@ from lagrange.problem.model import (
     Damper,
     Force,
     Friction,
+    GeneralizedForce,
     Potential,
     Spring,
 )
@@ -47,6 +48,7 @@ from lagrange.problem.sections import (
 from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar
 
 _EXAMPLE = "forces: {push: {on: P, vector: F*i}}"
+_EXAMPLE_OF_IMPULSE = "impulses: {blow: {on: P, vector: J*i}}"
 
 
 def read_gravity(node: Node | None, context: LoadContext) -> Vector | None:
@@ -69,8 +71,29 @@ def read_forces(node: Node | None, context: LoadContext, constraints: Iterable[C
     return tuple(forces)
 
 
-def _force(name: str, key: Scalar, node: Node, context: LoadContext, tensions: Scope) -> Force:
-    what = f"the force `{name}`"
+def read_impulses(node: Node | None, context: LoadContext) -> tuple[AppliedForce | AppliedMoment, ...]:
+    """name -> a given impulse: a vector or a moment."""
+    if node is None:
+        return ()
+    impulses, declared = [], Namespace(context.names)
+    for key, value in context.diagnostics.attempt(lambda: entries_of(node, "`impulses`", _EXAMPLE_OF_IMPULSE)) or ():
+        name = declared.declare(key, "an impulse")
+        if name is not None:
+            read = partial(_force, name, key, value, context, context.scope, IMPULSES, "impulse")
+            impulses.append(context.diagnostics.attempt(read))
+    return tuple(i for i in impulses if isinstance(i, AppliedForce | AppliedMoment))
+
+
+def _force(
+    name: str,
+    key: Scalar,
+    node: Node,
+    context: LoadContext,
+    tensions: Scope,
+    forms: Mapping[str, Form] = FORCES,
+    noun: str = "force",
+) -> Force:
+    what = f"the {noun} `{name}`"
     acceleration = _acceleration(node) if name == "gravity" else None
     if acceleration is not None:
         message = "`gravity` is not one of the forces: it acts on every mass"
@@ -78,20 +101,20 @@ def _force(name: str, key: Scalar, node: Node, context: LoadContext, tensions: S
         help_ = f"write it beside `forces`, as a key of the problem: `gravity: {written}`"
         raise ProblemError(Diagnostic("misplaced-gravity", message, key.span, help=help_))
     mapping = mapping_of(node, what, f"{name}: {{on: P, vector: F*i}}")
-    kinds = [k for k in FORCES if any(entry.text == k for entry, _ in mapping.entries)]
+    kinds = [k for k in forms if any(entry.text == k for entry, _ in mapping.entries)]
     if len(kinds) > 1:
         listed = " and ".join(f"`{k}`" for k in kinds)
-        help_ = "give every force an entry of its own"
+        help_ = f"give every {noun} an entry of its own"
         raise ProblemError(Diagnostic("force-kind", f"{what} has {listed}", key.span, help=help_))
-    section = Section(mapping, what, FORCES[kinds[0]] if kinds else _ANY_FORCE, context.diagnostics)
-    kind = kinds[0] if kinds else next((k for k in FORCES if section.has(k)), None)
+    section = Section(mapping, what, forms[kinds[0]] if kinds else _any_of(noun, forms), context.diagnostics)
+    kind = kinds[0] if kinds else next((k for k in forms if section.has(k)), None)
     if kind is None and section.strange:
         raise ProblemError(())  # one of these keys may have been meant to be the kind, and has been reported
     if kind is None:
-        listed = ", ".join(f"`{k}`" for k in FORCES)
+        listed = ", ".join(f"`{k}`" for k in forms)
         message = f"{what} does not say what acts"
         raise ProblemError(Diagnostic("force-kind", message, key.span, help=f"give it one of {listed}"))
-    section.form = FORCES[kind]
+    section.form = forms[kind]
     return _READERS[kind](_Entry(name, what, key, section, context, tensions))
 
 
@@ -102,8 +125,9 @@ def _acceleration(node: Node) -> Scalar | None:
     return node if isinstance(node, Scalar) else None
 
 
-_ANY_FORCE = Form("a force", tuple({key.name: key for form in FORCES.values() for key in form.keys}.values()))
-"""All keys of forces, to suggest one where the kind of a force is not clear."""
+def _any_of(noun: str, forms: Mapping[str, Form]) -> Form:
+    """All keys of forces, to suggest one where the kind of a force is not clear."""
+    return Form(f"a {noun}", tuple({key.name: key for form in forms.values() for key in form.keys}.values()))
 
 
 class _Entry:
@@ -253,6 +277,26 @@ def _potential(f: _Entry) -> Force:
     return Potential(f.name, f.scalar("potential", ENERGY), f.span)
 
 
+def _generalized(f: _Entry) -> Force:
+    example = "generalized: {theta: -c*theta'}"
+    entries = entries_of(f.node("generalized"), f"`generalized` of {f.what}", example)
+    coordinates = {q.name: q for q in f.context.scope.slots.coordinates}
+    components: dict[sp.Symbol, sp.Expr] = {}
+    for key, value in entries:
+        name = canonical(key.text, coordinates)
+        if name not in coordinates:
+            if not f.context.names.has_failed(key.text):
+                help_ = suggestion(name, list(coordinates), "coordinates")
+                message = f"`{key.text}` is not a coordinate of this file"
+                f.context.diagnostics.report(Diagnostic("unknown-name", message, key.span, help=help_))
+            continue
+        what = f"the generalized force of `{name}` in {f.what}"
+        read = f.context.diagnostics.attempt(lambda v=value, w=what: f.context.scalar(v, w, FORCE))  # type: ignore[misc]
+        if read is not None:
+            components[coordinates[name]] = read
+    return GeneralizedForce(f.name, components, f.span)
+
+
 def _friction(f: _Entry) -> Force:
     constraints = f.context.constraints.known()
     coefficient, constraint, on, velocity, slip, contact, at, static = f.all_of(
@@ -290,6 +334,7 @@ _READERS: dict[str, Callable[[_Entry], Force]] = {
     "spring": _spring,
     "damper": _damper,
     "potential": _potential,
+    "generalized": _generalized,
     "friction": _friction,
     "belt": _belt,
 }

@@ -14,82 +14,14 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from lagrange.core.records import record
-
-PRIMITIVE = ("text", "name", "argument", "expression", "equation", "number", "nothing")
-"""`number` is a natural number; `nothing` is an empty section, such as one whose entries are all commented out."""
-
-
-@record
-class Words:
-    """One of several words."""
-
-    words: tuple[str, ...]
-
-
-@record
-class ListOf:
-    """A list; `most` is None where it may have any length."""
-
-    item: Kind
-    least: int = 0
-    most: int | None = None
-
-
-@record
-class Named:
-    """name -> value. `new`: whether the names are declared here, and must be spelled like symbols."""
-
-    value: Kind
-    new: bool = True
-
-
-@record
-class AnyOf:
-    """One of several kinds."""
-
-    kinds: tuple[Kind, ...]
-
-
-@record
-class Key:
-    """A key of a form.
-
-    meaning   one or two sentences for whoever writes a file
-    required  whether it must be there in every case
-    example   a value to suggest where it is missing; empty for keys that no error suggests
-    """
-
-    name: str
-    kind: Kind
-    meaning: str
-    required: bool = False
-    example: str = ""
-
-
-@record
-class Form:
-    """A mapping with known keys; `title` is what it is called in editors and in the documentation."""
-
-    title: str
-    keys: tuple[Key, ...]
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The names of the keys."""
-        return tuple(key.name for key in self.keys)
-
-    def example(self, name: str) -> str:
-        """The example of a key."""
-        return next(key.example for key in self.keys if key.name == name)
-
-    @property
-    def required(self) -> tuple[str, ...]:
-        """The names of the keys that must be there."""
-        return tuple(key.name for key in self.keys if key.required)
-
-
-Kind = str | Words | ListOf | Named | AnyOf | Form
+from lagrange.problem.yaml.kinds import PRIMITIVE as PRIMITIVE
+from lagrange.problem.yaml.kinds import AnyOf as AnyOf
+from lagrange.problem.yaml.kinds import Form as Form
+from lagrange.problem.yaml.kinds import Key as Key
+from lagrange.problem.yaml.kinds import Kind as Kind
+from lagrange.problem.yaml.kinds import ListOf as ListOf
+from lagrange.problem.yaml.kinds import Named as Named
+from lagrange.problem.yaml.kinds import Words as Words
 
 
 def _or_nothing(*kinds: Kind) -> AnyOf:
@@ -127,6 +59,8 @@ class Find(StrEnum):
     IMPENDING = "impending"
     HAMILTONIAN = "hamiltonian"
     STEADY = "steady"
+    IMPACT = "impact"
+    RESPONSE = "response"
 
 
 class FrameType(StrEnum):
@@ -361,7 +295,27 @@ FORCES = {
     ),
     "potential": Form(
         "a field of force",
-        (Key("potential", "expression", "A field of force: its potential energy.", required=True, example="m*g*y"),),
+        (
+            Key(
+                "potential",
+                "expression",
+                "A field of force: its potential energy, which may depend on velocities.",
+                required=True,
+                example="m*g*y",
+            ),
+        ),
+    ),
+    "generalized": Form(
+        "generalized forces",
+        (
+            Key(
+                "generalized",
+                Named("expression", new=False),
+                "Generalized forces, by coordinates: {theta: -c*theta'}.",
+                required=True,
+                example="{theta: -c*theta'}",
+            ),
+        ),
     ),
     "friction": Form(
         "Coulomb friction",
@@ -407,6 +361,45 @@ CHOICE = Form(
     ),
 )
 
+IMPACT = Form(
+    "an impact",
+    (
+        Key(
+            "before",
+            _or_nothing(Named("expression", new=False)),
+            "The state just before: velocities, and coordinates where the position is known: {x': v, theta: 0}. "
+            "A velocity that is not given stays a symbol, x'_0.",
+        ),
+        Key("impulses", _or_nothing(Named("impulse")), "Given blows."),
+        Key(
+            "constraints",
+            _or_nothing(Named(AnyOf(("equation", "constraint")))),
+            "Constraints that begin to act; those of the file go on.",
+        ),
+        Key(
+            "restitution",
+            _or_nothing(Named("expression", new=False)),
+            "The coefficient of restitution of each of these constraints; 0 where none is given.",
+        ),
+    ),
+)
+
+IMPULSES = {
+    "vector": Form(
+        "an impulse",
+        (
+            Key("vector", "vector", "An impulse: its vector.", required=True, example="J*i"),
+            _ON,
+            Key("at", "vector", "Where it acts, if not at that point itself."),
+        ),
+    ),
+    "moment": Form(
+        "an impulsive moment",
+        (Key("moment", "vector", "An impulsive moment on a body.", required=True, example="H*k"), _ON_BODY),
+    ),
+}
+"""The kinds of given impulses, each recognised by the key of its name."""
+
 QUESTION = Form(
     "a question",
     (
@@ -444,6 +437,16 @@ ANSWERS = Form(
         Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
         Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
         Key("virtual_displacements", _one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
+        Key(
+            "response",
+            Named(AnyOf(("expression", "equation")), new=False),
+            "Amplitudes of the steady state under a harmonic drive, by coordinates.",
+        ),
+        Key(
+            "impact",
+            Named(AnyOf(("expression", "equation")), new=False),
+            "After an impact: velocities (x'), impulses by the names of their constraints, `energy_lost`.",
+        ),
     ),
 )
 
@@ -553,6 +556,8 @@ PROBLEM = Form(
         ),
         Key("initial", _or_nothing(Named("expression", new=False)), "The state at t = 0: {theta: 0, theta': 0}."),
         Key("ask", _or_nothing(Named("question")), "Questions about the motion, by names of your own."),
+        Key("impact", IMPACT, "Blows, and constraints that begin to act in an instant."),
+        Key("lagrangian", "expression", "The Lagrangian outright, instead of particles and bodies."),
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
         Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
@@ -578,6 +583,7 @@ PARTS: dict[str, Kind] = {
     "body": BODY,
     "constraint": CONSTRAINT,
     "force": AnyOf(tuple(FORCES.values())),
+    "impulse": AnyOf(tuple(IMPULSES.values())),
     "choice": CHOICE,
     "question": QUESTION,
     "answers": _or_nothing(ANSWERS),
@@ -586,6 +592,6 @@ PARTS: dict[str, Kind] = {
 
 FORMS = (
     *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
-    *(*FORCES.values(), CHOICE, QUESTION, ANSWERS, FIGURE, CIRCLE, CURVE),
+    *(*FORCES.values(), CHOICE, QUESTION, IMPACT, *IMPULSES.values(), ANSWERS, FIGURE, CIRCLE, CURVE),
 )
 """All forms, in the order in which the documentation has them."""

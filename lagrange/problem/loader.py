@@ -38,8 +38,8 @@ from lagrange.problem.limits import UNITS_OF_READING
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.masses import read_things
 from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Constraint, Problem, Speed
-from lagrange.problem.questions import read_initial, read_questions, scope_of_questions
-from lagrange.problem.sections import OTHER_QUESTIONS, Section, entries_of, items_of, scalar_of
+from lagrange.problem.questions import read_impact, read_initial, read_questions, scope_of_questions
+from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of, items_of, scalar_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
 from lagrange.problem.values import check_dimensions, with_settings
@@ -102,6 +102,11 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         energies = {s.name: s for s in (KINETIC_ENERGY, ENERGY) if s.name not in scope.names()}
         scope = replace(scope, scalars={**energies, **scope.scalars})
     answers = AnswerReader(context, constraints, choices, scope, questions)
+    function = root.get("lagrangian")
+    lagrangian = (
+        None if function is None else diagnostics.attempt(lambda: context.scalar(function, "`lagrangian`", RATE))
+    )
+    impact = read_impact(root.section("impact"), context, asking, constraints)
     problem = Problem(
         title=diagnostics.attempt(lambda: _title(root)) or "",
         source=root.text("source"),
@@ -125,12 +130,19 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         choices=choices,
         initial=initial,
         questions=questions,
+        impact=impact,
+        lagrangian=lagrangian,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
         figure=read_figure(root, context, choices),
     )
     _check_whole(problem, root, diagnostics)
-    return replace(problem, find=_find(root.get("find"), problem, diagnostics))
+    find = _find(root.get("find"), problem, diagnostics)
+    if Find.IMPACT in find and impact is None and not root.has("impact"):
+        message = "an impact is asked for, and the file has no `impact`"
+        help_ = "say what happens: `impact: {constraints: {wall: x = 0}}`, or `impulses: {blow: {on: P, vector: J*i}}`"
+        diagnostics.report(Diagnostic("missing-key", message, root.span_of("find"), help=help_))
+    return replace(problem, find=find)
 
 
 def _title(root: Section) -> str:
@@ -181,7 +193,13 @@ def _question(node: Node) -> Find:
 
 
 def _suggested(problem: Problem) -> Find:
-    """Motion where there are masses, equilibrium where there are forces without masses, constraints otherwise."""
+    """An impact where the file has one; motion where there are masses, equilibrium where there are forces without
+    masses, constraints otherwise.
+    """
+    if problem.impact is not None:
+        return Find.IMPACT
+    if problem.lagrangian is not None:
+        return Find.MOTION
     masses = [p.mass for p in problem.particles] + [m for b in problem.bodies for m in (b.mass, *b.inertia)]
     if any(m != 0 for m in masses) or problem.equations:
         return Find.MOTION
@@ -206,6 +224,10 @@ def _check_whole(problem: Problem, root: Section, diagnostics: Diagnostics) -> N
         message = "the equations are given outright, and there are masses to derive them from"
         help_ = "keep `equations` (to check answers against) or the particles and bodies (to derive them)"
         diagnostics.report(Diagnostic("two-systems", message, root.span_of("equations"), help=help_))
+    if root.get("lagrangian") is not None and (problem.particles or problem.bodies or problem.gravity is not None):
+        message = "the Lagrangian is given outright, and there are masses or a gravity to derive it from"
+        help_ = "keep `lagrangian`, or the particles, bodies and gravity; massless points are `let` names"
+        diagnostics.report(Diagnostic("two-systems", message, root.span_of("lagrangian"), help=help_))
     open_choices = [c for c in problem.choices if c.substitute is None]
     for p in problem.parameters:
         if open_choices and re.fullmatch(r"sigma_[0-9]+", p.symbol.name):

@@ -199,10 +199,19 @@ class Damper:
 
 @record
 class Potential:
-    """A potential energy V(q, t)."""
+    """A potential energy V(q, t), or one that depends on velocities too, U(q, q', t)."""
 
     name: str
     energy: sp.Expr
+    span: Span
+
+
+@record
+class GeneralizedForce:
+    """Generalized forces Q_k, by coordinate."""
+
+    name: str
+    components: Mapping[sp.Symbol, sp.Expr]
     span: Span
 
 
@@ -243,7 +252,7 @@ class Belt:
     span: Span
 
 
-Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | Friction | Belt
+Force = AppliedForce | AppliedMoment | Spring | Damper | Potential | GeneralizedForce | Friction | Belt
 
 
 @record
@@ -385,6 +394,23 @@ class Question:
 
 
 @record
+class Impact:
+    """What happens in an instant: blows, and constraints that begin to act.
+
+    before       coordinates and velocities just before, as far as they are given
+    impulses     given impulses, and impulsive moments, on particles and bodies
+    constraints  those that begin to act
+    restitution  the coefficient e of each of these, by name; 0 where there is none
+    """
+
+    span: Span
+    before: tuple[InitialValue, ...] = ()
+    impulses: tuple[AppliedForce | AppliedMoment, ...] = ()
+    constraints: tuple[Constraint, ...] = ()
+    restitution: Mapping[str, sp.Expr] = field(default_factory=dict)
+
+
+@record
 class Answers:
     """The textbook's answers. Expressions stay text: they are read like anybody's answer."""
 
@@ -403,6 +429,8 @@ class Answers:
     generalized_forces: Mapping[str, Fragment] = field(default_factory=dict)
     conserved: tuple[Fragment, ...] = ()
     virtual_displacements: tuple[Fragment, ...] = ()
+    response: Mapping[str, Fragment] = field(default_factory=dict)
+    impact: Mapping[str, Fragment] = field(default_factory=dict)
 
 
 @record
@@ -435,6 +463,8 @@ class Problem:
     choices: tuple[Choice, ...] = ()
     initial: tuple[InitialValue, ...] = ()
     questions: tuple[Question, ...] = ()
+    impact: Impact | None = None
+    lagrangian: sp.Expr | None = None
     equations: tuple[Fragment, ...] = ()
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None

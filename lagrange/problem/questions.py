@@ -1,4 +1,4 @@
-"""Reading the initial state and the questions.
+"""Reading the initial state, the questions, and an impact.
 
     initial: {theta: 0, theta': 0}
     ask:
@@ -9,24 +9,37 @@ The state at t = 0 is given by expressions in parameters; a coordinate or veloci
 asks for a quantity at the state in which its `when` holds, or as a function of one coordinate or of t (`by`). Both may
 contain coordinates of the file and of its choices, velocities, accelerations, t, parameters, the names of reactions,
 `T_kinetic` and `energy`.
+
+    impact:
+      before: {x': v, theta: 0}
+      impulses: {blow: {on: rod, vector: J*i, at: r_A}}
+      constraints: {peg: "x + l*cos(theta) = 0"}
+      restitution: {peg: e}
+
+`before` has velocities, and coordinates where the position in which the impact occurs is known. The names of new
+constraints differ from those of the others, which go on.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import partial
 
 import sympy as sp
 
-from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
+from lagrange.core.records import record
 from lagrange.core.symbols import base, t
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import EquationRead, Scope, Value, read_scalar, read_value
 from lagrange.problem import keys
+from lagrange.problem.constraints import read_constraints
+from lagrange.problem.declared_names import Namespace, canonical
+from lagrange.problem.forces import read_impulses
 from lagrange.problem.limits import MOST_QUESTIONS
 from lagrange.problem.load_context import LoadContext
-from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Condition, Constraint, InitialValue, Question
+from lagrange.problem.model import ENERGY, KINETIC_ENERGY, Choice, Condition, Constraint, Impact, InitialValue, Question
 from lagrange.problem.sections import (
     CONSTANT,
     STATE,
@@ -41,8 +54,20 @@ from lagrange.problem.sections import (
 from lagrange.problem.values import measured_in
 from lagrange.problem.yaml.nodes import ListNode, Node, Scalar
 
-_EXAMPLE_OF_STATE = "initial: {theta: 0, theta': 0}"
 _EXAMPLE = 'ask: {leaves: {quantity: theta, when: "N = 0"}}'
+
+
+@record
+class Instant:
+    """What messages call a section with a state, that state, and a value in it; an example of the section."""
+
+    section: str
+    state: str
+    value: str
+    example: str
+
+
+_AT_START = Instant("`initial`", "the state at t = 0", "initial value", "initial: {theta: 0, theta': 0}")
 
 
 def scope_of_questions(scope: Scope, constraints: Iterable[Constraint], choices: Iterable[Choice]) -> Scope:
@@ -61,32 +86,37 @@ def scope_of_questions(scope: Scope, constraints: Iterable[Constraint], choices:
 
 def read_initial(node: Node | None, context: LoadContext, scope: Scope) -> tuple[InitialValue, ...]:
     """coordinate or velocity -> its value at t = 0."""
+    return read_state(node, context, scope, _AT_START)
+
+
+def read_state(node: Node | None, context: LoadContext, scope: Scope, at: Instant) -> tuple[InitialValue, ...]:
+    """coordinate or velocity -> its value at one instant."""
     if node is None:
         return ()
     values: dict[sp.Symbol, InitialValue] = {}
-    entries = context.diagnostics.attempt(lambda: entries_of(node, "`initial`", _EXAMPLE_OF_STATE))
+    entries = context.diagnostics.attempt(lambda: entries_of(node, at.section, at.example))
     for key, value in entries or ():
-        read = context.diagnostics.attempt(partial(_initial_value, key, value, context, scope))
+        read = context.diagnostics.attempt(partial(_value_at, key, value, context, scope, at))
         if read is None:
             continue
         if read.symbol in values:  # once as `θ`, once as `theta`
-            message = f"the initial value of `{read.symbol}` is given twice"
+            message = f"the {at.value} of `{read.symbol}` is given twice"
             context.diagnostics.report(Diagnostic("declared-twice", message, key.span, help="keep one of the two"))
             continue
         values[read.symbol] = read
     return tuple(values.values())
 
 
-def _initial_value(key: Scalar, node: Node, context: LoadContext, scope: Scope) -> InitialValue:
+def _value_at(key: Scalar, node: Node, context: LoadContext, scope: Scope, at: Instant) -> InitialValue:
     symbol = context.read_quietly(read_scalar, key.fragment, scope, [])
     kind = quantity(symbol, scope.slots, context.unknowns) if symbol.is_Symbol else None
     if kind not in (AllowedQuantity.COORDINATE, AllowedQuantity.VELOCITY):
         message = f"`{key.text}` is neither a coordinate nor a velocity"
-        help_ = f"the state at t = 0 has coordinates and velocities: `{_EXAMPLE_OF_STATE}`"
+        help_ = f"{at.state} has coordinates and velocities: `{at.example}`"
         raise ProblemError(Diagnostic("no-state", message, key.span, help=help_))
     value = measured_in(node.fragment, scope) if isinstance(node, Scalar) else None
     if value is None:
-        value = context.scalar(node, f"the initial value of `{symbol}`", CONSTANT, scope)
+        value = context.scalar(node, f"the {at.value} of `{symbol}`", CONSTANT, scope)
     return InitialValue(symbol, value, key.span)
 
 
@@ -173,3 +203,63 @@ def _variable(scalar: Scalar, scope: Scope, context: LoadContext) -> sp.Symbol:
     message = f"`{scalar.text}` is neither a coordinate nor `t`"
     help_ = "`by` names the coordinate of which the quantity is wanted as a function, or `t`"
     raise ProblemError(Diagnostic("no-variable", message, scalar.span, help=help_))
+
+
+_EXAMPLE_OF_IMPACT = "impact: {before: {x': v}, constraints: {wall: x = 0}, restitution: {wall: e}}"
+
+_BEFORE = Instant("`before`", "the state just before", "value before the impact", "before: {x': v, theta: 0}")
+
+
+def read_impact(node: Node | None, context: LoadContext, scope: Scope, old: Iterable[Constraint]) -> Impact | None:
+    """The section `impact`; None where there is none.
+
+    scope  the names that the state before may use
+    old    the constraints that act before and after
+    """
+    if node is None:
+        return None
+    mapping = context.diagnostics.attempt(lambda: mapping_of(node, "`impact`", _EXAMPLE_OF_IMPACT))
+    if mapping is None:
+        return None
+    section = Section(mapping, "the impact", keys.IMPACT, context.diagnostics)
+    before = read_state(section.section("before"), context, scope, _BEFORE)
+    impulses = read_impulses(section.section("impulses"), context)
+    names = Namespace(context.names)
+    for constraint in old:
+        names.reserve(constraint.name, "a constraint", constraint.span)
+    constraints = read_constraints(section.section("constraints"), context, names)
+    declared = [*dict.fromkeys(c.name.partition(".")[0] for c in constraints)]
+    restitution = _restitution(section.section("restitution"), context, declared)
+    if not section.has("impulses") and not section.has("constraints"):
+        message = "nothing happens in this impact: there is neither an impulse nor a new constraint"
+        help_ = "give `impulses`, or `constraints` that begin to act"
+        context.diagnostics.report(Diagnostic("empty-impact", message, section.node.span, help=help_))
+    of_components = {c.name: restitution.get(c.name.partition(".")[0], sp.S.Zero) for c in constraints}
+    return Impact(section.node.span, before, impulses, constraints, of_components)
+
+
+def _restitution(node: Node | None, context: LoadContext, declared: list[str]) -> Mapping[str, sp.Expr]:
+    """name of a new constraint -> its coefficient."""
+    if node is None:
+        return {}
+    coefficients: dict[str, sp.Expr] = {}
+    for key, value in context.diagnostics.attempt(lambda: entries_of(node, "`restitution`", "{peg: e}")) or ():
+        name = canonical(key.text, declared)
+        if name not in declared:
+            if not context.names.has_failed(key.text):
+                message = f"`{key.text}` is not a constraint that begins to act"
+                help_ = suggestion(name, declared, "new constraints")
+                context.diagnostics.report(Diagnostic("unknown-name", message, key.span, help=help_))
+            continue
+        read = context.diagnostics.attempt(
+            lambda v=value, n=name: context.scalar(v, f"the restitution of `{n}`", CONSTANT)  # type: ignore[misc]
+        )
+        if read is None:
+            continue
+        if read.is_negative or (read - 1).is_positive:
+            message = f"the coefficient of restitution of `{name}` is not between 0 and 1"
+            help_ = "0 is a perfectly inelastic impact, 1 an elastic one"
+            context.diagnostics.report(Diagnostic("bad-restitution", message, value.span, help=help_))
+            continue
+        coefficients[name] = read
+    return coefficients

@@ -8,8 +8,9 @@ Which quantities may occur where: no velocity in a position, nothing variable in
 
     a mass, a moment of inertia     parameters
     a position, an angle            parameters, time, coordinates
-    a potential energy              the same, and unknown forces
-    where a force acts              the same
+    a potential energy              the same, velocities, and unknown forces
+    a Lagrangian                    the same, without unknown forces
+    where a force acts              parameters, time, coordinates, unknown forces
     a stiffness, a free length      parameters, time, unknown forces
     a quasi-velocity                parameters, time, coordinates, velocities
     a constraint                    the same, and differentials d(x)
@@ -65,7 +66,7 @@ _T, _Q, _V, _P, _D = (
 CONSTANT = Allowed(frozenset(), "it is made of numbers and of names under `parameters:`", "not-constant")
 POSITION = Allowed(frozenset({_T, _Q}), "positions depend on coordinates and time")
 PLACE = Allowed(frozenset({_T, _Q, _P}), "where a force acts depends on coordinates, time and unknowns")
-ENERGY = Allowed(frozenset({_T, _Q, _P}), "it depends on coordinates and time")
+ENERGY = Allowed(frozenset({_T, _Q, _V, _P}), "it depends on coordinates, velocities and time")
 SPRING = Allowed(frozenset({_T, _P}), "a spring is the same wherever it is; give another energy as a `potential:`")
 RATE = Allowed(frozenset({_T, _Q, _V}), "it depends on coordinates, velocities and time")
 CONSTRAINT = Allowed(frozenset({_T, _Q, _V, _D}), "a constraint relates coordinates, velocities and time")

@@ -93,6 +93,8 @@ class AnswerReader:
             generalized_forces=self._by_coordinates(section.get("generalized_forces")),
             conserved=self._texts(section.get("conserved"), "`conserved`", '["m*r^2*phi\' = const"]'),
             virtual_displacements=self.equations(section.get("virtual_displacements"), "`virtual_displacements`"),
+            response=self._named(section.get("response"), "`response`", "response: {x: F_0/(k - m*w^2)}"),
+            impact=self._named(section.get("impact"), "`impact`", "impact: {x': J/m}"),
         )
 
     def _one(self, node: Node | None, what: str) -> Fragment | None:
@@ -119,6 +121,14 @@ class AnswerReader:
         known = {q.name: q.name for q in self.scope.slots.coordinates}
         forces = {canonical(key.text, known): self._one(value, "a generalized force") for key, value in entries or ()}
         return {name: fragment for name, fragment in forces.items() if fragment is not None}
+
+    def _named(self, node: Node | None, what: str, example: str) -> Mapping[str, Fragment]:
+        """name -> a text, which is read when it is judged."""
+        if node is None:
+            return {}
+        entries = self.diagnostics.attempt(lambda: entries_of(node, what, example))
+        texts = {key.text: self._one(value, f"an entry of {what}") for key, value in entries or ()}
+        return {name: fragment for name, fragment in texts.items() if fragment is not None}
 
     def _rest(self, node: Node | None) -> tuple[Fragment, ...]:
         """Conditions of rest: a list of inequalities or equations, or one."""

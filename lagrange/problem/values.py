@@ -28,6 +28,7 @@ from lagrange.problem.model import (
     Coordinate,
     Damper,
     Friction,
+    GeneralizedForce,
     Parameter,
     Potential,
     Problem,
@@ -342,6 +343,8 @@ def _places(problem: Problem) -> Iterator[tuple[sp.Expr, str]]:
                 yield f.coefficient, "N s/m"
             case Potential():
                 yield f.energy, "N m"
+            case GeneralizedForce():
+                pass  # its unit is that of an energy divided by the coordinate's
             case Friction():
                 yield f.coefficient, "1"
             case Belt():

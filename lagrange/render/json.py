@@ -17,7 +17,7 @@ from lagrange.document.math_writer import TEXT, Writer
 from lagrange.mechanics.constraints.displacements import possible_displacement, virtual_displacement
 from lagrange.mechanics.dynamics.equations import LagrangeMotion
 from lagrange.problem.values import no_values
-from lagrange.render.json_momenta import hamiltonian, steady_motions
+from lagrange.render.json_momenta import beside_motion, hamiltonian
 from lagrange.render.json_numbers import (
     add_oscillations,
     asked_number,
@@ -99,13 +99,7 @@ def as_object(report: Report) -> dict[str, Any]:
         found |= _reactions(solution, own.dynamics.reactions, report.values, write)
     if own.conserved is not None:
         found["conserved"] = integrals(own.conserved, write)
-    steady = next((v for v in reversed(solution.views) if v.steady is not None), None)
-    if steady is not None and steady.steady is not None:
-        found["steady"] = steady_motions(steady.steady, write)
-    in_momenta = next((v for v in solution.views if v.hamiltonian is not None), None)
-    if in_momenta is not None and in_momenta.hamiltonian is not None:
-        named = {"choice": in_momenta.name} if in_momenta.name else {}
-        found["hamiltonian"] = hamiltonian(in_momenta.hamiltonian, write) | named
+    found |= beside_motion(solution, write)
     if own.reactions_at_rest is not None:
         moving = found.get("reactions", {})
         found |= _reactions_at_rest(own.reactions_at_rest, solution.works, moving, report.values, write)
@@ -549,6 +543,8 @@ def by_lagrange(motion: EquationsOfMotion, write: Write) -> dict[str, Any]:
     }
     if principle.has_quasi_coordinates:
         result["quasi_coordinate_terms"] = each(principle.quasi)
+    if principle.moving != 0:
+        result["lagrangian"] = write(principle.lagrangian)
     return {"lagrange": result}
 
 

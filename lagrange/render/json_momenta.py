@@ -1,4 +1,4 @@
-"""Hamilton's function, the canonical equations, Routh's function and steady motions in JSON."""
+"""Forced oscillations, impacts, Hamilton's function, Routh's function and steady motions in JSON."""
 
 from __future__ import annotations
 
@@ -10,10 +10,35 @@ import sympy as sp
 from lagrange.core.symbols import prime
 
 if TYPE_CHECKING:
+    from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
     from lagrange.mechanics.momenta.hamiltonian import Hamiltonian
+    from lagrange.mechanics.momenta.impact import ImpulsiveMotion
     from lagrange.mechanics.momenta.steady_motions import SteadyMotions
+    from lagrange.mechanics.results import InCoordinates, Solution
 
 Write = Callable[[Any], str]
+
+
+def beside_motion(solution: Solution, write: Write) -> dict[str, Any]:
+    """`steady`, `hamiltonian`, `response` and `impact`, as far as they are asked for."""
+    found: dict[str, Any] = {}
+    views = solution.views
+    steady = next((v for v in reversed(views) if v.steady is not None), None)
+    if steady is not None and steady.steady is not None:
+        found["steady"] = steady_motions(steady.steady, write)
+    in_momenta = next((v for v in views if v.hamiltonian is not None), None)
+    if in_momenta is not None and in_momenta.hamiltonian is not None:
+        found["hamiltonian"] = hamiltonian(in_momenta.hamiltonian, write) | _named(in_momenta)
+    forced = next((v for v in reversed(views) if v.forced is not None), None)
+    if forced is not None and forced.forced is not None:
+        found["response"] = response(forced.forced, forced.response, write) | _named(forced)
+    if solution.impact is not None:
+        found["impact"] = impact(solution.impact, write)
+    return found
+
+
+def _named(view: InCoordinates) -> dict[str, str]:
+    return {"choice": view.name} if view.name else {}
 
 
 def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:
@@ -32,6 +57,52 @@ def hamiltonian(found: Hamiltonian, write: Write) -> dict[str, Any]:
     if found.routhian is not None:
         result["routhian"] = write(found.routhian)
     return result
+
+
+def response(forced: ForcedEquations, found: Response | None, write: Write) -> dict[str, Any]:
+    """`linear`: the forced equations; `amplitudes`, `phases` (the lag behind the drive) and `motions` by coordinate."""
+    coordinates = forced.configuration.slots.coordinates
+    result: dict[str, Any] = {
+        "about": [f"{write(r.lhs)} = {write(r.rhs)}" for r in forced.branch.equations],
+        "linear": [f"{write(left)} = {write(right)}" for left, right in forced.sides],
+    }
+    if found is None:
+        return result
+    names = [q.name for q in coordinates]
+    result |= {
+        "amplitudes": {q: write(e) for q, e in zip(names, found.amplitudes, strict=True)},
+        "phases": {q: None if e is None else write(e) for q, e in zip(names, found.phases, strict=True)},
+        "motions": {q: write(e) for q, e in zip(names, found.motions, strict=True)},
+        "drive": write(found.drive.law),
+        "frequency": write(found.drive.frequency),
+        "resonances": [write(e) for e in found.resonances],
+        "at_rest": {q: [write(e) for e in places] for q, places in zip(names, found.rests, strict=True) if places},
+    }
+    return result
+
+
+def impact(found: ImpulsiveMotion, write: Write) -> dict[str, Any]:
+    """`velocities` just after, by coordinate; `impulses` by constraint, `null` where they are not determined, with the
+    `directions` of those that are single forces; `energy_lost`, and where; `conditions` of contact.
+    """
+    single = {i.name: i.reaction.single for i in found.impulses if i.reaction.single is not None}
+    result: dict[str, Any] = {
+        "velocities": {q.name: write(v) for q, v in found.all_velocities.items()},
+        "before": {q.name: write(v) for q, v in zip(found.slots.coordinates, found.before, strict=True)},
+        "position": {q.name: write(v) for q, v in found.position.items()},
+        "impulses": {i.name: None if i.value is None else write(i.value) for i in found.impulses},
+        "directions": {
+            name: {"on": s.on, "direction": write(s.direction.map(found.at))}
+            for name, s in single.items()
+            if s.direction is not None
+        },
+        "energy_lost": write(found.energy_lost),
+        "lost_at": {i.name: write(i.lost) for i in found.impulses if i.lost is not None},
+        "kinetic_energy": {"before": write(found.kinetic[0]), "after": write(found.kinetic[1])},
+        "work_of_impulses": write(found.work),
+        "conditions": [f"{write(c.quantity)} {'>=' if c.is_impulse else '>'} 0" for c in found.conditions],
+    }
+    return result | ({"choice": found.configuration.name} if found.configuration.name else {})
 
 
 def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:

@@ -190,7 +190,7 @@ MISTAKES: dict[str, list[tuple[str, int, int]]] = {
     ALL + "forces: {a: {spring: k, between: [P, Z]}}": [("unknown-name", 7, 38)],
     ALL + "forces: {a: {friction: mu, constraint: rood, on: P}}": [("unknown-name", 7, 40)],
     ALL + "forces: {a: {friction: mu, constraint: rod, on: P, slip: up}}": [("unknown-sense", 7, 58)],
-    ALL + "forces: {a: {potential: k*x'^2}}": [("not-allowed-here", 7, 27)],
+    ALL + "forces: {a: {potential: k*x''^2}}": [("not-allowed-here", 7, 27)],
     # the rest
     ALL + "unknowns: [x]": [("declared-twice", 7, 12)],
     ALL + "unknowns: N": [("wrong-kind", 7, 11)],

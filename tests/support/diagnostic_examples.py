@@ -183,6 +183,13 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "no-substitution": ("Say how the old coordinates follow from the new one.", problem(
         PARTICLE + "generalized_coordinates: {c: {coordinates: [theta]}}")),
     "no-state": ("The state at t = 0 is given by coordinates and velocities.", problem("initial: {m: 2}")),
+    "contradictory-state": ("The state just before an impact satisfies the constraints of the file, and its position the new ones too.",
+        problem(PARTICLE + ROD + "impact: {before: {x: l, y: l}, impulses: {blow: {on: P, vector: m*i}}}")),
+    "contradictory-impact": ("An impact needs an approach, impulses that push, and velocities after it that agree.",
+        problem(PARTICLE + "impact: {before: {y': g, x': 0}, constraints: {floor: y >= 0}}")),
+    "bad-restitution": ("A coefficient of restitution is between 0 and 1.",
+        problem(PARTICLE + "impact: {constraints: {floor: y >= 0}, restitution: {floor: 2}}")),
+    "empty-impact": ("An impact has impulses, or constraints that begin to act.", problem(PARTICLE + "impact: {before: {x': 0}}")),
     "initial-contradicts": ("The state at t = 0 must satisfy the constraints; leave out what follows from the rest.",
         problem(PARTICLE + ROD + "initial: {x: l, y: l, x': 0, y': 0}\nask: {tension: {quantity: lambda_rod, when: x = 0}}")),
     "negative-radius": ("The radius of a polar, cylindrical or spherical frame is not negative.", problem(
@@ -235,7 +242,7 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "unknown-key": ("The key is misspelt.", problem("constraint: {rod: x = 0}")),
     "unknown-name": ("The file has no particle, body or constraint of that name.", problem(
         PARTICLE + "forces: {push: {on: Q, vector: g*i}}")),
-    "unknown-question": ("Ask for constraints, equilibrium, motion, linearization, impending, hamiltonian or steady.", problem("find: movement")),
+    "unknown-question": ("Ask for constraints, equilibrium, motion, linearization, impending, hamiltonian, steady, impact or response.", problem("find: movement")),
     "unknown-keeper": ("What keeps a constraint: a rod, a string, a surface, a wire, a hinge, rolling or a gear.", problem(
         PARTICLE + "constraints: {rod: {equation: x^2 + y^2 = l^2, by: rubber}}")),
     "unknown-sense": ("Write positive or negative.", problem(

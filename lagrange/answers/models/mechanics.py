@@ -23,7 +23,7 @@ import sympy as sp
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, partial, prime
 from lagrange.core.vectors import Components, Vector
-from lagrange.mechanics.constraints.kinematics import Configuration, Load
+from lagrange.mechanics.constraints.kinematics import Configuration, Load, with_velocities_apart
 from lagrange.mechanics.dynamics.friction import FrictionForce
 from lagrange.mechanics.dynamics.lagrangian import (
     is_constant,
@@ -34,6 +34,7 @@ from lagrange.mechanics.dynamics.lagrangian import (
     share_of_torque,
     spin_along_axes,
 )
+from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Potential, Problem
 
 Pair = tuple[int, int]
@@ -225,8 +226,11 @@ def _forces(configuration: Configuration, problem: Problem, frictions: Sequence[
         yield Force(kind, load.name, shares, is_constant(load, configuration), (load.on,))
     for f in problem.forces:
         if isinstance(f, Potential):
-            energy = configuration.rewritten(f.energy)
+            static, _ = with_velocities_apart([f.energy], problem.slots)
+            energy = configuration.rewritten(static)
             yield Force(Kind.POTENTIAL, f.name, tuple(-partial(energy, q) for q, _ in pairs), True)
+    if others := given_forces(configuration):
+        yield Force(Kind.FORCE, "generalized", others, False)
     for s in configuration.springs:
         yield Force(Kind.SPRING, s.name, tuple(share_of_spring(s, q) for q, _ in pairs), True, _names(s.ends))
     for d in configuration.dampers:

@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.symbols import prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.meaning import Stated, operations, verdict_on
 from lagrange.explain.rest.statics import stability_in_short
-from lagrange.explain.words import branch_conditions, in_words, sign_conditions
+from lagrange.explain.words import branch_conditions, in_words, sign_conditions, spoken
 from lagrange.mechanics.energy_symbols import energy_symbols
 from lagrange.mechanics.equilibrium.linear_stability import Ground
 from lagrange.mechanics.equilibrium.stability import StabilityVerdict
@@ -47,6 +48,8 @@ _CALLED = {
     Rule.FRICTION_AT_REST: "the conditions of rest",
     Rule.STEADY: "steady motions",
     Rule.LINEARIZATION: "small oscillations",
+    Rule.RESPONSE: "the steady state",
+    Rule.IMPACT: "the impact",
     Rule.QUESTION: "what is asked",
 }
 """What the box may contain, in this order."""
@@ -61,6 +64,7 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
     kept = dict(_from_steps(solution, steps, stated))
     for view in (solution.own, *solution.choices[:1]):  # the last is in the coordinates that are chosen, and shorter
         kept |= {rule: lines for rule, lines in _from_view(solution, view) if lines}
+    kept[Rule.IMPACT] = [*_impact(solution)]
     kept[Rule.QUESTION] = [e for asked in solution.asked for e in _answers(solution, asked)]
     kept = {rule: kept[rule] for rule in _CALLED if kept.get(rule)}
     while kept and not _is_short(kept.values()):
@@ -107,8 +111,25 @@ def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, 
     yield Rule.FRICTION_AT_REST, [*_friction(view)]
     if view.steady is not None:
         yield Rule.STEADY, [e for e in _steady(view.steady) if _operations(e) <= LONGEST_ANSWER]
+    if view.response is not None:
+        pairs = zip(view.response.letters, view.response.amplitudes, strict=True)
+        yield Rule.RESPONSE, [Equation(pair) for pair in pairs]
+    elif view.forced is not None:
+        yield Rule.LINEARIZATION, [Equation(sides) for sides in view.forced.sides]
     if view.linearization is not None:
         yield Rule.LINEARIZATION, [*_frequencies(view.linearization)]
+
+
+def _impact(solution: Solution) -> Iterator[Equation]:
+    """The velocities after an impact, the impulses, the energy lost."""
+    found = solution.impact
+    if found is None:
+        return
+    velocities = [Equation((prime(q), v)) for q, v in zip(found.slots.coordinates, found.velocities, strict=True)]
+    yield from (replace(e, condition=("just after",)) if n == 0 else e for n, e in enumerate(velocities))
+    for i in found.impulses:
+        if i.value is not None:
+            yield Equation((i.symbol, i.value), condition=("the impulse of ", spoken(i.name)))
 
 
 def _branch(b: Branch, *more: Part) -> list[Equation]:

@@ -82,7 +82,7 @@ def generalized_coordinates(choice: Choice, original: Configuration) -> Generali
     kept: list[Row] = []
     rule = dict(expressed)
     for row in original.rows:
-        pulled = _pulled_back(row, old, expressed, jacobian, slots)
+        pulled = pulled_back(row, old, expressed, jacobian, slots)
         if (row.finite is not None and row.finite.xreplace(rule) == 0) or _holds(choice, row, pulled, through_rates):
             satisfied.append(row.name)
         else:
@@ -100,7 +100,7 @@ def _radicands(expressions: Iterable[sp.Expr]) -> tuple[sp.Expr, ...]:
     return tuple(dict.fromkeys(p.base for p in sorted(roots, key=lambda p: p.sort_key())))
 
 
-def _pulled_back(
+def pulled_back(
     row: Row,
     old: Sequence[sp.Symbol],
     expressed: Mapping[sp.Symbol, sp.Expr],

@@ -26,6 +26,7 @@ from lagrange.problem.model import (
     Damper,
     Force,
     Friction,
+    GeneralizedForce,
     Potential,
     Problem,
     Spring,
@@ -132,6 +133,8 @@ def _of_force(f: Force, slots: Slots) -> tuple[sp.Expr, ...]:
             return (f.coefficient, *(c for end in f.ends for c in _components(end)))
         case Potential():
             return (f.energy, *(partial(f.energy, q) for q in slots.coordinates))
+        case GeneralizedForce():
+            return tuple(f.components.values())
         case Friction():
             vectors = [v for v in (f.surface_velocity, f.at, f.toward) if v is not None]
             static = () if f.static is None else (f.static,)

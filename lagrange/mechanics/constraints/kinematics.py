@@ -13,7 +13,7 @@ configuration, with the positions, forces and remaining constraints rewritten in
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import field, replace
 from functools import cached_property
 
@@ -22,7 +22,7 @@ import sympy as sp
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.records import record
-from lagrange.core.symbols import Slots, prime, t
+from lagrange.core.symbols import Slots, partial, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
 from lagrange.mechanics.constraints.rigid_bodies import Rotation, rotation_in, rotation_of
@@ -34,7 +34,7 @@ from lagrange.mechanics.constraints.springs_dampers import (
     rewritten_spring,
     stretched_springs,
 )
-from lagrange.problem.model import AppliedForce, AppliedMoment, Potential, Problem, Range
+from lagrange.problem.model import AppliedForce, AppliedMoment, GeneralizedForce, Potential, Problem, Range
 
 
 @record
@@ -87,6 +87,9 @@ class Configuration:
     rotations   of the bodies
     torques     the applied moments
     ranges      of the coordinates that have one
+    velocity_part  what the Lagrangian has beside T − V: terms of a given Lagrangian, or of potentials, with velocities
+    generalized  shape (n,), or none: the generalized forces that the file gives as such
+    is_outright  whether the file gives the Lagrangian: then there are no masses, and −V is its part without velocities
     """
 
     name: str
@@ -100,6 +103,9 @@ class Configuration:
     rotations: tuple[Rotation, ...] = ()
     torques: tuple[Torque, ...] = ()
     ranges: Mapping[sp.Symbol, Range] = field(default_factory=dict)
+    velocity_part: sp.Expr = sp.S.Zero
+    generalized: tuple[sp.Expr, ...] = ()
+    is_outright: bool = False
 
     @property
     def slots(self) -> Slots:
@@ -218,19 +224,53 @@ def applied_loads(problem: Problem) -> tuple[Load, ...]:
 def file_configuration(problem: Problem, constrained: ConstrainedSystem) -> Configuration:
     """The system in the coordinates of the file."""
     springs = stretched_springs(problem)
-    energies = (f.energy for f in problem.forces if isinstance(f, Potential))
+    energies = [f.energy for f in problem.forces if isinstance(f, Potential)]
+    if problem.lagrangian is not None:
+        energies.append(-problem.lagrangian)
+    static, moving = with_velocities_apart(energies, problem.slots)
     return Configuration(
         name="",
         constrained=constrained,
         points=tuple(_moving(p.name, p.mass, p.position, problem.slots) for p in problem.masses),
         loads=applied_loads(problem),
-        potential=sp.Add(*energies, *(s.energy for s in springs)),
+        potential=sp.Add(static, *(s.energy for s in springs)),
         springs=springs,
         dampers=damper_forces(problem),
         rotations=tuple(rotation_of(b, problem.slots) for b in problem.bodies),
         torques=tuple(Torque(f.name, f.on, f.moment) for f in problem.forces if isinstance(f, AppliedMoment)),
         ranges={q.symbol: q.range for q in problem.coordinates if q.range is not None},
+        velocity_part=-moving,
+        generalized=_given_forces(problem),
+        is_outright=problem.lagrangian is not None,
     )
+
+
+def with_velocities_apart(energies: Sequence[sp.Expr], slots: Slots) -> tuple[sp.Expr, sp.Expr]:
+    """The part of potentials that is left without velocities, and the rest; 0 and all where there is no such part."""
+    static, moving = [], []
+    at_rest = dict.fromkeys(slots.velocities, sp.S.Zero)
+    for energy in energies:
+        if energy.free_symbols.isdisjoint(slots.velocities):
+            static.append(energy)
+            continue
+        rest = energy.xreplace(at_rest)
+        if rest.has(sp.nan, sp.zoo, sp.oo):
+            moving.append(energy)
+            continue
+        static.append(rest)
+        terms = sp.Add.make_args(sp.expand(energy))
+        kept = [e for e in terms if not e.free_symbols.isdisjoint(slots.velocities)]
+        free = all(e.xreplace(at_rest) == 0 for e in kept)
+        moving.append(sp.Add(*kept) if free else energy - rest)
+    return sp.Add(*static), sp.Add(*moving)
+
+
+def _given_forces(problem: Problem) -> tuple[sp.Expr, ...]:
+    """Q_k of the generalized forces that the file gives; none where there are none."""
+    given = [f.components for f in problem.forces if isinstance(f, GeneralizedForce)]
+    if not given:
+        return ()
+    return tuple(sp.Add(*(f.get(q, sp.S.Zero) for f in given)) for q in problem.slots.coordinates)
 
 
 def substituted_configuration(
@@ -261,7 +301,24 @@ def substituted_configuration(
         rotations=tuple(rotation_in(r, dict(expressed), rule, slots) for r in original.rotations),
         torques=tuple(Torque(m.name, m.on, m.vector.xreplace(rule)) for m in original.torques),
         ranges={q: r for q, r in original.ranges.items() if q in coordinates},
+        velocity_part=original.velocity_part.xreplace(rule),
+        generalized=_pulled_back(original, expressed, rule, coordinates),
+        is_outright=original.is_outright,
     )
+
+
+def _pulled_back(
+    original: Configuration,
+    expressed: Mapping[sp.Symbol, sp.Expr],
+    rule: Mapping[sp.Basic, sp.Basic],
+    coordinates: Sequence[sp.Symbol],
+) -> tuple[sp.Expr, ...]:
+    """Q_s = Σ Q_k ∂q_k/∂s, of generalized forces that are given in the old coordinates q."""
+    if not original.generalized:
+        return ()
+    old = [expressed.get(q, q) for q in original.slots.coordinates]
+    forces = [f.xreplace(rule) for f in original.generalized]
+    return tuple(sp.Add(*(f * partial(e, s) for f, e in zip(forces, old, strict=True))) for s in coordinates)
 
 
 def _moving(name: str, mass: sp.Expr, position: Vector, slots: Slots) -> MassPoint:

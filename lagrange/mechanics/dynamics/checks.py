@@ -50,7 +50,7 @@ from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.lagrangian import applied_power, kinetic_energy, lagrange_equations
 from lagrange.mechanics.dynamics.motion import Method
 from lagrange.mechanics.dynamics.newton import WorkOfReaction
-from lagrange.mechanics.dynamics.principle import dalembert
+from lagrange.mechanics.dynamics.principle import dalembert, given_forces
 from lagrange.mechanics.dynamics.reactions import Reactions
 from lagrange.problem.model import Body, Problem
 
@@ -258,9 +258,11 @@ def check_motion(
     multipliers = tuple(reactions[row.name] for row in configuration.rows)
     name = configuration.name
     other = "Lagrange's equations give" if method is Method.DALEMBERT else "d'Alembert's principle gives"
+    if configuration.is_outright:
+        other = "the derivatives of L along a curve give"
     how = at_random_states(configuration)
     checks = [Check(f"{other} the same motion", _agrees_with_other(motion, multipliers, method), how, name)]
-    if _reactions_have_no_power(configuration):
+    if not configuration.is_outright and _reactions_have_no_power(configuration):
         how = f"{certainty(configuration.states)}: dT/dt along the motion against the power of the forces"
         checks.append(
             Check(
@@ -306,6 +308,8 @@ def check_reactions(
 
     passed = follow(configuration, claims, known, unknowns)
     equations = "Lagrange's equations" if method is Method.DALEMBERT else "the equations of d'Alembert's principle"
+    if configuration.is_outright:
+        equations = "the equations from the derivatives of L along a curve"
     what = (
         f"reactions satisfy {equations} with multipliers"
         if multipliers
@@ -381,6 +385,8 @@ def _energy_rate_holds(motion: EquationsOfMotion) -> bool | None:
     power = applied_power(configuration) - sp.Add(
         *(partial(configuration.potential, q) * v for q, v in zip(slots.coordinates, slots.velocities, strict=True))
     )
+    others = given_forces(configuration)
+    power += sp.Add(*(q * v for q, v in zip(others, slots.velocities, strict=False)))
     system = System(configuration, motion.expressions)
     expressions = (rate, power, *system.equations, *system.accelerated_constraints)
 

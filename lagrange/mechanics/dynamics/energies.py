@@ -48,6 +48,7 @@ class Energies(Balance):
     squares     v² of each
     kinetic     T
     potential   V
+    moving      what L has beside T − V: terms of a given Lagrangian, or of potentials, with velocities
     momenta     shape (n,): p_k
     rates       shape (n,): d/dt p_k
     partials    shape (n,): ∂L/∂q_k
@@ -60,12 +61,29 @@ class Energies(Balance):
     squares: Mapping[str, sp.Expr]
     kinetic: sp.Expr
     potential: sp.Expr
+    moving: sp.Expr
     momenta: tuple[sp.Expr, ...]
     rates: tuple[sp.Expr, ...]
     partials: tuple[sp.Expr, ...]
     applied: tuple[sp.Expr, ...]
     quasi: tuple[sp.Expr, ...]
     left: tuple[sp.Expr, ...]
+
+    @property
+    def has_lagrangian(self) -> bool:
+        """Whether L is more than T."""
+        return bool(self.potential != 0 or self.moving != 0)
+
+    @property
+    def lagrangian(self) -> sp.Expr:
+        """L."""
+        return self.kinetic + self.moving - self.potential
+
+    @property
+    def moving_energy(self) -> sp.Expr:
+        """Σ q_k' ∂X/∂q_k' − X of the terms X with velocities: their share of the energy."""
+        velocities = self.configuration.slots.velocities
+        return sp.Add(*(v * partial(self.moving, v) for v in velocities), -self.moving)
 
     @property
     def has_quasi_coordinates(self) -> bool:
@@ -79,16 +97,19 @@ def energies(configuration: Configuration) -> Energies:
     textbook = Textbook(ring)
     slots = configuration.slots
     kinetic = ring.from_sympy(kinetic_energy(configuration))
+    moving = ring.from_sympy(configuration.velocity_part)
     potential = ring.from_sympy(potential_energy(configuration))
     rate_of = ring.time_derivative(slots)
-    momenta = [ring.partial(v)(kinetic) for v in slots.velocities]
+    momenta = [ring.partial(v)(kinetic + moving) for v in slots.velocities]
     rates = [rate_of(p) for p in momenta]
     slopes = [ring.partial(q)(potential) for q in slots.coordinates]
-    partials = [ring.partial(q)(kinetic) - s for q, s in zip(slots.coordinates, slopes, strict=True)]
+    partials = [ring.partial(q)(kinetic + moving) - s for q, s in zip(slots.coordinates, slopes, strict=True)]
     applied = [_applied(configuration, v, ring) for v in slots.velocities]
+    if configuration.generalized:
+        applied = [q + ring.from_sympy(e) for q, e in zip(applied, configuration.generalized, strict=True)]
     quasi = [_quasi(configuration, k, ring) for k in range(len(slots.coordinates))]
     left = [r - p - n for r, p, n in zip(rates, partials, quasi, strict=True)]
-    moving = [p for p in configuration.points if p.mass != 0 and not configuration.is_pinned(p)]
+    massive = [p for p in configuration.points if p.mass != 0 and not configuration.is_pinned(p)]
 
     def forms(elements: list[Element]) -> tuple[sp.Expr, ...]:
         return tuple(textbook.form(e) for e in elements)
@@ -98,10 +119,11 @@ def energies(configuration: Configuration) -> Energies:
         coefficients=tuple(a - q for a, q in zip(left, applied, strict=True)),
         forces=forms([q - s for q, s in zip(applied, slopes, strict=True)]),
         textbook=textbook,
-        velocities={p.name: p.velocity.map(textbook.form) for p in moving},
-        squares={p.name: textbook.form(_square(p, configuration)) for p in moving},
+        velocities={p.name: p.velocity.map(textbook.form) for p in massive},
+        squares={p.name: textbook.form(_square(p, configuration)) for p in massive},
         kinetic=_written_kinetic(configuration, kinetic, ring),
         potential=_written_potential(configuration, textbook),
+        moving=configuration.velocity_part,
         momenta=forms(momenta),
         rates=forms(rates),
         partials=forms(partials),

@@ -178,6 +178,7 @@ class EnergyFunctions:
     """The energies of a configuration, as elements of the ring of `textbook`.
 
     kinetic    T
+    moving     what L has beside T − V: terms with velocities
     potential  V without `given`
     given      the potentials of springs and of the file, as they are written
     forces     shape (n,): Q'_k
@@ -188,6 +189,7 @@ class EnergyFunctions:
     configuration: Configuration
     textbook: Textbook
     kinetic: Element
+    moving: Element
     potential: Element
     given: sp.Expr
     forces: tuple[Element, ...]
@@ -206,8 +208,8 @@ class EnergyFunctions:
 
     @cached_property
     def lagrangian(self) -> Element:
-        """L = T − V."""
-        return self.kinetic - self._total_potential
+        """L = T − V, and the terms with velocities."""
+        return self.kinetic + self.moving - self._total_potential
 
     @cached_property
     def are_quasi(self) -> bool:
@@ -216,14 +218,21 @@ class EnergyFunctions:
 
     @cached_property
     def momenta(self) -> tuple[Element, ...]:
-        """p_k = ∂T/∂q_k', shape (n,)."""
-        return tuple(self.ring.partial(v)(self.kinetic) for v in self.slots.velocities)
+        """p_k = ∂L/∂q_k', shape (n,)."""
+        return tuple(self.ring.partial(v)(self.kinetic + self.moving) for v in self.slots.velocities)
+
+    @cached_property
+    def moving_energy(self) -> Element:
+        """Σ q_k' ∂X/∂q_k' − X of the terms X with velocities: their share of the energy, 0 where X is linear in q'."""
+        slopes = [self.ring.partial(v)(self.moving) for v in self.slots.velocities]
+        return self.ring.dot(slopes, [self.ring.from_sympy(v) for v in self.slots.velocities]) - self.moving
 
     @cached_property
     def powers(self) -> tuple[Element, Element]:
-        """Σ p_k q_k' = 2 T2 + T1, and 2 T minus that: T1 + 2 T0."""
+        """Σ (∂T/∂q_k') q_k' = 2 T2 + T1, and 2 T minus that: T1 + 2 T0."""
         velocities = [self.ring.from_sympy(v) for v in self.slots.velocities]
-        power = self.ring.dot(self.momenta, velocities)
+        momenta = [self.ring.partial(v)(self.kinetic) for v in self.slots.velocities]
+        power = self.ring.dot(momenta, velocities)
         return power, 2 * self.kinetic - power
 
     @property
@@ -250,8 +259,8 @@ class EnergyFunctions:
 
     @cached_property
     def energy(self) -> sp.Expr:
-        """E = T + V in the form printed, without constants."""
-        return sp.Add(self.changing(self.kinetic + self.potential), self.given)
+        """E = T + V in the form printed, without constants; with velocities in potentials, their share."""
+        return sp.Add(self.changing(self.kinetic + self.moving_energy + self.potential), self.given)
 
     @cached_property
     def jacobi(self) -> sp.Expr:
@@ -260,7 +269,7 @@ class EnergyFunctions:
 
     def jacobi_less(self, gauge: sp.Expr) -> sp.Expr:
         """h − G in the form printed, without constants."""
-        h = self.powers[0] - self.kinetic + self.potential
+        h = self.powers[0] - self.kinetic + self.moving_energy + self.potential
         return sp.Add(self.changing(h - self.ring.from_sympy(gauge)), self.given)
 
     def form(self, element: Element) -> sp.Expr:
@@ -311,10 +320,13 @@ def energy_functions(
     potential = potential + ring.from_sympy(others)
     if configuration.expressed:
         potential, fields = potential + ring.from_sympy(fields), sp.S.Zero
+    if configuration.generalized:
+        forces = tuple(f + ring.from_sympy(q) for f, q in zip(forces, configuration.generalized, strict=True))
     return EnergyFunctions(
         configuration=configuration,
         textbook=textbook,
         kinetic=_kinetic(configuration, ring),
+        moving=ring.from_sympy(configuration.velocity_part),
         potential=potential,
         given=sp.Add(springs, fields),
         forces=forces,

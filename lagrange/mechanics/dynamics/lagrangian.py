@@ -50,12 +50,15 @@ def lagrange_equations(configuration: Configuration) -> Lagrangian:
     varying = [f for f in configuration.loads if f not in constant]
     fields = configuration.potential - sp.Add(*(s.energy for s in configuration.springs))
     potential = fields - sp.Add(*(f.vector.fixed().dot(f.point.fixed()) for f in constant))
+    X = configuration.velocity_part
     left = []
-    for q, v in zip(slots.coordinates, slots.velocities, strict=True):
+    for k, (q, v) in enumerate(zip(slots.coordinates, slots.velocities, strict=True)):
         force = sp.Add(*(share_of_load(f, v, configuration) for f in varying)) - partial(potential, q)
         force += share_of_moments(configuration, v)
         force += sp.Add(*(share_of_spring(s, q) for s in configuration.springs))
         force += sp.Add(*(share_of_damper(d, v, slots) for d in configuration.dampers))
+        force += configuration.generalized[k] if configuration.generalized else 0
+        force += partial(X, q) - slots.time_derivative(partial(X, v))
         quasi = sp.Add(*(quasi_term(r, q, v, slots) for r in configuration.rotations if r.given))
         left.append(slots.time_derivative(partial(kinetic, v)) - partial(kinetic, q) - force - quasi)
     return Lagrangian(kinetic, potential, tuple(left))

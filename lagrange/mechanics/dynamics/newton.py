@@ -54,6 +54,7 @@ from lagrange.mechanics.dynamics.named_forces import (
     single_force,
     tension_of_rod,
 )
+from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.problem.model import Constraint, Keeper
 
 
@@ -441,10 +442,12 @@ def _along(rod: Rod, directions: Mapping[str, Vector]) -> dict[str, Vector]:
 def _field(placed: Placed, configuration: Configuration) -> Forces | None:
     """−∂V/∂r_P for each particle, with the forces of the dampers, and the moments of both; None: not found."""
     potential, slots = configuration.potential, configuration.slots
-    if potential == 0 and not configuration.dampers:
+    others = given_forces(configuration)
+    if potential == 0 and not configuration.dampers and not others:
         return Forces({}, {})
     resistance = [sp.Add(*(d.pull * d.distance.diff(q) for d in configuration.dampers)) for q in slots.coordinates]
     slopes = tuple(-partial(potential, q) - r for q, r in zip(slots.coordinates, resistance, strict=True))
+    slopes = tuple(sp.Add(*pair) for pair in zip(slopes, others or (sp.S.Zero,) * len(slopes), strict=True))
     return form_as_forces(Row("", slopes, sp.S.Zero), placed, configuration.states)
 
 

@@ -23,7 +23,7 @@ import sympy as sp
 from lagrange.algebra.fourier.ring import Element, FourierRing
 from lagrange.algebra.fourier.textbook_form import Textbook
 from lagrange.core.records import record
-from lagrange.core.symbols import partial, variation
+from lagrange.core.symbols import partial, prime, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 
@@ -104,7 +104,29 @@ def generalized_forces(configuration: Configuration, ring: FourierRing) -> tuple
         work += [dot(moments[name], r.partials[k], ring) for name, r in turning.items()]
         resistance = [ring.from_sympy(d.pull) * ring.from_sympy(partial(d.distance, q)) for d in configuration.dampers]
         forces.append(ring.total(work) - ring.total(resistance) - ring.from_sympy(partial(configuration.potential, q)))
-    return tuple(forces)
+    others = given_forces(configuration)
+    return tuple(q + ring.from_sympy(e) for q, e in zip(forces, others, strict=True)) if others else tuple(forces)
+
+
+def given_forces(configuration: Configuration) -> tuple[sp.Expr, ...]:
+    """Q_k that the file gives, and ∂X/∂q_k − d/dt ∂X/∂q_k' of the part X of the Lagrangian with velocities; or none.
+
+    Differentiated along a curve: with q_k(s) = q_k + q_k' s + q_k'' s²/2, the rate of ∂X/∂q_k' is its derivative with
+    respect to s at s = 0. Lagrange's equations (`energies`) use the chain rule in the ring of Fourier sums instead.
+    """
+    slots, X = configuration.slots, configuration.velocity_part
+    size = len(slots.coordinates)
+    given = configuration.generalized or (sp.S.Zero,) * size
+    if X == 0:
+        return configuration.generalized
+    s = sp.Dummy("s", real=True)
+    curve: dict[sp.Basic, sp.Expr] = {t: t + s}
+    for q in (*slots.coordinates, *slots.prescribed):
+        v, a, j = prime(q), prime(q, 2), prime(q, 3)
+        curve |= {q: q + v * s + a * s**2 / 2, v: v + a * s, a: a + j * s}
+    rates = [sp.diff(sp.diff(X, v).xreplace(curve), s).xreplace({s: sp.S.Zero}) for v in slots.velocities]
+    slopes = [sp.diff(X, q) for q in slots.coordinates]
+    return tuple(f + slope - rate for f, slope, rate in zip(given, slopes, rates, strict=True))
 
 
 def _inertia(configuration: Configuration, ring: FourierRing) -> tuple[Element, ...]:

@@ -38,6 +38,7 @@ from lagrange.mechanics.dynamics.comparison import compare
 from lagrange.mechanics.dynamics.equations import EquationOfMotion, EquationsOfMotion, divided, excluded
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.limits import LONGEST_SOLVED_RATES, MOST_SOLVED_RATES
+from lagrange.mechanics.dynamics.principle import given_forces
 from lagrange.mechanics.dynamics.quasi_velocities import QuasiVelocities, quasi_velocities
 from lagrange.problem.model import Problem, Speed
 
@@ -212,7 +213,8 @@ def _force(motion: _Motion, points: Mapping[str, Moving], turning: Mapping[str, 
     coordinates = configuration.slots.coordinates
     work = [_work(motion, load, points, s) for load in configuration.loads]
     work += [motion.dot(configuration.moment_on(name), m.partials[s]) for name, m in turning.items()]
-    slopes = [-partial(configuration.potential, q) for q in coordinates]
+    others = given_forces(configuration) or (sp.S.Zero,) * len(coordinates)
+    slopes = [sp.Add(-partial(configuration.potential, q), f) for q, f in zip(coordinates, others, strict=True)]
     work.append(motion.pulled(slopes, s))
     work += [motion.pulled([-d.pull * d.distance.diff(q) for q in coordinates], s) for d in configuration.dampers]
     return ring.total(work)

@@ -39,13 +39,29 @@ from lagrange.mechanics.equilibrium.limits import MOST_COMPARED_POINTS
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stated_equilibria import stated_equilibria_hold
 from lagrange.mechanics.equilibrium.static_reactions import StaticReactions
-from lagrange.problem.model import AppliedForce, AppliedMoment, Belt, Damper, Friction, Potential, Problem, Spring
+from lagrange.problem.model import (
+    AppliedForce,
+    AppliedMoment,
+    Belt,
+    Damper,
+    Friction,
+    GeneralizedForce,
+    Potential,
+    Problem,
+    Spring,
+)
 
 
 def check_statics(problem: Problem, configuration: Configuration) -> None:
     """Refuse a problem that is not one of statics. Raises ProblemError with all reasons."""
     mistakes = [*_forces(problem), *_moving(problem, configuration)]
-    if not mistakes and not configuration.loads and not configuration.torques and configuration.potential == 0:
+    if (
+        not mistakes
+        and not configuration.loads
+        and not configuration.torques
+        and configuration.potential == 0
+        and (not configuration.generalized)
+    ):
         help_ = "give forces, a potential, or gravity and masses"
         message = "no force acts, so that every position is one of equilibrium"
         mistakes.append(Diagnostic("no-forces", message, help=help_))
@@ -63,6 +79,8 @@ def _forces(problem: Problem) -> Iterable[Diagnostic]:
                 parts = f.moment.components
             case Potential():
                 parts = (f.energy,)
+            case GeneralizedForce():
+                parts = tuple(f.components.values())
             case Spring():
                 parts = (f.stiffness, f.length, *f.ends[0].components, *f.ends[1].components)
             case Damper():

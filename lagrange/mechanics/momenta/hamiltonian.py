@@ -146,6 +146,8 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
     letter = free_letter("p", "P", "p_gen", taken=taken, of=[q.name for q in slots.coordinates])
     momenta = tuple(sp.Symbol(f"{letter}_{q.name}", real=True) for q in slots.coordinates)
     mass = [[textbook_form(partial(p, v)) for v in slots.velocities] for p in stated.momenta]
+    if any(not e.free_symbols.isdisjoint(slots.velocities) for row in mass for e in row):
+        raise NotCoveredError("Hamilton's function where the momenta are not linear in the velocities")
     at_rest = dict.fromkeys(slots.velocities, ZERO)
     shifts = [textbook_form(p.xreplace(at_rest)) for p in stated.momenta]
     moved = [textbook_form(p - b) for p, b in zip(momenta, shifts, strict=True)]
@@ -163,7 +165,7 @@ def hamiltonian(motion: EquationsOfMotion, taken: Collection[str]) -> Hamiltonia
     cyclic = tuple(k for k, q in enumerate(slots.coordinates) if q not in contained and applied[k] == 0)
     function = sp.Add(*(s.expression for s in squares), rest)
     by_momenta = dict(zip(momenta, stated.momenta, strict=True))
-    energy = stated.kinetic + stated.potential
+    energy = sp.Add(stated.kinetic, stated.potential, stated.moving_energy)
     return Hamiltonian(
         motion,
         stated,
@@ -222,7 +224,7 @@ def _routhian(
     squares = completed_squares([[mass[c][d] for d in cyclic] for c in cyclic], roots, configuration.states)
     if squares is None:
         return None
-    without = stated.kinetic.xreplace({velocities[c]: ZERO for c in cyclic})
+    without = sp.Add(stated.kinetic, stated.moving).xreplace({velocities[c]: ZERO for c in cyclic})
     return sp.Add(textbook_form(without), -stated.potential, *(-s.expression for s in squares))
 
 
@@ -261,7 +263,7 @@ def check_hamiltonian(found: Hamiltonian) -> list[Check]:
     ]
     if found.routhian is not None:
         work = sp.Add(*(stated.momenta[c] * slots.velocities[c] for c in found.cyclic))
-        lagrangian = stated.kinetic - stated.potential - work
+        lagrangian = stated.lagrangian - work
         holds = _all_vanish([found.routhian.xreplace(by_momenta) - lagrangian], states)
         checks.append(Check("Routh's function is L − Σ p q' of the cyclic coordinates", holds, how, name))
     return checks

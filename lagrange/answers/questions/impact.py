@@ -1,0 +1,133 @@
+"""Are the stated velocities, impulses and losses of energy of an impact right?
+
+Each entry is an expression, or an equation with its name on the left: a velocity just after (`x'`), the impulse of a
+reaction under the name of its constraint or of its force, or `energy_lost`. It must have the derived value in the
+position of the impact, exactly, with decimals that may be rounded. An impulse may be stated for the opposite force, or
+for the multiplier; a remark says so.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.answers.questions.asked_quantities import read_stated
+from lagrange.answers.readings import decimals_in
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
+from lagrange.core.symbols import prime
+from lagrange.mechanics.momenta.impact import ImpulsiveMotion
+from lagrange.mechanics.results import Solution
+
+ENERGY_LOST = "energy_lost"
+_ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
+_NOT_DERIVED = "the problem does not ask for an impact"
+_OPEN = "the impulse is not determined: the constraints depend on one another"
+_OPPOSITE = "it is taken as the opposite force"
+_MULTIPLIER = "it is taken as the impulse of the multiplier"
+_ROUNDED = "it is taken as a rounded number"
+
+Judged = tuple[Verdict, str]
+"""A verdict, with its diagnosis or remark."""
+
+
+def check_impact_answers(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:
+    """The verdict on all entries together."""
+    found = solution.impact
+    if found is None:
+        return AnswerVerdict(Verdict.UNDECIDED, name="impact", diagnosis=_NOT_DERIVED)
+    reference = reference_of_solution(solution)
+    parts: list[EquationVerdict] = []
+    errors: list[Diagnostic] = []
+    for name, fragment in stated.items():
+        try:
+            verdict, remark = _judged(name, fragment, found, reference)
+        except ProblemError as error:
+            errors += error.diagnostics
+            verdict, remark = Verdict.UNREADABLE, error.diagnostics[0].message if error.diagnostics else ""
+        except DivisionByZeroError:
+            verdict, remark = Verdict.UNREADABLE, DIVIDES_BY_ZERO
+        right = verdict is Verdict.EQUIVALENT
+        remarks = (remark,) if right and remark else ()
+        parts.append(EquationVerdict(f"{name}: {fragment.text}", verdict, "" if right else remark, remarks))
+    together = next((v for v in _ORDER if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
+    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="impact")
+
+
+def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, reference: Reference) -> Judged:
+    """The verdict on one entry. Raises ProblemError, DivisionByZeroError."""
+    values = [*_values(name, fragment, found)]
+    scope = replace(reference.scope, decimals="")
+    expression, equation = read_stated(fragment, scope, name)
+    if expression is None:
+        assert equation is not None
+        expression = _solved(equation, name, found)
+        if expression is None:
+            help_ = f"write the expression, or `{name} = ...`"
+            message = f"this equation does not give `{name}`"
+            raise ProblemError(Diagnostic("unexpected-equation", message, fragment.whole, help=help_))
+    if not values:
+        return Verdict.UNDECIDED, _OPEN
+    undecided = False
+    for value, remark in values:
+        same = _same(expression, value, found, reference)
+        if same is None:
+            undecided = True
+        elif same:
+            rounding = _ROUNDED if decimals_in([expression]) else ""
+            return Verdict.EQUIVALENT, "; ".join(filter(None, [remark, rounding]))
+    return (Verdict.UNDECIDED, UNDECIDED) if undecided else (Verdict.WRONG, "")
+
+
+def _values(name: str, fragment: Fragment, found: ImpulsiveMotion) -> Iterator[tuple[sp.Expr, str]]:
+    """The derived value under a name, and what an impulse may be instead; none where it is not determined.
+
+    Raises ProblemError where the name means nothing.
+    """
+    velocities = {q.name: v for q, v in found.all_velocities.items()}
+    plain = name.strip().replace("′", "'").removesuffix("'")
+    impulses = {n: i for i in found.impulses for n in (i.name, str(i.symbol), str(i.reaction.constraint.reaction))}
+    if plain in velocities:
+        yield velocities[plain], ""
+    elif name == ENERGY_LOST:
+        yield found.energy_lost, ""
+    elif name in impulses:
+        i = impulses[name]
+        if i.value is not None and i.multiplier is not None:
+            yield i.value, ""
+            others = ((-i.value, _OPPOSITE), (i.multiplier, _MULTIPLIER))
+            yield from ((value, remark) for value, remark in others if value != i.value)
+    else:
+        known = [*(f"{q}'" for q in velocities), *(i.name for i in found.impulses), ENERGY_LOST]
+        message = f"`{name}` is neither a velocity nor an impulse of this impact"
+        help_ = suggestion(name, known, "results")
+        raise ProblemError(Diagnostic("unknown-name", message, fragment.whole, help=help_))
+
+
+def _solved(equation: sp.Expr, name: str, found: ImpulsiveMotion) -> sp.Expr | None:
+    """What an equation gives for the named velocity or impulse, if it is linear in it."""
+    plain = name.strip().removesuffix("'")
+    coordinate = next((q for q in found.all_velocities if q.name == plain), None)
+    impulse = next((i.symbol for i in found.impulses if name in (i.name, str(i.symbol))), None)
+    unknown = prime(coordinate) if coordinate is not None else impulse
+    if unknown is None:
+        return None
+    slope = equation.diff(unknown)
+    if slope == 0 or slope.has(unknown):
+        return None
+    return sp.cancel(unknown - equation / slope)
+
+
+def _same(claim: sp.Expr, value: sp.Expr, found: ImpulsiveMotion, reference: Reference) -> bool | None:
+    """Whether a claim has a value in the position of the impact, its decimals being numbers that round to them."""
+    before = dict(zip(found.slots.velocities, found.velocities, strict=True))
+    difference = (found.at(claim).xreplace(before) - value).xreplace(dict(reference.values))
+    exact = found.surface.is_zero(as_written(difference))
+    if exact is not False or not decimals_in([difference]):
+        return exact
+    return rounded([difference]) is not None

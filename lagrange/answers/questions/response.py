@@ -1,0 +1,75 @@
+"""Are the stated amplitudes of a steady state right?
+
+Each entry is an expression, or an equation with the coordinate on the left, for the amplitude of one coordinate. Its
+square must be that of the derived one, exactly, with decimals that may be rounded: the sign of an amplitude tells the
+phase, and may be stated either way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.answers.questions.asked_quantities import read_stated
+from lagrange.answers.readings import decimals_in
+from lagrange.answers.references import Reference, reference_of_solution
+from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
+from lagrange.mechanics.equilibrium.driven.response import Response
+from lagrange.mechanics.results import Solution
+
+_ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
+_NOT_DERIVED = "the problem does not ask for the response to a harmonic drive"
+_MOVES = "an amplitude does not depend on time"
+
+
+def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:
+    """The verdict on all amplitudes together."""
+    found = [v.response for v in solution.views if v.response is not None]
+    if not found:
+        return AnswerVerdict(Verdict.UNDECIDED, name="response", diagnosis=_NOT_DERIVED)
+    reference = reference_of_solution(solution)
+    parts: list[EquationVerdict] = []
+    errors: list[Diagnostic] = []
+    for name, fragment in stated.items():
+        try:
+            verdict, why = _judged(name, fragment, found, reference)
+        except ProblemError as error:
+            errors += error.diagnostics
+            verdict, why = Verdict.UNREADABLE, error.diagnostics[0].message if error.diagnostics else ""
+        except DivisionByZeroError:
+            verdict, why = Verdict.UNREADABLE, DIVIDES_BY_ZERO
+        parts.append(EquationVerdict(f"{name}: {fragment.text}", verdict, why))
+    together = next((v for v in _ORDER if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
+    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="response")
+
+
+def _judged(name: str, fragment: Fragment, found: list[Response], reference: Reference) -> tuple[Verdict, str]:
+    """The verdict on one amplitude. Raises ProblemError, DivisionByZeroError."""
+    squares = {
+        q.name: sp.Add(a**2, b**2)
+        for r in found
+        for q, a, b in zip(r.forced.configuration.slots.coordinates, r.cosines, r.sines, strict=True)
+    }
+    if name not in squares:
+        message = f"`{name}` is not a coordinate with an amplitude"
+        raise ProblemError(
+            Diagnostic("unknown-name", message, fragment.whole, help=suggestion(name, list(squares), "coordinates"))
+        )
+    text = fragment.text
+    if "=" in text:  # x = F/k, A = F/k, |x| = F/k: what stands on the left is the amplitude
+        start = text.rindex("=") + 1
+        fragment = Fragment(text[start:], fragment.span(start, len(text)), (fragment.start or 0) + start)
+    claim, _ = read_stated(fragment, replace(reference.scope, decimals=""), name)
+    assert claim is not None  # without a sign of equality it is an expression
+    if any(s.name == "t" for s in claim.free_symbols):
+        return Verdict.WRONG, _MOVES
+    difference = (claim**2 - squares[name]).xreplace(dict(reference.values))
+    same = is_zero(as_written(difference))
+    if same is False and decimals_in([difference]):
+        same = rounded([difference]) is not None
+    return (Verdict.UNDECIDED, UNDECIDED) if same is None else (Verdict.EQUIVALENT if same else Verdict.WRONG, "")

@@ -1,0 +1,206 @@
+"""An impact: the state before, the new constraints, the principle for impulses, velocities, impulses, energy lost."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.core.symbols import prime, variation, velocity_before
+from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.derivation import Block, Detail, Equation, Part, Prose, Rule, Step
+from lagrange.explain.words import (
+    capital,
+    constraints_called,
+    must_vanish,
+    plural,
+    spoken,
+    the,
+    title_in,
+)
+from lagrange.mechanics.constraints.displacements import virtual_displacement
+from lagrange.mechanics.dynamics.named_forces import ForceKind
+from lagrange.mechanics.energy_symbols import EnergySymbols
+from lagrange.mechanics.momenta.impact import ImpulsiveMotion, ReactionImpulse
+from lagrange.problem.model import AppliedMoment, Impact
+
+ZERO = sp.S.Zero
+
+
+def explain_impact(found: ImpulsiveMotion, impact: Impact, letters: EnergySymbols) -> Step:
+    """The step on an impact."""
+    body: list[Block] = [
+        *_instant(found, impact),
+        *_constraints(found),
+        *_principle(found),
+        *_velocities(found),
+        *_impulses(found),
+        *_energy(found, letters),
+    ]
+    return Step(Rule.IMPACT, title_in("The impact", found.configuration.name), tuple(body))
+
+
+def _instant(found: ImpulsiveMotion, impact: Impact) -> Iterator[Block]:
+    """What changes in the instant and what does not; the position and the velocities before."""
+    blows = [(f.moment if isinstance(f, AppliedMoment) else f.vector, f) for f in impact.impulses]
+    given: list[Part] = []
+    for n, (vector, f) in enumerate(blows):
+        kind = "impulsive moment" if isinstance(f, AppliedMoment) else "impulse"
+        given += [" and " if n else "", f"the {kind} ", math(vector.as_sum()), f" ({spoken(f.name)}) on {the(f.on)}"]
+    first = prose("In the instant of an impact the velocities change and the position does not. Forces that remain "
+                  "finite have no impulse.")  # fmt: skip
+    acts = prose("What acts is ", *given, ".") if given else None
+    position = [math(q, e) for q, e in found.position.items()]
+    at = prose("The position is ", *listed(position), ".") if position else None
+    yield paragraph(*(p for p in (first, acts, at) if p is not None))
+    coordinates = found.slots.coordinates
+    known = [(q, b) for q, b in zip(coordinates, found.before, strict=True) if b != velocity_before(q)]
+    free = [q for q in coordinates if q not in [k for k, _ in known]]
+    if known:
+        yield prose("Just before the impact the velocities are")
+        yield display(*(Equation((velocity_before(q), b), label=f"before-{q.name}") for q, b in known))
+    if free:
+        letters = listed(math(velocity_before(q)) for q in free)
+        words = plural(len(free), " is the velocity just before the impact", " are velocities just before the impact")
+        yield prose(*letters, words, ", not given.")
+
+
+def _constraints(found: ImpulsiveMotion) -> Iterator[Block]:
+    """The new constraints, and the virtual displacements under all of them."""
+    new = [i for i in found.impulses if i.is_new]
+    if new:
+        lines = []
+        for i in new:
+            c = i.reaction.constraint
+            lines.append(Equation((c.lhs, c.rhs), label=f"new-{i.name}", relation=c.relation))
+        begins = plural(len(new), " begins to act", " begin to act")
+        also = ", beside those that act already" if len(new) < len(found.impulses) else ""
+        sided = " While the impact lasts the equality holds." if any(i.reaction.constraint.side for i in new) else ""
+        yield prose(capital(constraints_called([i.name for i in new])), begins, also, ":")
+        yield display(*lines)
+        if sided:
+            yield prose(sided.strip())
+    rows = [r for r in found.rows if any(a != 0 for a in r.coefficients)]
+    if not rows:
+        return
+    yield prose("Virtual displacements in this position satisfy ", "all constraints:" if len(rows) > 1 else "it:")
+    lines = [Equation((virtual_displacement(r, found.slots), ZERO), label=f"struck-{r.name}") for r in rows]
+    yield display(*lines)
+
+
+def _principle(found: ImpulsiveMotion) -> Iterator[Block]:
+    """Σ (m Δv − J)·δr = 0 in these coordinates, and the equations that follow."""
+    slots, elimination = found.slots, found.elimination
+    parts = [c * variation(q) for c, q in zip(found.balance, slots.coordinates, strict=True)]
+    workless = " in which the reactions do no work" if found.rows else ""
+    yield prose(
+        f"For all virtual displacements,{workless}{',' if workless else ''} the principle for impulses holds: the "
+        "changes of momentum less the given impulses do no work, Σ (m Δv − J)·δr = 0. Here it reads"
+    )
+    yield display(Equation((sp.Add(*parts, evaluate=False), ZERO), label="impulses"))
+    free = [math(variation(slots.coordinates[k])) for k in elimination.independent]
+    if not free:
+        yield prose("No displacement is left, so the constraints alone determine the velocities.")
+        return
+    solved = elimination.solved(slots)
+    if solved:
+        lines = [Equation((q, e)) for q, e in solved.items()]
+        yield prose("With")
+        yield display(*lines)
+    yield must_vanish(free, ())
+    yield display(*(Equation((e, ZERO), label=f"impulse-equation-{n}") for n, e in enumerate(found.equations, 1)))
+
+
+def _velocities(found: ImpulsiveMotion) -> Iterator[Block]:
+    """The constraints on the velocities after, and these."""
+    slots = found.slots
+    elastic = [i for i in found.impulses if i.restitution != 0]
+    if found.rows:
+        lines = []
+        by_name = {i.name: i for i in found.impulses}
+        for r in found.rows:
+            e = by_name[r.name].restitution
+            approach = sp.Add(r.drift, *(a * b for a, b in zip(r.coefficients, found.before, strict=True)))
+            lines.append(Equation((r.velocity_form(slots), -e * approach), label=f"after-{r.name}"))
+        words: list[Part] = ["The velocities just after the impact satisfy the constraints"]
+        if elastic:
+            at = listed(part for i in elastic for part in (math(i.restitution),))
+            words += [", where the rate of separation is that of approach times the coefficient of restitution ", *at]
+        yield prose(*words, ":")
+        yield display(*lines)
+    count = len(found.velocities)
+    yield prose("Hence" if count else "Nothing moves.", detail=Detail.BRIEF)
+    yield display(
+        *(Equation((prime(q), v), label=f"velocity-after-{q.name}") for q, v in found.all_velocities.items()),
+        boxed=True,
+        detail=Detail.BRIEF,
+    )
+
+
+def _impulses(found: ImpulsiveMotion) -> Iterator[Block]:
+    """The impulses of the reactions, what they are, and what one-sided constraints presuppose."""
+    if not found.impulses:
+        return
+    known = [i for i in found.impulses if i.value is not None]
+    if known:
+        several = plural(len(known), "The impulse of the reaction follows", "The impulses of the reactions follow")
+        yield prose(f"{several} from the momenta of all coordinates, with these velocities:")
+        yield display(
+            *(Equation((i.symbol, i.value), label=f"reaction-impulse-{i.name}") for i in known if i.value is not None),
+            boxed=True,
+        )
+        yield paragraph(*map(_meaning, known))
+    left = found.open_impulses
+    if left:
+        yield prose(f"The impulses of {constraints_called(left)} are not determined: the constraints depend on one "
+                    "another in this position, so different impulses give the same velocities.")  # fmt: skip
+    for c in found.conditions:
+        one = f"{capital(constraints_called([c.constraint]))} acts "
+        why = "only if the impulse presses: " if c.is_impulse else "only if it is approached: "
+        yield prose(one, why, math(c.quantity, ZERO, relation="≥" if c.is_impulse else ">"), ".")
+
+
+def _meaning(i: ReactionImpulse) -> Prose:
+    """What the symbol of an impulse stands for."""
+    single, called = i.reaction.single, constraints_called([i.name])
+    if single is None:
+        return prose(math(i.symbol), f" is the impulse of the multiplier of {called}.")
+    if single.kind is ForceKind.TENSION:
+        return prose(math(i.symbol), f" is the impulse of the tension of {called}, positive where it pulls.")
+    if single.direction is None:
+        return prose(math(i.symbol), f" is the impulse of the force of {called}.")
+    return prose(math(i.symbol), f" acts on {the(single.on)} along ", math(single.direction.as_sum()), ".")
+
+
+def _energy(found: ImpulsiveMotion, letters: EnergySymbols) -> Iterator[Block]:
+    """The kinetic energy before and after, what is lost and where."""
+    T = letters.kinetic
+    before, after = found.kinetic
+    earlier = sp.Symbol(f"{T.name}_0", real=True)
+    blows = found.full.loads or found.full.torques
+    if found.is_driven:
+        yield prose(
+            "Positions or constraints contain time: what drives them does work too. The kinetic energy changes by"
+        )
+        yield display(Equation((T - earlier, sp.expand(-found.energy_lost)), label="energy-change"))
+        return
+    yield prose("The kinetic energy before and after the impact is")
+    yield display(Equation((earlier, before), label="energy-before"), Equation((T, after), label="energy-after"))
+    if blows:
+        yield prose("The blow does the work of its impulse on the mean of the velocities before and after, ",
+                    math(found.work), ".")  # fmt: skip
+    places = [i for i in found.impulses if i.lost is not None and i.lost != 0]
+    if found.energy_lost == 0:
+        yield prose("No energy is lost.")
+        return
+    yield prose("Beyond that work, the energy lost is" if blows else "The energy lost in the impact is")
+    lost = earlier - T if not blows else earlier - T + found.work
+    yield display(Equation((lost, found.energy_lost), label="energy-lost"), boxed=True)
+    if len(places) == 1:
+        yield prose(f"It is lost at {constraints_called([places[0].name])}.")
+    elif places:
+        shares = [part for i in places for part in (math(i.lost), f" at {constraints_called([i.name])}")]
+        parts: list[Part] = []
+        for n in range(0, len(shares), 2):
+            parts += [" and " if n == len(shares) - 2 else ", " if n else "", shares[n], shares[n + 1]]
+        yield prose("Of this, ", *parts, plural(len(places), " is lost.", " are lost."))

@@ -1,0 +1,1 @@
+"""Forced oscillations: harmonic drives, the linear equations under them, the steady state."""
