@@ -139,6 +139,10 @@ class MathML(Unicode):
         """A scalar product."""
         return Piece(f"{self._operand(a)}<mo>·</mo>{self._operand(b)}", Precedence.DIVISION)
 
+    def cross(self, a: Piece, b: Piece) -> Piece:
+        """A vector product."""
+        return Piece(f"{self._operand(a)}<mo>×</mo>{self._operand(b)}", Precedence.DIVISION)
+
     def wedge(self, forms: Sequence[Piece]) -> Piece:
         """An exterior product."""
         return Piece("<mo>∧</mo>".join(self._operand(f) for f in forms), Precedence.PRODUCT)
@@ -257,6 +261,7 @@ def _integer(number: int) -> str:
 def _name(name: WrittenName, bold: bool = False) -> str:
     """`<msub><mover><mi>θ</mi><mo>¨</mo></mover><mn>1</mn></msub>`."""
     letter = GREEK[name.letter][0] if name.letter in GREEK else name.letter
+    bold = bold and name.operator != "nabla"
     upright = bold or (name.letter in GREEK and name.letter[0].isupper())
     kind = ' class="v" mathvariant="normal"' if bold else ' mathvariant="normal"' if upright else ""
     code = f"<mi{kind}>{escape(letter)}</mi>"
@@ -268,7 +273,8 @@ def _name(name: WrittenName, bold: bool = False) -> str:
     if name.primes >= len(_DOTS):
         count = f'<mo stretchy="false">(</mo><mn>{name.primes}</mn><mo stretchy="false">)</mo>'
         code = f"<msup>{code}<mrow>{count}</mrow></msup>"
-    return {"": "", "d": f"{_NORMAL}d</mi>", "delta": "<mi>δ</mi>"}[name.operator] + code
+    operators = {"": "", "d": f"{_NORMAL}d</mi>", "delta": "<mi>δ</mi>", "nabla": f"{_NORMAL}∇</mi>"}
+    return operators[name.operator] + code
 
 
 def _index(index: str) -> str:

@@ -55,7 +55,8 @@ def _multiplied(configuration: Configuration) -> Block:
         return prose(f"{_no_reactions(configuration)} {capital(laws)}{ending}")
     terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
     add = ", and add" if terms > 1 else ""
-    words = f"Multiply {law_times_displacement(configuration, '')}{add}: the reactions drop out by "
+    drop = plural(len(configuration.rows), "the reaction drops", "the reactions drop")
+    words = f"Multiply {law_times_displacement(configuration, '')}{add}: {drop} out by "
     return prose(words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
 
 

@@ -172,6 +172,7 @@ def _limit(
     if any(e is None or e == 0 for e in there) or not _occur(accelerations, there):
         return None  # one that occurs nowhere is not determined
     shorter = [_without_common_factor(textbook_form(e)) for e in there if e is not None]
+    shorter = _with_zeros(shorter, accelerations)
     before, after = (sum(int(e.count_ops()) for e in es) for es in (equations, shorter))
     if 3 * after > 2 * before or any(e.count_ops() > LONGEST_LIMIT for e in shorter):
         return None
@@ -180,6 +181,12 @@ def _limit(
     except DivisionByZeroError:
         return None
     return tuple(shorter) if regular else None
+
+
+def _with_zeros(equations: Sequence[sp.Expr], accelerations: Sequence[sp.Symbol]) -> list[sp.Expr]:
+    """The equations with the accelerations substituted that one of them says are zero."""
+    zero = {e: sp.S.Zero for e in equations if e in accelerations}
+    return [e if e in zero else textbook_form(e.xreplace(zero)) for e in equations] if zero else [*equations]
 
 
 def _occur(symbols: Sequence[sp.Symbol], expressions: Sequence[sp.Expr]) -> bool:

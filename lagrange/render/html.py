@@ -190,7 +190,7 @@ class _Article(Emitter[str]):
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
         self.formulas = Formulas.of(notation)
-        self.in_pictures = Writer(UNICODE, notation)
+        self.in_pictures = Writer(UNICODE, notation, on_page=True)
         self.content = shown(derivation, detail, pictures=True)
         self.prefix = prefix
 

@@ -84,7 +84,7 @@ class _Page(Emitter[str]):
 
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail) -> None:
         self.derivation = derivation
-        self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
+        self.typesetter = Typesetter(Writer(LATEX, notation, on_page=True), Writer(WIDE_LATEX, notation, on_page=True))
         self.content = shown(derivation, detail)
 
     def all(self) -> Iterator[str]:

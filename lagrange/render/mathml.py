@@ -46,7 +46,7 @@ class Formulas:
     @classmethod
     def of(cls, notation: Notation) -> Formulas:
         """The formulas of a derivation."""
-        return cls(Writer(MATHML, notation), Writer(WIDE_MATHML, notation), Writer(TEXT, notation))
+        return cls(Writer(MATHML, notation, on_page=True), Writer(WIDE_MATHML, notation, on_page=True), Writer(TEXT, notation))
 
     def equation(self, sides: Sequence[Mathematics], relation: str, displayed: bool = False, first: int = 0) -> str:
         """a = b = c, beginning with the side numbered `first`; in two writings where a phone needs another one."""

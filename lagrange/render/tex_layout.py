@@ -32,6 +32,8 @@ _COMMANDS = {
     r"\;": 0.28,
     r"\cdot": 0.72,
     r"\wedge": 1.1,
+    r"\times": 1.22,
+    r"\nabla": 0.83,
     r"\neq": 1.34,
     r"\le": 1.34,
     r"\ge": 1.34,

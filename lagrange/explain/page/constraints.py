@@ -1,7 +1,7 @@
 """Geometric constraints in one section: the relations, their differentials, exactness, classification, freedom.
 
-Where every constraint is a finite relation between the coordinates, free of time, independent of the others and valid
-in both directions, each of these is a line. Wherever one of them is something to be found out, the full derivation's
+Where every constraint is a finite relation between the coordinates, free of time, independent of the others,
+each of these is a line. Wherever one of them is something to be found out, the full derivation's
 sections are kept.
 """
 
@@ -18,7 +18,8 @@ from lagrange.document.builders import display, listed, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraint_systems import explain_losses
 from lagrange.explain.constraints import equal, telling_pair
-from lagrange.explain.words import counted, plural, spoken
+from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
+from lagrange.explain.words import counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
@@ -26,10 +27,10 @@ from lagrange.mechanics.constraints.displacements import possible_displacement
 
 
 def is_plainly_geometric(classification: Classification) -> bool:
-    """Whether all constraints are geometric, independent, two-sided and free of time, and so are the positions."""
+    """Whether all constraints are geometric, independent and free of time, and so are the positions."""
     constraints = classification.constraints
     plain = all(
-        c.row.finite is not None and not c.contains_time and c.constraint.side is None and c.constraint.given is None
+        c.row.finite is not None and not c.contains_time and c.constraint.given is None
         for c in constraints
     )
     whole = not classification.redundancies and classification.rank == len(constraints)
@@ -55,6 +56,7 @@ def explain_geometric(classification: Classification, slots: Slots) -> Step:
         Equation(
             (c.constraint.lhs, c.constraint.rhs),
             label=f"constraint-{c.row.name}",
+            relation=c.constraint.relation,
             condition=(f"({spoken(c.row.name)}{f': {c.constraint.note}' if c.constraint.note else ''})",),
         )
         for c in constraints
@@ -68,13 +70,20 @@ def explain_geometric(classification: Classification, slots: Slots) -> Step:
         display(*relations),
         prose(
             "Neither velocities nor time appear: ", kind, Emphasis("geometric"),
-            plural(len(constraints), " constraint. Its differential", " constraints. Their differentials"),
+            plural(len(constraints), " constraint. ", " constraints. "), *_in_contact(constraints),
+            plural(len(constraints), "Its differential", "Their differentials"),
             _divided([common_number(c.row) for c in constraints]), ":",
         ),
         display(*lines),
         paragraph(*_conclusions(classification)),
     ]  # fmt: skip
     return Step(Rule.CONSTRAINT, plural(len(constraints), "The constraint", "Constraints"), tuple(body))
+
+
+def _in_contact(constraints: Sequence[ConstraintAnalysis]) -> tuple[Part, ...]:
+    """That a one-sided constraint is treated in contact."""
+    sentences = explain_in_contact(constraints)
+    return (*sentences[0].parts, " ") if sentences else ()
 
 
 def _divided(contents: Sequence[sp.Integer]) -> str:
@@ -103,7 +112,7 @@ def _conclusions(classification: Classification) -> list[Prose]:
     ]
     if freedom == 0:
         sentences.append(prose("The constraints alone determine the position."))
-    return [*sentences, *(s for s in explain_losses(classification) if not _is_excluded(classification))]
+    return [*sentences, *explain_one_sided(constraints), *(s for s in explain_losses(classification) if not _is_excluded(classification))]
 
 
 def _is_excluded(classification: Classification) -> bool:
@@ -122,3 +131,19 @@ def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | Non
     content = common_number(c.row)
     (a, b), (left, right) = pair.coefficients, pair.derivatives
     return replace(pair, coefficients=(a / content, b / content), derivatives=(left / content, right / content))
+
+
+def explain_without(classification: Classification, built_in: bool) -> Step:
+    """Freedom and classification where no constraint relates the coordinates."""
+    freedom = classification.degrees_of_freedom
+    why = "No constraint relates the coordinates"
+    if built_in:
+        why = "The positions, written in these coordinates, satisfy the constraints already; none is left"
+    words = (
+        f"{why}, so the system is ", Emphasis("holonomic"), ", and ", Emphasis("scleronomic"), ", because time does not "
+        f"appear explicitly. It has as many degrees of freedom as coordinates: ", Emphasis(in_words(freedom, "degree")
+        + " of freedom"), ".",
+    )  # fmt: skip
+    if freedom == 1:
+        words = (*words[:4], ", because time does not appear explicitly. With its one coordinate it has ", *words[-2:])
+    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (prose(*words),))

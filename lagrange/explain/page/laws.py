@@ -7,12 +7,13 @@ each degree of freedom; the direction of R is that statement. A virtual displace
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.core.symbols import DotProduct, VectorSymbol
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
-from lagrange.document.derivation import Block, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.constraints import halved
 from lagrange.explain.page.system import are_short
@@ -51,11 +52,27 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     body: list[Block] = [
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
-        *_missing(solution, newton),
+        *missing_relations(solution, newton),
         *_directions(newton.reactions),
         display(*vectors, *(paired(components) if are_short(components) else components)),
     ]
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+
+
+def in_forces(step: Step, newton: Newton) -> Step:
+    """A step with the tensions of rods and strings in place of their multipliers."""
+    rule = {r.multiplier: r.per_force * r.force for r in newton.reactions if r.named and r.force != r.multiplier}
+
+    def line(e: Equation) -> Equation:
+        sides = (s.xreplace(rule) if isinstance(s, sp.Expr) and s.has(*rule) else s for s in e.sides)
+        return replace(e, sides=tuple(sides))
+
+    if not rule:
+        return step
+    blocks = (
+        replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body
+    )
+    return replace(step, body=tuple(blocks))
 
 
 def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
@@ -99,7 +116,7 @@ def _named(bodies: tuple[FreeBody, ...]) -> tuple[Part, ...]:
     return ("With ", *((*force, " and ") if applied else ()), *reaction, ", ")
 
 
-def _missing(solution: Solution, newton: Newton) -> Iterator[Block]:
+def missing_relations(solution: Solution, newton: Newton) -> Iterator[Block]:
     """Unknowns against equations while the directions of the reactions are not known."""
     before, configuration = newton.before, solution.own.configuration
     if before is None or before.missing <= 0:
@@ -124,12 +141,13 @@ def _reaction_line(body: FreeBody) -> Equation | None:
     if not body.reactions:
         return None
     name = VectorSymbol(f"R_{body.name}")
-    if all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
-        pulls = sp.Add(*(_pull(r, body.name) for r, _ in body.reactions))
-        return Equation((name, pulls), label=f"reaction-{body.name}")
     total = body.reactions[0][1] * body.reactions[0][0].force
     for r, along in body.reactions[1:]:
         total = total + along * r.force
+    is_along_unit = sum(c != 0 for c in total.components) == 1 and total.triad.directions is not None
+    if not is_along_unit and all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
+        pulls = sp.Add(*(_pull(r, body.name) for r, _ in body.reactions))
+        return Equation((name, pulls), label=f"reaction-{body.name}")
     return Equation((name, total), label=f"reaction-{body.name}")
 
 

@@ -10,11 +10,13 @@ import sympy as sp
 from lagrange.core.symbols import variation
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Step
-from lagrange.explain.displacements import LONGEST, conditions, solved_displacements
+from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
+from lagrange.explain.displacements import LONGEST, conditions, of_points, solved_displacements
 from lagrange.explain.motion import WRITTEN_OUT, accelerations_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import plural, suffix_of
+from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
 
 LONGEST_SUM = 60
@@ -29,6 +31,20 @@ def displacements_shortly(step: Step) -> Step:
             body[n - 1 : n + 1] = []
             break
     return replace(step, body=tuple(body)) if body else step
+
+
+def displacements_of_geometric(configuration: Configuration, elimination: Elimination) -> Step:
+    """Where constraints are free of time, virtual displacements satisfy them as possible ones do."""
+    slots, rows = configuration.slots, configuration.rows
+    lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
+    body = (
+        prose("Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
+              f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,"),
+        display(*lines),
+        *solved_displacements(elimination, configuration),
+        *of_points(configuration, elimination),
+    )  # fmt: skip
+    return Step(Rule.DISPLACEMENTS, "Virtual displacements", body)
 
 
 def _is_plain(equation: Equation) -> bool:

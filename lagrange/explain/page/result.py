@@ -66,14 +66,16 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
         return
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
-    called = listed(_called(rule, kept[rule]) for rule in kept)
+    called = listed(_called(rule, kept[rule], solution) for rule in kept)
     words += ["; ", *called, ":"]
     lines = [replace(e, label=None) for es in kept.values() for e in es]
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     yield Step(Rule.RESULT, "", body)
 
 
-def _called(rule: Rule, lines: Sequence[Equation]) -> str:
+def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
+    if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
+        return "the reaction"
     several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and all(e.condition for e in lines)
     return "the equilibria" if several else _CALLED[rule]
 

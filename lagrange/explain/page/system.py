@@ -8,6 +8,7 @@ from dataclasses import replace
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
+from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.words import plural, the
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
@@ -31,7 +32,8 @@ def explain_system(solution: Solution, step: Step) -> Step:
         else:
             before.append(sentence)
         body = (*before, *rest)
-    return replace(step, body=_together(solution, body))
+    measures = explain_measures(solution, solution.own)
+    return replace(step, body=(*_together(solution, body), *([measures] if measures is not None else ())))
 
 
 def _symbols(solution: Solution) -> tuple[Prose, int]:
