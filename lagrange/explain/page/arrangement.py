@@ -20,7 +20,8 @@ from lagrange.explain.displacements import explain_displacements
 from lagrange.explain.page.constraints import common_number, explain_geometric, explain_without, halved, is_plainly_geometric
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.newton import explain_works
-from lagrange.explain.page.laws import explain_laws, explain_work, has_vector_laws, in_forces
+from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.laws import explain_laws, explain_laws_of_bodies, explain_work, has_vector_laws, in_forces, shares_shortly
 from lagrange.explain.page.meaning import Stated, explain_meaning
 from lagrange.explain.page.motion import (
     displacements_of_geometric,
@@ -30,7 +31,9 @@ from lagrange.explain.page.motion import (
     with_conditions,
     with_displacements,
     with_kinematics,
+    without_detour,
     without_long_sum,
+    without_multipliers,
 )
 from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
 from lagrange.explain.page.result import explain_result
@@ -77,7 +80,10 @@ def page(
     if speeds:
         shortened = in_speeds_only(solution, shortened, frozenset(solution.problem.scope.names()))
     open_, folded = [], []
-    for step in _in_pairs(_without_bodies(solution, shortened)):
+    shortened = list(_without_bodies(solution, shortened))
+    if not every_choice:
+        shortened = without_detour(solution, shortened, lambda step: _is_detour(solution, step))
+    for step in _in_pairs(shortened):
         if every_choice or (step.choice in ("", first) and not _is_detour(solution, step)):
             open_.append(step)
         elif not step.choice:
@@ -181,7 +187,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
-            step = explain_laws(solution, newton) if laws else step
+            step = explain_laws(solution, newton) if laws else explain_laws_of_bodies(solution, step)
             known = own is not None
             yield step if own is None else with_kinematics(step, own)
         elif vectors and step.rule is Rule.WORKLESS and newton is not None:
@@ -189,6 +195,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif laws and step.rule is Rule.WORKLESS and newton is not None:
             own_ = solution.own
             yield explain_works(works_of_reactions(newton, own_.configuration, own_.elimination), own_.configuration)
+        elif step.rule is Rule.WORKLESS:
+            yield shares_shortly(solution, step)
         elif laws and step.rule is Rule.CONSERVED and newton is not None:
             yield in_forces(step, newton)
         elif step.rule is Rule.PRINCIPLE:
@@ -200,12 +208,15 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             shown.add(step.choice)
             if first and motion is not None:
                 step = with_conditions(step, motion)
+            if newton is not None and newton.equations is not None:
+                step = without_multipliers(step)
             if first and isinstance(motion, DalembertMotion):
                 step = without_long_sum(step, motion)
                 step = with_displacements(step, motion) if vectors and not step.choice else step
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
-            yield from _reactions(solution, step, newton)
+            names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
+            yield from (with_named_denominators(s, names) for s in _reactions(solution, step, newton))
         elif step.rule is Rule.CHECKS:
             yield in_one_line(step, solution)
         else:

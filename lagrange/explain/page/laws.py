@@ -13,7 +13,7 @@ import sympy as sp
 
 from lagrange.core.symbols import DotProduct, VectorSymbol
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
-from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.constraints import halved
 from lagrange.explain.page.system import are_short
@@ -209,3 +209,71 @@ def _single(works: Sequence[WorkOfReaction], zero: tuple[Part, ...]) -> Iterator
     does = plural(len(several), "does", "do")
     words = f"On {names} taken separately {called} {does} work: what one loses, another gains."
     yield prose(*by, " " if by else "", words)
+
+
+def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
+    """Newton's law of bodies and of particles with friction: forces alike in one sentence, all sums in one display."""
+    law, own = solution.law, solution.own
+    if law is None or law.newton.bodies is None or own.dynamics is None or own.equilibrium is not None:
+        return step
+    newton = law.newton
+    names = [b.name for b in newton.bodies or ()]
+    labels = {f"{kind}-{name}" for name in names for kind in ("reaction", "couple")}
+    sums = [e for b in step.body if isinstance(b, Display) for e in b.equations if e.label in labels]
+    if len(names) < 2 or not sums:
+        return step
+    at = next(n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label in labels)
+    last = max(n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label in labels)
+    before = [b for b in step.body[: at - 1] if not _is_free_body(b)]
+    after = [b for b in step.body[last + 1 :] if not _is_free_body(b)]
+    moments = any((e.label or "").startswith("couple") for e in sums)
+    forces = any((e.label or "").startswith("reaction") for e in sums)
+    what = joined(["the reactions"] * forces + ["their moments about the mass centres"] * moments)
+    sentences = [prose(*s) for s in _alike(newton.reactions)]
+    if sentences:
+        before = [b for b in before if not isinstance(b, Prose)] + [paragraph(*sentences)]
+    return replace(step, body=(*before, prose(f"On each body {what} add up to"), display(*sums), *after))
+
+
+def _is_free_body(block: Block) -> bool:
+    """Whether it lists what acts on a body, as the figure and the equations do."""
+    first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
+    return isinstance(first, str) and first.startswith(("On ", "No force acts on "))
+
+
+def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
+    """Named forces along the same unit vector in one sentence; nothing unless all reactions are such forces."""
+    groups: dict[tuple[sp.Expr, ...], list[Reaction]] = {}
+    for r in reactions:
+        direction = r.single.direction if r.single is not None and r.given is not None else None
+        if r.single is None or direction is None or r.rod is not None or r.is_normal or not r.single.opposite:
+            return
+        groups.setdefault(direction.fixed().components, []).append(r)
+    for members in groups.values():
+        [first, *_] = members
+        assert first.single is not None
+        assert first.single.direction is not None
+        on = series(((math(r.force), f" on {the(r.single.on)}") for r in members if r.single is not None))
+        opposite = joined(dict.fromkeys(the(r.single.opposite) for r in members if r.single is not None))
+        called = constraints_called(r.name for r in members)
+        one = len(members) == 1
+        yield (
+            f"The {plural(len(members), 'reaction', 'reactions')} of {called} {'is the force' if one else 'are the forces'} ",
+            *on, " along ", math(first.single.direction),
+            f"; the opposite {'force acts' if one else 'forces act'} on {opposite}.",
+        )  # fmt: skip
+
+
+def shares_shortly(solution: Solution, step: Step) -> Step:
+    """The work of the reactions, without the shares of each body one by one where there are several."""
+    several = [w for w in solution.works if len(w.working) > 1]
+    if len(several) < 2:
+        return step
+    labels = tuple(f"share-{w.reaction.name}-" for w in several)
+    body: list[Block] = []
+    for block in step.body:
+        if isinstance(block, Display) and (block.equations[0].label or "").startswith(labels):
+            body.pop()
+        elif not (isinstance(block, Prose) and str(block.parts[0]).startswith("Only the sum need vanish")):
+            body.append(block)
+    return replace(step, body=(*body, *_single(several, ())))

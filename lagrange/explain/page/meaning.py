@@ -11,6 +11,7 @@ from lagrange.core.symbols import CONSTANT, prime
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, Step
 from lagrange.explain.conservation import conserved_called, proof_of
+from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.statement import raised
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity
 from lagrange.mechanics.meaning import Limit, Meaning
@@ -36,6 +37,7 @@ def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = (
     """
     choice = meaning.view.name
     body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved)]
+    body += _accelerations(meaning)
     body += _one_way(meaning)
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
@@ -84,6 +86,16 @@ def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
         yield prose(name, ": ", *proof, " integrates to ", quantity, ".")
+
+
+def _accelerations(meaning: Meaning) -> Iterator[Block]:
+    """The accelerations, where they are constant."""
+    if not meaning.constant:
+        return
+    step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
+    names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
+    yield prose(Emphasis("Accelerations"), ", all of them constant:")
+    yield from with_named_denominators(step, names).body
 
 
 def _one_way(meaning: Meaning) -> Iterator[Block]:

@@ -9,7 +9,7 @@ from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
 from lagrange.explain.page.coordinates import explain_measures
-from lagrange.explain.words import plural, the
+from lagrange.explain.words import joined, plural, the
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
 
@@ -70,8 +70,13 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
     forces = any((e.label or "").startswith("force") for e in lines)
     also = (" and weight" if len(points) == 1 else " and weights") if weights else " and applied force"
     masses = ((the(p.name), *((", of mass ", math(p.mass), ",") if p.mass != 0 else ())) for p in points)
+    loaded = [p.name for p in points if any(e.label == f"force-{p.name}" for e in lines)]
+    end: tuple[Part, ...] = ()
+    if forces and len(loaded) < len(points):
+        force = plural(len(loaded), "weight", "weights") if weights else plural(len(loaded), "force", "forces")
+        end, forces = (f", and the {force} on {joined(map(the, loaded))},",), False
     what = plural(len(points), "The position", "The positions") + (also if forces else "")
-    lead = prose(what, " of ", *series(masses), " are" if forces or len(points) > 1 else " is")
+    lead = prose(what, " of ", *series(masses), *end, " are" if forces or end or len(points) > 1 else " is")
     shown = paired(lines) if len(points) == 1 and are_short(lines) else lines
     return (*body[: at[0] - 1], lead, display(*shown), *body[at[-1] + 1 :])
 
