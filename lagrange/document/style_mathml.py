@@ -176,6 +176,23 @@ class MathML(Unicode):
         return Piece('<mn class="v">0</mn>')
 
 
+class RunningMathML(MathML):
+    """MathML in running text: ∂f/∂x on the line, where a fraction of it would be too small to read."""
+
+    def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
+        """A partial derivative with a slash."""
+        sign = _NORMAL + "∂</mi>"
+        count = len(variables)
+        raised = f"<msup>{sign}<mn>{count}</mn></msup>" if count > 1 else sign
+        body = inner.code if inner.level == Precedence.ATOM else self.bracketed(inner.code)
+        below = []
+        for variable in dict.fromkeys(variables):
+            code, n = self.name(variable).code, variables.count(variable)
+            below.append(sign + (self.power(code, Piece(f"<mn>{n}</mn>")).code if n > 1 else code))
+        code = f'{raised}{body}<mo lspace="0" rspace="0">/</mo>{"".join(below)}'
+        return Piece(code + (self.arguments(at) if at else ""), Precedence.DIVISION)
+
+
 class WideMathML(MathML):
     """MathML for formulas too wide for a line: long fractions and tall brackets can be cut."""
 

@@ -51,5 +51,3 @@ DESK_ROW = 28.0
 31 beside indentation and number."""
 LONG_DISPLAY = 12
 """Equations of a display that a printer may break between pages; a shorter one stays whole on less than half a page."""
-PHONE_COLUMNS = 3
-"""Columns of a table that a phone shows as a table; a wider one becomes a list there."""

@@ -124,6 +124,9 @@ def _width(token: str) -> float:
     return _LETTERS.get(token, 0.77 if token.isupper() else 0.53)
 
 
+_GROUP = r"(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})"
+_SLOPE = re.compile(rf"\\frac\{{(\\partial {_GROUP}+)\}}\{{(\\partial {_GROUP}+)\}}")
+"""∂f/∂x, which is too small in running text as a fraction."""
 ALIGN = "\ue003"
 """Marks the place of `&` in a row, until it is known whether all equations can be aligned at their relations."""
 
@@ -141,7 +144,7 @@ class Typesetter:
 
     def inline(self, sides: Sequence[Mathematics], relation: str, width: float) -> str:
         """a = b = c in running text."""
-        code = self.writer.relation(sides, relation)
+        code = _SLOPE.sub(r"\1/\2", self.writer.relation(sides, relation))
         return code if ems(code) <= width else self.wide.relation(sides, relation)
 
     def rows(self, equation: Equation, width: float, condition: str = "") -> tuple[list[str], list[str]]:

@@ -13,7 +13,7 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import listed, math, paragraph
+from lagrange.document.builders import listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Rule, Step
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.displacements import explain_displacements
@@ -247,6 +247,10 @@ def _with_measures(solution: Solution, step: Step) -> Step:
     first = step.body[0] if step.body else None
     if measures is None or not isinstance(first, Prose):
         return step
+    noun = next((n for n, p in enumerate(first.parts) if isinstance(p, str) and p.startswith(" as generalized")), None)
+    if noun is not None:  # they have just been named
+        it = plural(len(view.configuration.slots.coordinates), "it", "them")
+        first = prose(f"With {it}", *first.parts[noun + 1 :])
     return replace(step, body=(paragraph(measures, first), *step.body[1:]))
 
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.forms.integrability import PartialsComparison
-from lagrange.core.symbols import Slots
+from lagrange.core.symbols import Slots, Unspecified
 from lagrange.document.builders import display, listed, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraint_systems import explain_losses
@@ -121,12 +121,12 @@ def _is_excluded(classification: Classification) -> bool:
 
 
 def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | None:
-    """The mixed partial derivatives of the only constraint, where they are short; None if there are more."""
+    """The mixed partial derivatives of the only constraint, where they are short and tell something."""
     if len(constraints) != 1:
         return None
     [c] = constraints
     pair = telling_pair(c)
-    if pair is None or 0 in pair.coefficients:
+    if pair is None or 0 in pair.coefficients or any(a.has(Unspecified) for a in pair.coefficients):
         return None
     content = common_number(c.row)
     (a, b), (left, right) = pair.coefficients, pair.derivatives

@@ -22,6 +22,10 @@ from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.results import Solution
 
 
+LONGEST = 60
+"""The most operations of a multiplier that is shown."""
+
+
 def ends_with_speeds(solution: Solution) -> bool:
     """Whether the equations of motion in quasi-velocities are those of the page."""
     own = solution.own
@@ -38,6 +42,8 @@ def in_speeds_only(solution: Solution, steps: Iterable[Step], taken: frozenset[s
         elif step.rule is Rule.DISPLACEMENTS:
             unused = solved_displacements(solution.own.elimination, solution.own.configuration)
             yield replace(step, body=tuple(b for b in step.body if b not in unused))
+        elif step.rule is Rule.SOLVED_REACTIONS and _are_long(solution):
+            continue
         elif step.rule is Rule.PFAFFIAN_FORM:
             yield replace(step, body=tuple(b for b in step.body if not isinstance(b, Table)))
         elif step.rule is Rule.QUASI_VELOCITIES:
@@ -47,6 +53,16 @@ def in_speeds_only(solution: Solution, steps: Iterable[Step], taken: frozenset[s
             yield step if made is None else made
         else:
             yield step
+
+
+def _are_long(solution: Solution) -> bool:
+    """Whether the multipliers are no single forces, and long: then the page has no room for them."""
+    dynamics, law = solution.own.dynamics, solution.law
+    if dynamics is None or dynamics.reactions is None or law is None:
+        return False
+    nameless = all(r.single is None and r.given is None for r in law.newton.reactions)
+    values = [v for v in dynamics.reactions.multipliers.values() if v is not None]
+    return nameless and reaction_as_a_whole(solution) is None and any(v.count_ops() > LONGEST for v in values)
 
 
 def _without_rates(solution: Solution, block: Block) -> Block:

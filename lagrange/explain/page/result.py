@@ -13,6 +13,7 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
+from lagrange.core.symbols import VectorSymbol
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.meaning import Stated, operations, verdict_on
@@ -89,12 +90,26 @@ def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterat
             if s.rule is rule
         ]
         last = next((b for b in reversed(boxes) if b), [])
+        if rule is Rule.EQUATIONS_OF_MOTION and not last:
+            yield from _in_speeds(steps, stated)
         if not last or (len(last) > 1 and solution.own.equilibrium is not None):
             continue  # reactions that differ from one equilibrium to the next
-        lines = list(last[-1].equations)
+        lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol)]
+        if not lines:
+            continue  # a reaction as a whole, which refers to an acceleration
         if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(map(_operations, lines)):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _in_speeds(steps: list[Step], stated: Stated) -> Iterator[tuple[Rule, list[Equation]]]:
+    """The motion where the page has it in quasi-velocities only: as the answers have it, or as the page has."""
+    boxes = [b for s in steps if s.rule is Rule.QUASI_VELOCITIES for b in s.body if isinstance(b, Display) and b.boxed]
+    if boxes and stated:
+        yield Rule.EQUATIONS_OF_MOTION, [Equation(sides) for sides in stated]
+    elif boxes:
+        moving = [e for e in boxes[-1].equations if (e.label or "").startswith("motion-in-speeds")]
+        yield Rule.EQUATIONS_OF_MOTION, [replace(e, condition=()) for e in moving]
 
 
 def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:

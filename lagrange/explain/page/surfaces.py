@@ -32,7 +32,7 @@ from lagrange.core.symbols import (
 )
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.derivation import Block, Display, Equation, Math, Part, Prose, Ref, Rule, Step
 from lagrange.explain.newton import works_when_moving
 from lagrange.explain.page.laws import missing_relations
 from lagrange.explain.words import capital, constraints_called, the
@@ -159,7 +159,7 @@ def in_vectors(s: OnSurface, steps: Iterable[Step]) -> Iterator[Step]:
         match step.rule:
             case Rule.STATEMENT:
                 yield _stated(s, step)
-            case Rule.CONSTRAINT | Rule.PFAFFIAN_FORM:
+            case Rule.CONSTRAINT | Rule.PFAFFIAN_FORM | Rule.CLASSIFICATION:
                 yield _with_gradient(s, step)
             case Rule.DISPLACEMENTS:
                 yield _displacements(s, step)
@@ -201,10 +201,19 @@ def _with_gradient(s: OnSurface, step: Step) -> Step:
     def line(e: Equation) -> Equation:
         return replace(e, sides=(product, *e.sides)) if e.label == f"form-{s.row.name}" else e
 
-    blocks = (
-        replace(b, equations=tuple(line(e) for e in b.equations)) if isinstance(b, Display) else b for b in step.body
-    )
-    return replace(step, body=tuple(blocks))
+    def changed(b: Block) -> Block:
+        if isinstance(b, Display):
+            return replace(b, equations=tuple(line(e) for e in b.equations))
+        return _where_it_vanishes(s, b) if isinstance(b, Prose) else b
+
+    return replace(step, body=tuple(map(changed, step.body)))
+
+
+def _where_it_vanishes(s: OnSurface, block: Prose) -> Prose:
+    """`Where ∇f = 0` for `Where ∂f/∂x = ∂f/∂y = ∂f/∂z = 0`."""
+    everywhere = {*s.components, ZERO}
+    parts = (math(s.gradient, ZERO) if isinstance(p, Math) and {*p.sides} == everywhere else p for p in block.parts)
+    return replace(block, parts=tuple(parts))
 
 
 def _displacements(s: OnSurface, step: Step) -> Step:

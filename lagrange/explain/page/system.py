@@ -8,6 +8,7 @@ from dataclasses import replace
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
+from lagrange.explain.page.bodies import introduced_together
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.words import joined, plural, the
 from lagrange.mechanics.results import Solution
@@ -32,6 +33,7 @@ def explain_system(solution: Solution, step: Step) -> Step:
         else:
             before.append(sentence)
         body = (*before, *rest)
+    body = introduced_together(solution, body)
     measures = explain_measures(solution, solution.own)
     return replace(step, body=(*_together(solution, body), *([measures] if measures is not None else ())))
 
