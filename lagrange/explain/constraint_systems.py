@@ -50,7 +50,8 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
     else:
         systems = plural(len(flag.ranks) - 1, "its derived system", "the derived systems")
         answer = (
-            f"They form the derived system, from which the next is formed in the same way. The system has rank {flag.ranks[0]}, {systems} "
+            f"They form the derived system, from which the next is formed in the same way. "
+            f"The system has rank {flag.ranks[0]}, {systems} "
             f"{joined(map(str, flag.ranks[1:]))}; by Frobenius' theorem the last is the number of finite relations: "
             f"the constraints imply {relations} between the coordinates."
         )

@@ -298,7 +298,8 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
     )
     if missing > 0:
         words += f": {missing} too few" + (", as many as there are degrees of freedom" if missing == freedom else "")
-    words += f". With the directions of the reactions known, {after.unknowns} unknowns remain in {after.equations} equations."
+    words += f". With the directions of the reactions known, {after.unknowns} unknowns remain in {after.equations} "
+    words += "equations."
     if after.missing > 0:
         words += (
             " The constraints are not independent, so the multipliers are not determined individually, only their "

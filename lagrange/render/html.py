@@ -2,8 +2,8 @@
 
 Mathematics is MathML. Browsers do not break a formula, so a long equation is several formulas in a row, between which
 they break the line (see `mathml`). One style sheet serves light and dark screens, phones, desks and paper; a table that
-is wider than a phone is moved sideways there, its first column staying. Screen readers get headings in order, header cells, and each displayed
-equation in the language of problem files as its label.
+is wider than a phone is moved sideways there, its first column staying. Screen readers get headings in order, header
+cells, and each displayed equation in the language of problem files as its label.
 """
 
 from __future__ import annotations

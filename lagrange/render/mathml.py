@@ -48,8 +48,8 @@ class Formulas:
     @classmethod
     def of(cls, notation: Notation) -> Formulas:
         """The formulas of a derivation."""
-        on_page = (Writer(style, notation, on_page=True) for style in (MATHML, WIDE_MATHML, RUNNING_MATHML))
-        return cls(*on_page, Writer(TEXT, notation))
+        usual, wide, running = (Writer(s, notation, on_page=True) for s in (MATHML, WIDE_MATHML, RUNNING_MATHML))
+        return cls(usual, wide, running, Writer(TEXT, notation))
 
     def equation(self, sides: Sequence[Mathematics], relation: str, displayed: bool = False, first: int = 0) -> str:
         """a = b = c, beginning with the side numbered `first`; in two writings where a phone needs another one."""

@@ -14,14 +14,27 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.document.builders import listed, math, paragraph, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Rule, Step
+from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.checks import in_one_line
 from lagrange.explain.displacements import explain_displacements
-from lagrange.explain.page.constraints import common_number, explain_geometric, explain_without, halved, is_plainly_geometric
-from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.newton import explain_works
+from lagrange.explain.page.constraints import (
+    common_number,
+    explain_geometric,
+    explain_without,
+    halved,
+    is_plainly_geometric,
+)
+from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
-from lagrange.explain.page.laws import explain_laws, explain_laws_of_bodies, explain_work, has_vector_laws, in_forces, shares_shortly
+from lagrange.explain.page.laws import (
+    explain_laws,
+    explain_laws_of_bodies,
+    explain_work,
+    has_vector_laws,
+    in_forces,
+    shares_shortly,
+)
 from lagrange.explain.page.meaning import Stated, explain_meaning
 from lagrange.explain.page.motion import (
     displacements_of_geometric,
@@ -80,10 +93,10 @@ def page(
     if speeds:
         shortened = in_speeds_only(solution, shortened, frozenset(solution.problem.scope.names()))
     open_, folded = [], []
-    shortened = list(_without_bodies(solution, shortened))
+    arranged = list(_without_bodies(solution, shortened))
     if not every_choice:
-        shortened = without_detour(solution, shortened, lambda step: _is_detour(solution, step))
-    for step in _in_pairs(shortened):
+        arranged = without_detour(solution, arranged, lambda step: _is_detour(solution, step))
+    for step in _in_pairs(arranged):
         if every_choice or (step.choice in ("", first) and not _is_detour(solution, step)):
             open_.append(step)
         elif not step.choice:
@@ -162,7 +175,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps one by one, shorter where the page says them shortly."""
     classification, law = solution.classification, solution.law
     geometric = is_plainly_geometric(classification)
-    free = not classification.constraints and classification.scleronomic is True
+    free = not classification.constraints
     laws = has_vector_laws(solution)
     vectors = geometric and laws
     newton = law.newton if law is not None else None
@@ -199,6 +212,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             yield shares_shortly(solution, step)
         elif laws and step.rule is Rule.CONSERVED and newton is not None:
             yield in_forces(step, newton)
+        elif step.rule is Rule.PFAFFIAN_FORM and own is not None:
+            yield replace(step, body=tuple(b for b in step.body if not isinstance(b, Table)))
         elif step.rule is Rule.PRINCIPLE:
             yield principle_shortly(step, frozenset(solution.problem.slots.accelerations), known=known)
         elif step.rule is Rule.EQUATIONS_OF_MOTION:
@@ -261,9 +276,7 @@ def _of_forms(solution: Solution, step: Step) -> Step:
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
     if own.dynamics is not None or own.equilibrium is not None:
         return displacements_of_geometric(configuration, own.elimination)
-    normals = tuple(
-        replace(n, gradient=n.gradient.map(lambda c, by=common_number(n.row): c / by)) for n in solution.normals
-    )
+    normals = tuple(replace(n, gradient=n.gradient * (1 / common_number(n.row))) for n in solution.normals)
     made = explain_displacements(configuration, own.elimination, solution.transport_rates, normals)
     return replace(made, title=step.title)
 

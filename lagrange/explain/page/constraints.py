@@ -17,7 +17,7 @@ from lagrange.core.symbols import Slots, Unspecified
 from lagrange.document.builders import display, listed, paragraph, prose
 from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraint_systems import explain_losses
-from lagrange.explain.constraints import equal, telling_pair
+from lagrange.explain.constraints import equal, telling_pair, time_of
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
 from lagrange.explain.words import counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
@@ -29,10 +29,7 @@ from lagrange.mechanics.constraints.displacements import possible_displacement
 def is_plainly_geometric(classification: Classification) -> bool:
     """Whether all constraints are geometric, independent and free of time, and so are the positions."""
     constraints = classification.constraints
-    plain = all(
-        c.row.finite is not None and not c.contains_time and c.constraint.given is None
-        for c in constraints
-    )
+    plain = all(c.row.finite is not None and not c.contains_time and c.constraint.given is None for c in constraints)
     whole = not classification.redundancies and classification.rank == len(constraints)
     return bool(constraints) and plain and whole and classification.scleronomic is True
 
@@ -112,7 +109,11 @@ def _conclusions(classification: Classification) -> list[Prose]:
     ]
     if freedom == 0:
         sentences.append(prose("The constraints alone determine the position."))
-    return [*sentences, *explain_one_sided(constraints), *(s for s in explain_losses(classification) if not _is_excluded(classification))]
+    return [
+        *sentences,
+        *explain_one_sided(constraints),
+        *(s for s in explain_losses(classification) if not _is_excluded(classification)),
+    ]
 
 
 def _is_excluded(classification: Classification) -> bool:
@@ -139,11 +140,7 @@ def explain_without(classification: Classification, built_in: bool) -> Step:
     why = "No constraint relates the coordinates"
     if built_in:
         why = "The positions, written in these coordinates, satisfy the constraints already; none is left"
-    words = (
-        f"{why}, so the system is ", Emphasis("holonomic"), ", and ", Emphasis("scleronomic"), ", because time does not "
-        f"appear explicitly. It has as many degrees of freedom as coordinates: ", Emphasis(in_words(freedom, "degree")
-        + " of freedom"), ".",
-    )  # fmt: skip
-    if freedom == 1:
-        words = (*words[:4], ", because time does not appear explicitly. With its one coordinate it has ", *words[-2:])
-    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (prose(*words),))
+    count = "With its one coordinate it has " if freedom == 1 else "It has as many degrees of freedom as coordinates: "
+    holonomic = prose(f"{why}, so the system is ", Emphasis("holonomic"), ".")
+    many = prose(count, Emphasis(in_words(freedom, "degree") + " of freedom"), ".")
+    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (paragraph(holonomic, time_of(classification), many),))

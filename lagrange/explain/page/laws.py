@@ -52,11 +52,16 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     body: list[Block] = [
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
-        *missing_relations(solution, newton),
-        *_directions(newton.reactions),
+        *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
         display(*vectors, *(paired(components) if are_short(components) else components)),
     ]
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+
+
+def _together(blocks: Sequence[Block]) -> list[Block]:
+    """What is missing and what is known of the reactions in one paragraph."""
+    words = [b for b in blocks if isinstance(b, Prose)]
+    return [paragraph(*words)] if words and len(words) == len(blocks) else list(blocks)
 
 
 def in_forces(step: Step, newton: Newton) -> Step:
@@ -69,9 +74,7 @@ def in_forces(step: Step, newton: Newton) -> Step:
 
     if not rule:
         return step
-    blocks = (
-        replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body
-    )
+    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
     return replace(step, body=tuple(blocks))
 
 
@@ -118,21 +121,21 @@ def _named(bodies: tuple[FreeBody, ...]) -> tuple[Part, ...]:
 
 def missing_relations(solution: Solution, newton: Newton) -> Iterator[Block]:
     """Unknowns against equations while the directions of the reactions are not known."""
-    before, configuration = newton.before, solution.own.configuration
+    before = newton.before
     if before is None or before.missing <= 0:
         return
-    coordinates = len(configuration.slots.coordinates)
     laws = sum(len(b.laws) for b in newton.bodies or ())
     freedom = solution.classification.degrees_of_freedom
     as_many = ", as many as there are degrees of freedom" if before.missing == freedom else ""
     missing = f"{before.missing} {plural(before.missing, 'is', 'are')} missing{as_many}"
     constraints = before.equations - laws
     bound = "the constraint" if constraints == 1 else f"the {constraints} constraints"
+    its = plural(len(newton.bodies or ()), "its", "their")
+    one = len(newton.reactions) == 1
     yield prose(
-        f"{counted(laws, 'component').capitalize()} and {bound} are {before.equations} equations for {before.unknowns} "
-        f"unknowns ({counted(coordinates, 'coordinate')}, {counted(before.unknowns - coordinates, 'component')} of "
-        f"reactions): {missing}. The {plural(len(newton.reactions), 'direction', 'directions')} of the "
-        f"{plural(len(newton.reactions), 'reaction', 'reactions')} must be known."
+        f"With {bound}, {its} {counted(laws, 'component')} are {before.equations} equations for {before.unknowns} "
+        f"unknowns: {missing}. The {'direction' if one else 'directions'} of the {'reaction' if one else 'reactions'} "
+        "must be known."
     )
 
 
@@ -253,12 +256,13 @@ def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
         [first, *_] = members
         assert first.single is not None
         assert first.single.direction is not None
-        on = series(((math(r.force), f" on {the(r.single.on)}") for r in members if r.single is not None))
+        on = series((math(r.force), f" on {the(r.single.on)}") for r in members if r.single is not None)
         opposite = joined(dict.fromkeys(the(r.single.opposite) for r in members if r.single is not None))
         called = constraints_called(r.name for r in members)
         one = len(members) == 1
+        subject = f"The {plural(len(members), 'reaction', 'reactions')} of {called}"
         yield (
-            f"The {plural(len(members), 'reaction', 'reactions')} of {called} {'is the force' if one else 'are the forces'} ",
+            f"{subject} {'is the force' if one else 'are the forces'} ",
             *on, " along ", math(first.single.direction),
             f"; the opposite {'force acts' if one else 'forces act'} on {opposite}.",
         )  # fmt: skip

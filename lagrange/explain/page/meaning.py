@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.core.symbols import CONSTANT, prime
 from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, Step
+from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.conservation import conserved_called, proof_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.statement import raised
@@ -77,7 +78,7 @@ def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block
     short = all(i.expression.count_ops() <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
-        yield from step.body
+        yield from _without_accelerations(step.body)
         return
     for integral, proof in zip(conserved.integrals, proofs, strict=True):
         if sum(m != 0 for m in integral.multipliers) > MOST_MULTIPLIERS:
@@ -86,6 +87,23 @@ def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
         yield prose(name, ": ", *proof, " integrates to ", quantity, ".")
+
+
+def _without_accelerations(body: Sequence[Block]) -> Iterator[Block]:
+    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side."""
+    blocks = list(body)
+    for n, block in enumerate(blocks):
+        last = block.equations[-1] if isinstance(block, Display) else None
+        if last is None or not (last.label or "").startswith("energy-rate"):
+            continue
+        rate = last.sides[-1]
+        if isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols):
+            before = blocks[n - 1]
+            assert isinstance(before, Prose)
+            words = tuple(p.replace(" Along the motion", "") if isinstance(p, str) else p for p in before.parts)
+            blocks[n - 1 : n + 1] = [replace(before, parts=words)]
+            break
+    return iter(blocks)
 
 
 def _accelerations(meaning: Meaning) -> Iterator[Block]:

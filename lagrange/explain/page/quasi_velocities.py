@@ -14,13 +14,12 @@ import sympy as sp
 from lagrange.core.symbols import DotProduct, VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step, Table
+from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
 from lagrange.explain.conservation import explain_conserved
 from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.words import the
 from lagrange.mechanics.dynamics.equations import DalembertMotion
 from lagrange.mechanics.results import Solution
-
 
 LONGEST = 60
 """The most operations of a multiplier that is shown."""
@@ -44,8 +43,6 @@ def in_speeds_only(solution: Solution, steps: Iterable[Step], taken: frozenset[s
             yield replace(step, body=tuple(b for b in step.body if b not in unused))
         elif step.rule is Rule.SOLVED_REACTIONS and _are_long(solution):
             continue
-        elif step.rule is Rule.PFAFFIAN_FORM:
-            yield replace(step, body=tuple(b for b in step.body if not isinstance(b, Table)))
         elif step.rule is Rule.QUASI_VELOCITIES:
             yield replace(step, body=tuple(_without_rates(solution, b) for b in step.body))
         elif step.rule is Rule.CONSERVED and solution.own.conserved is not None:

@@ -97,6 +97,8 @@ def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterat
         lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol)]
         if not lines:
             continue  # a reaction as a whole, which refers to an acceleration
+        if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
+            continue  # with a denominator that has a letter of its own
         if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(map(_operations, lines)):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines

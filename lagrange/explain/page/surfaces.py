@@ -119,9 +119,7 @@ def on_surface(solution: Solution) -> OnSurface | None:
     names = problem.scope.names()
     letters = (free_letter("D", "B", "E", taken=names), free_letter("N", "R_N", taken=names))
     d, n = (sp.Symbol(letter, real=True) for letter in letters)
-    made = OnSurface(
-        solution, row, point.name, point.mass, VectorSymbol(f"nabla({f.name})"), row.coefficients, (d, n)
-    )
+    made = OnSurface(solution, row, point.name, point.mass, VectorSymbol(f"nabla({f.name})"), row.coefficients, (d, n))
     return made if _agrees(made) else None
 
 
@@ -226,8 +224,10 @@ def _displacements(s: OnSurface, step: Step) -> Step:
         *(("the terms in ", dt, " drop out, and ") if moving else ()), "it satisfies",
     )  # fmt: skip
     virtual = Equation((DotProduct(s.gradient, _virtual(s)), ZERO), label=f"virtual-{s.row.name}")
-    tangent: tuple[Part, ...] = (math(s.gradient), " is normal to the surface. So every virtual displacement is tangent "
-                                 "to it, ")  # fmt: skip
+    tangent: tuple[Part, ...] = (
+        math(s.gradient),
+        " is normal to the surface. So every virtual displacement is tangent to it, ",
+    )
     if moving:
         tangent += ("as it is at that time; a possible displacement in general is not.",)
     else:
@@ -255,9 +255,7 @@ def _laws(s: OnSurface) -> Step:
     """m r'' = F + R, and R = λ ∇f."""
     _, r = _only(s)
     reaction, friction = VectorSymbol(f"R_{s.name}"), s.friction
-    law = Equation(
-        (s.mass * VectorSymbol(f"r_{s.name}''"), s.applied - s.rubbing + reaction), label=f"law-{s.name}"
-    )
+    law = Equation((s.mass * VectorSymbol(f"r_{s.name}''"), s.applied - s.rubbing + reaction), label=f"law-{s.name}")
     force: tuple[Part, ...] = ("the applied force ", math(s.applied), " and ") if s.applied != 0 else ()
     normal = Equation((reaction, r.force * s.gradient), label=f"reaction-{s.name}")
     newton = s.solution.law.newton if s.solution.law is not None else None
@@ -275,8 +273,8 @@ def _laws(s: OnSurface) -> Step:
             prose("While ", the(s.name), " slides, the friction is ", math(friction.coefficient), " times the "
                   "magnitude of the reaction,"),
             display(size),
-            prose("and directed against the velocity. It does work and counts as an applied force. Without slip, static "
-                  "friction takes whatever value prevents it, up to a limit. Newton's law is"),
+            prose("and directed against the velocity. It does work and counts as an applied force. Without slip, "
+                  "static friction takes whatever value prevents it, up to a limit. Newton's law is"),
             display(law),
         ]  # fmt: skip
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
@@ -359,7 +357,9 @@ def _reaction(s: OnSurface, step: Step) -> Step:
         prose("with"),
         display(Equation((d, _second(s)), label="second-derivative")),
         prose("So Newton's law, multiplied by ", math(s.gradient), f"{rubs} gives"),
-        display(Equation((r.force * sp.Abs(s.gradient) ** 2, -s.mass * d - force), label=f"multiplier-{r.name}"), boxed=True),
+        display(
+            Equation((r.force * sp.Abs(s.gradient) ** 2, -s.mass * d - force), label=f"multiplier-{r.name}"), boxed=True
+        ),
     ]
     bounds = [b for b in step.body if _begins(b, "A surface that can only push")]
     return replace(step, body=(*body, *bounds))

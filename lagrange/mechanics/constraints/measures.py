@@ -95,7 +95,7 @@ def _angles_of(d: Vector, start: str, end: str, symbols: Sequence[sp.Symbol]) ->
     for q in symbols:
         if not any(c.has(sp.sin(q), sp.cos(q)) for c in d.components):
             continue
-        first, second = (d.map(lambda c, at=at: textbook_form(c.xreplace({q: at}))) for at in (sp.S.Zero, sp.pi / 2))
+        first, second = (_turned_to(d, q, at) for at in (sp.S.Zero, sp.pi / 2))
         turned = first * sp.cos(q) + second * sp.sin(q)
         if not all(is_zero(c) is True for c in (d - turned).components):
             continue
@@ -111,6 +111,10 @@ def _angles_of(d: Vector, start: str, end: str, symbols: Sequence[sp.Symbol]) ->
             )
 
 
+def _turned_to(d: Vector, q: sp.Symbol, value: sp.Expr) -> Vector:
+    return d.map(lambda c: textbook_form(c.xreplace({q: value})))
+
+
 def _axis(v: Vector) -> Vector | None:
     """i, j, k or one of them reversed, if a vector is along it by a factor of a known sign."""
     along = [(n, c) for n, c in enumerate(v.components) if c != 0]
@@ -119,4 +123,4 @@ def _axis(v: Vector) -> Vector | None:
     [(n, c)] = along
     sign = 1 if c.is_positive else -1 if c.is_negative else 0
     units = tuple(sp.Integer(sign) if m == n else sp.S.Zero for m in range(3))
-    return Vector(units, FIXED) if sign else None  # type: ignore[arg-type]
+    return Vector(units, FIXED) if sign else None
