@@ -41,7 +41,7 @@ TEX_LEFT_SIDE = 8.0
 
 # Web pages
 
-PHONE_PIECE = 11.5
+PHONE_PIECE = 11.0
 """Ems of a piece of a formula: what a phone of 360 pixels shows beside the number. `make sweep` opens every shipped
 page at this width, and nothing may stick out."""
 PHONE_LEFT_SIDE = 2.8

@@ -11,8 +11,8 @@ from collections.abc import Collection, Iterator
 
 from lagrange.mechanics.results import Solution
 
-VECTORS = ("r", "v", "F", "R", "omega", "H", "Gamma", "pi")
-"""Position, velocity, forces, angular velocity and momentum, moment of the reaction, virtual rotation."""
+VECTORS = ("r", "v", "F", "R", "omega", "H", "M", "Gamma", "pi")
+"""Position, velocity, forces, angular velocity and momentum, moments, virtual rotation."""
 
 
 def short_names(solution: Solution, taken: Collection[str]) -> dict[str, str]:

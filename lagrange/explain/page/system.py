@@ -76,7 +76,8 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
     end: tuple[Part, ...] = ()
     if forces and len(loaded) < len(points):
         force = plural(len(loaded), "weight", "weights") if weights else plural(len(loaded), "force", "forces")
-        end, forces = (f", and the {force} on {joined(map(the, loaded))},",), False
+        comma = "" if points[-1].mass != 0 else ","
+        end, forces = (f"{comma} and the {force} on {joined(map(the, loaded))}",), False
     what = plural(len(points), "The position", "The positions") + (also if forces else "")
     lead = prose(what, " of ", *series(masses), *end, " are" if forces or end or len(points) > 1 else " is")
     shown = paired(lines) if len(points) == 1 and are_short(lines) else lines
