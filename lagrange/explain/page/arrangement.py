@@ -24,6 +24,7 @@ from lagrange.explain.page.constraints import (
     explain_without,
     halved,
     is_plainly_geometric,
+    without_component,
 )
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
@@ -91,7 +92,7 @@ def page(
     if surface is not None:
         shortened, stated = in_vectors(surface, shortened), ()
     if speeds:
-        shortened = in_speeds_only(solution, shortened, frozenset(solution.problem.scope.names()))
+        shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
     arranged = list(_without_bodies(solution, shortened))
     if not every_choice:
@@ -142,7 +143,8 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> 
         yield from steps
         return
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
-    step = explain_meaning(said, conserved, stated)
+    shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
+    step = explain_meaning(said, conserved, stated, shown)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
@@ -191,6 +193,8 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
                 yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)
+        elif step.rule is Rule.CONSTRAINT:
+            yield without_component(solution.problem, step)
         elif step.rule is Rule.STATEMENT:
             yield explain_system(solution, step)
         elif step.rule is Rule.GENERALIZED_COORDINATES:

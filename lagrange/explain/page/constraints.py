@@ -12,10 +12,12 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.forms.integrability import PartialsComparison
-from lagrange.core.symbols import Slots, Unspecified
+from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol
+from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, paragraph, prose
-from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraint_systems import explain_losses
 from lagrange.explain.constraints import equal, telling_pair, time_of
 from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
@@ -24,6 +26,7 @@ from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
+from lagrange.problem.model import Constraint, Problem
 
 
 def is_plainly_geometric(classification: Classification) -> bool:
@@ -132,6 +135,38 @@ def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | Non
     content = common_number(c.row)
     (a, b), (left, right) = pair.coefficients, pair.derivatives
     return replace(pair, coefficients=(a / content, b / content), derivatives=(left / content, right / content))
+
+
+def without_component(problem: Problem, step: Step) -> Step:
+    """The constraints, with v·n = 0 for one that forbids a velocity along a unit vector that the file names."""
+    lines = [line for c in problem.constraints if (line := _across(problem, c)) is not None]
+    if not lines:
+        return step
+    one, more = "a component of the velocity vanishes", "components of velocities vanish"
+    words = f"That is, {plural(len(lines), one, more)}:"
+    at = next(n for n, b in enumerate(step.body) if isinstance(b, Display)) + 1
+    return replace(step, body=(*step.body[:at], prose(words), display(*lines), *step.body[at:]))
+
+
+def _across(problem: Problem, constraint: Constraint) -> Equation | None:
+    """(x' i + y' j)·n = 0, where the constraint is that."""
+    if not constraint.kinematic:
+        return None
+    slots = problem.slots
+    difference = constraint.lhs - constraint.rhs
+    places = [*(p.position for p in problem.particles), *(b.position for b in problem.bodies)]
+    plane = [q for q in slots.coordinates if q.name in ("x", "y")]
+    if len(plane) == 2 and not places:
+        places = [Vector((plane[0], plane[1], sp.S.Zero))]
+    for name, direction in problem.abbreviations.items():
+        if not isinstance(direction, Vector) or is_zero(direction.dot(direction) - 1) is not True:
+            continue
+        for place in places:
+            velocity = place.fixed().map(slots.time_derivative)
+            product = velocity.dot(direction.fixed())
+            if is_zero(difference - product) is True or is_zero(difference + product) is True:
+                return Equation((DotProduct(velocity.as_sum(), VectorSymbol(name)), sp.S.Zero))
+    return None
 
 
 def explain_without(classification: Classification, built_in: bool) -> Step:

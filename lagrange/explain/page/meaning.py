@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -11,7 +11,8 @@ import sympy as sp
 from lagrange.core.symbols import CONSTANT, prime
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
-from lagrange.explain.conservation import conserved_called, proof_of
+from lagrange.explain.conservation import conserved_called, explain_conserved, proof_of
+from lagrange.explain.motion import label_of
 from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.statement import raised
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity
@@ -30,14 +31,17 @@ Stated = tuple[tuple[sp.Expr, ...], ...]
 """Equations, each as its sides."""
 
 
-def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = ()) -> Step | None:
+def explain_meaning(
+    meaning: Meaning, conserved: Step | None, stated: Stated = (), labels: Collection[str | None] | None = None
+) -> Step | None:
     """The step; None where there is nothing to say.
 
     conserved  the step of the full derivation on the conserved quantities
     stated     the equations of motion in another form, known to be right
+    labels     of the equations on the page; None: all of them
     """
     choice = meaning.view.name
-    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved)]
+    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved, labels)]
     body += _accelerations(meaning)
     body += _one_way(meaning)
     body += _rest(meaning)
@@ -70,11 +74,17 @@ _CALLED = {
 }
 
 
-def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block]:
+def _conserved(
+    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None
+) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
     proofs = [proof_of(conserved, i) for i in conserved.integrals]
+    equations = {label_of(conserved.motion, e) for e in conserved.motion.equations}
+    proven = labels is None or not conserved.integrals or equations <= {*labels}
+    if not proven:  # the equations of motion are folded, or written otherwise
+        step = explain_conserved(conserved, step.choice, (), proofs=False) or step
     short = all(i.expression.count_ops() <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
@@ -86,7 +96,7 @@ def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block
         called = conserved_called(integral, conserved.motion.configuration)
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
-        yield prose(name, ": ", *proof, " integrates to ", quantity, ".")
+        yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
 
 
 def _without_accelerations(body: Sequence[Block]) -> Iterator[Block]:

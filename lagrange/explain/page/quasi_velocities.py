@@ -15,7 +15,6 @@ from lagrange.core.symbols import DotProduct, VectorSymbol
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, prose
 from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
-from lagrange.explain.conservation import explain_conserved
 from lagrange.explain.displacements import solved_displacements
 from lagrange.explain.words import the
 from lagrange.mechanics.dynamics.equations import DalembertMotion
@@ -33,7 +32,7 @@ def ends_with_speeds(solution: Solution) -> bool:
     return equations is not None and isinstance(written, DalembertMotion) and not solution.choices
 
 
-def in_speeds_only(solution: Solution, steps: Iterable[Step], taken: frozenset[str]) -> Iterator[Step]:
+def in_speeds_only(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps without the principle written out in the file's coordinates, and what else is not needed then."""
     for step in steps:
         if step.rule is Rule.PRINCIPLE:
@@ -45,9 +44,6 @@ def in_speeds_only(solution: Solution, steps: Iterable[Step], taken: frozenset[s
             continue
         elif step.rule is Rule.QUASI_VELOCITIES:
             yield replace(step, body=tuple(_without_rates(solution, b) for b in step.body))
-        elif step.rule is Rule.CONSERVED and solution.own.conserved is not None:
-            made = explain_conserved(solution.own.conserved, "", taken, proofs=False)
-            yield step if made is None else made
         else:
             yield step
 

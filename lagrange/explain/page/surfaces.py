@@ -327,7 +327,7 @@ def _motion(s: OnSurface, step: Step) -> Step:
     )
     body: list[Block] = [
         prose("By ", Ref(f"virtual-{s.row.name}"), ", ", math(_virtual(s)), " is any vector normal to ",
-              math(s.gradient), ". The vector in brackets is normal to all of these if and only if it is along ",
+              math(s.gradient), ", and ", math(s.left_over), " is normal to all of these if and only if it is along ",
               math(s.gradient), " itself:"),
         display(*both, boxed=True),
     ]  # fmt: skip

@@ -10,6 +10,7 @@ from lagrange.document.builders import display, math, paired, paragraph, prose, 
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
 from lagrange.explain.page.bodies import introduced_together
 from lagrange.explain.page.coordinates import explain_measures
+from lagrange.explain.page.texts import set_text
 from lagrange.explain.words import joined, plural, the
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
@@ -45,7 +46,7 @@ def _symbols(solution: Solution) -> tuple[Prose, int]:
     for kind, members in (("coordinate", problem.coordinates), ("parameter", problem.parameters)):
         if not any(m.meaning or m.unit for m in members):
             continue
-        named = ((math(m.symbol), f" ({m.meaning})" if m.meaning else "") for m in members)
+        named = ((math(m.symbol), *((" (", *set_text(m.meaning, problem), ")") if m.meaning else ())) for m in members)
         parameters = [m for m in problem.parameters if m.range is None]
         positive = kind == "parameter" and all(p.assume is Assumption.POSITIVE for p in parameters)
         some = f", {'both' if len(members) == 2 else 'all'} positive" if len(members) > 1 else ", positive"

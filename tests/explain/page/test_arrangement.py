@@ -98,3 +98,26 @@ def test_the_law_is_displayed_in_vectors_and_tensions_stand_for_multipliers() ->
     page = printed(reported("ex11-ideal-pendulum", complete=False))
     assert "m 𝐫̈ = 𝐅 + 𝐑" in page
     assert "𝐑 = −(T/l) 𝐫" in page
+
+
+def test_a_kinematic_constraint_shows_the_component_that_it_forbids() -> None:
+    page = printed(reported("ex05-ice-skate", complete=False))
+    assert "(ẋ 𝐢 + ẏ 𝐣)·𝐧 = 0" in page
+    assert "component of the velocity" not in printed(reported("rolling-disc", complete=False))
+
+
+def test_forces_alike_are_in_one_sentence_and_each_body_once() -> None:
+    page = " ".join(printed(reported("double-atwood", complete=False)).split())
+    assert "F₁ on the single body, F on the lower body, F₂ on the left body and F₃ on the right body along −𝐣" in page
+    assert "On the single body act" not in page
+    assert page.count("taken separately") == 1
+
+
+def test_what_is_folded_takes_its_equations_with_it() -> None:
+    """The principle written out in the file's coordinates stands before the equations that need it."""
+    steps = reported("ex18-double-pendulum", complete=False).derivation.page
+    [folded] = [s for s in steps if s.folded and s.rule is Rule.EQUATIONS_OF_MOTION and not s.choice]
+    labels = [e.label for b in folded.body if isinstance(b, Display) for e in b.equations]
+    assert labels[0] == "written-out"
+    [principle] = [s for s in steps if s.rule is Rule.PRINCIPLE]
+    assert [e.label for b in principle.body if isinstance(b, Display) for e in b.equations] == ["principle"]
