@@ -337,6 +337,10 @@ class DotProduct(Inert):
     """a·b of two vectors that are named or given by their components."""
 
 
+class CrossProduct(Inert):
+    """a × b, likewise."""
+
+
 class Partial(Inert):
     """∂e/∂x, for printing a derivative before it is carried out."""
 

@@ -18,6 +18,7 @@ from itertools import pairwise
 import sympy as sp
 
 from lagrange.core.symbols import (
+    CrossProduct,
     DotProduct,
     Partial,
     TimeDerivative,
@@ -34,11 +35,11 @@ from lagrange.document.names import BREAK, END, START, Piece, Precedence, Writte
 from lagrange.document.notation import Notation, SymbolKind
 from lagrange.document.ordering import BasePower, OrderedProduct, WritingOrder, product
 from lagrange.document.style_latex import Latex, WideLatex
-from lagrange.document.styles import BARE, POWERED, Text, Unicode
+from lagrange.document.styles import BARE, POWERED, BoldVectors, Text, Unicode
 
-__all__ = ["LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "latex", "text", "unicode"]
+__all__ = ["BOLD", "LATEX", "TEXT", "UNICODE", "WIDE_LATEX", "Notation", "Writer", "latex", "text", "unicode"]
 
-TEXT, UNICODE, LATEX, WIDE_LATEX = Text(), Unicode(), Latex(), WideLatex()
+TEXT, UNICODE, BOLD, LATEX, WIDE_LATEX = Text(), Unicode(), BoldVectors(), Latex(), WideLatex()
 NOTHING = Notation()
 _CONSTANT = {SymbolKind.PARAMETER, SymbolKind.SIGN}
 _POSITION = {SymbolKind.COORDINATE, *_CONSTANT}
@@ -62,9 +63,11 @@ def latex(expression: Mathematics, notation: Notation = NOTHING) -> str:
 class Writer:
     """Writes mathematics in one style and notation, with a cache of the pieces written."""
 
-    def __init__(self, style: Text, notation: Notation = NOTHING) -> None:
+    def __init__(self, style: Text, notation: Notation = NOTHING, *, on_page: bool = False) -> None:
+        """A writer; `on_page`: with the shorter names of a printed page, which are not read back."""
         self.style = style
         self.notation = notation
+        self.on_page = on_page
         self.order = WritingOrder(notation)
         self._written: dict[sp.Basic, Piece] = {}
         self._ambiguous = notation.ambiguous
@@ -111,6 +114,9 @@ class Writer:
             case DotProduct():
                 a, b = (self.piece(a) for a in expression.args)
                 return self.style.dot(a, b)
+            case CrossProduct():
+                a, b = (self.piece(a) for a in expression.args)
+                return self.style.cross(a, b)
             case Wedge():
                 return self.style.wedge([self.piece(a) for a in expression.args])
             case Partial():
@@ -130,6 +136,8 @@ class Writer:
             return self.style.unit(name)
         if isinstance(symbol, UnitVector) and self.notation.shadows_unit_vectors:
             name = {"i": "e_x", "j": "e_y", "k": "e_z"}.get(name, name)
+        if self.on_page:
+            name = self.notation.on_page(name)
         return self.style.name(name, isinstance(symbol, UnitVector | VectorSymbol))
 
     def _vector(self, vector: Vector) -> Piece:

@@ -85,7 +85,7 @@ SMALL = dict(zip("aehijklmnoprstuvx", "ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛ�
 SUPERSCRIPTS = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 _DOTS = ("", "\u0307", "\u0308")
-_OPERATED = re.compile(r"(d|delta)\((.+)\)\Z")
+_OPERATED = re.compile(r"(d|delta|nabla)\((.+)\)\Z")
 _MIXED = re.compile(r"(\d+)([aehijklmnoprstuvx])\Z")  # a_1t
 _BEFORE = re.compile(r"([^']+)('+)_(\d+)\Z")  # x'_0, a velocity at one instant
 _NUMBERED = re.compile(r"([^\W\d_]+)(\d+)\Z")
@@ -95,7 +95,7 @@ _NUMBERED = re.compile(r"([^\W\d_]+)(\d+)\Z")
 class WrittenName:
     """A name in its parts.
 
-    operator    "", "d" or "delta"
+    operator    "", "d", "delta" or "nabla"
     letter      "theta", "x", "pos"
     indices     ("1",), ("rod",), ("1", "B")
     primes      how many time derivatives
@@ -135,27 +135,38 @@ class WrittenName:
         return self.letter in GREEK and not self.primes and all(index.isdigit() for index in self.indices)
 
 
-def unicode_name(name: WrittenName) -> str:
-    """`θ̈₁`, `dx`, `δr_P`, `λ_rod`, `pos″`."""
+def unicode_name(name: WrittenName, bold: bool = False) -> str:
+    """`θ̈₁`, `dx`, `δr_P`, `λ_rod`, `pos″`; a bold letter from the mathematical alphabets of Unicode."""
     letter = _letter(name.letter)
+    if bold and name.operator != "nabla":
+        letter = "".join(map(_bold, letter))
     dotted = len(letter) == 1 and name.primes < len(_DOTS)
     body = unicodedata.normalize("NFC", letter + _DOTS[name.primes]) if dotted else letter
     body += "".join(_unicode_index(index) for index in name.indices)
     if not dotted:
         body += {1: "′", 2: "″", 3: "‴"}.get(name.primes, "′" * name.primes)
-    return {"": "", "d": "d", "delta": "δ"}[name.operator] + body
+    return {"": "", "d": "d", "delta": "δ", "nabla": "∇"}[name.operator] + body
 
 
 def latex_name(name: WrittenName, bold: bool = False) -> str:
     r"""`\ddot{\theta}_{1}`, `\mathrm{d}x`, `\delta \mathbf{r}_{P}`, `\lambda_{\text{rod}}`."""
-    body = _latex_letter(name.letter, bold)
+    body = _latex_letter(name.letter, bold and name.operator != "nabla")
     if 0 < name.primes < 4:
         body = "\\" + "d" * (name.primes - 1) + "dot{" + body + "}"
     if name.indices:
         body += "_{" + ",".join(_latex_index(index) for index in name.indices) + "}"
     if name.primes > 3:
         body += "^{(" + str(name.primes) + ")}"
-    return {"": "", "d": r"\mathrm{d}", "delta": r"\delta "}[name.operator] + body
+    return {"": "", "d": r"\mathrm{d}", "delta": r"\delta ", "nabla": r"\nabla "}[name.operator] + body
+
+
+_BOLD = ((65, 90, 0x1D400), (97, 122, 0x1D41A), (0x391, 0x3A9, 0x1D6A8), (0x3B1, 0x3C9, 0x1D6C2))
+"""Latin and Greek letters, capital and small: the first, the last, the bold first."""
+
+
+def _bold(letter: str) -> str:
+    """𝐫 for r; a letter without a bold form as it is."""
+    return next((chr(ord(letter) - a + bold) for a, z, bold in _BOLD if a <= ord(letter) <= z), letter)
 
 
 def _letter(word: str) -> str:

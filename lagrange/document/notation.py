@@ -7,6 +7,9 @@ unknown forces, and scalars that have the names of the unit vectors.
 
 from __future__ import annotations
 
+import re
+from collections.abc import Mapping
+from dataclasses import field
 from enum import IntEnum
 from functools import cached_property
 
@@ -19,6 +22,7 @@ from lagrange.document.names import GREEK, WrittenName
 SortPlace = tuple[int, str, tuple[str, ...]]  # declared order, then alphabetic
 CONVENTIONAL = frozenset({"x", "y", "z", "q", "r", "s", "theta", "phi", "psi", "rho", "varphi"})
 """Letters that are coordinates where a notation declares none."""
+_NAMED = re.compile(r"((?:d|delta)\(|)(.*?)('*\)?)", re.DOTALL)
 
 
 class SymbolKind(IntEnum):
@@ -50,6 +54,7 @@ class Notation:
     forces          multipliers and unknown forces, except for names with the prefix lambda_
     scalar_names    declared scalars; with i, j or k among them the unit vectors are e_x, e_y, e_z
     ambiguous       undefined functions that occur with several lists of arguments
+    page_names      names that are shorter on a printed page, where there is one body or constraint: r_P -> r
     """
 
     coordinates: tuple[sp.Symbol, ...] = ()
@@ -60,6 +65,7 @@ class Notation:
     forces: tuple[sp.Symbol, ...] = ()
     scalar_names: frozenset[str] = frozenset()
     ambiguous: frozenset[str] = frozenset()
+    page_names: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def shadows_unit_vectors(self) -> bool:
@@ -90,6 +96,13 @@ class Notation:
         if not self.coordinates and WrittenName.of(name).letter in CONVENTIONAL:
             return SymbolKind.COORDINATE
         return SymbolKind.PARAMETER
+
+    def on_page(self, name: str) -> str:
+        """The name as a printed page has it: delta(r_P) is delta(r) where P is the only body."""
+        if not self.page_names:
+            return name
+        before, stem, after = _NAMED.fullmatch(name).groups()  # type: ignore[union-attr]
+        return f"{before}{self.page_names.get(stem, stem)}{after}"
 
     def place(self, name: str) -> SortPlace:
         """The place of a coordinate, or of its velocity, differential, ..., among the others; t comes last."""

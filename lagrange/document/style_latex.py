@@ -104,6 +104,10 @@ class Latex(Unicode):
         """A scalar product."""
         return Piece(rf"{self._operand(a)} \cdot {self._operand(b)}", Precedence.DIVISION)
 
+    def cross(self, a: Piece, b: Piece) -> Piece:
+        """A vector product."""
+        return Piece(rf"{self._operand(a)} \times {self._operand(b)}", Precedence.DIVISION)
+
     def wedge(self, forms: Sequence[Piece]) -> Piece:
         """An exterior product."""
         return Piece(r" \wedge ".join(self._operand(f) for f in forms), Precedence.PRODUCT)

@@ -139,6 +139,10 @@ class MathML(Unicode):
         """A scalar product."""
         return Piece(f"{self._operand(a)}<mo>·</mo>{self._operand(b)}", Precedence.DIVISION)
 
+    def cross(self, a: Piece, b: Piece) -> Piece:
+        """A vector product."""
+        return Piece(f"{self._operand(a)}<mo>×</mo>{self._operand(b)}", Precedence.DIVISION)
+
     def wedge(self, forms: Sequence[Piece]) -> Piece:
         """An exterior product."""
         return Piece("<mo>∧</mo>".join(self._operand(f) for f in forms), Precedence.PRODUCT)
@@ -170,6 +174,23 @@ class MathML(Unicode):
     def zero_vector(self) -> Piece:
         """The vector 0."""
         return Piece('<mn class="v">0</mn>')
+
+
+class RunningMathML(MathML):
+    """MathML in running text: ∂f/∂x on the line, where a fraction of it would be too small to read."""
+
+    def partial(self, inner: Piece, variables: Sequence[str], at: Sequence[str] = ()) -> Piece:
+        """A partial derivative with a slash."""
+        sign = _NORMAL + "∂</mi>"
+        count = len(variables)
+        raised = f"<msup>{sign}<mn>{count}</mn></msup>" if count > 1 else sign
+        body = inner.code if inner.level == Precedence.ATOM else self.bracketed(inner.code)
+        below = []
+        for variable in dict.fromkeys(variables):
+            code, n = self.name(variable).code, variables.count(variable)
+            below.append(sign + (self.power(code, Piece(f"<mn>{n}</mn>")).code if n > 1 else code))
+        code = f'{raised}{body}<mo lspace="0" rspace="0">/</mo>{"".join(below)}'
+        return Piece(code + (self.arguments(at) if at else ""), Precedence.DIVISION)
 
 
 class WideMathML(MathML):
@@ -257,6 +278,7 @@ def _integer(number: int) -> str:
 def _name(name: WrittenName, bold: bool = False) -> str:
     """`<msub><mover><mi>θ</mi><mo>¨</mo></mover><mn>1</mn></msub>`."""
     letter = GREEK[name.letter][0] if name.letter in GREEK else name.letter
+    bold = bold and name.operator != "nabla"
     upright = bold or (name.letter in GREEK and name.letter[0].isupper())
     kind = ' class="v" mathvariant="normal"' if bold else ' mathvariant="normal"' if upright else ""
     code = f"<mi{kind}>{escape(letter)}</mi>"
@@ -268,7 +290,8 @@ def _name(name: WrittenName, bold: bool = False) -> str:
     if name.primes >= len(_DOTS):
         count = f'<mo stretchy="false">(</mo><mn>{name.primes}</mn><mo stretchy="false">)</mo>'
         code = f"<msup>{code}<mrow>{count}</mrow></msup>"
-    return {"": "", "d": f"{_NORMAL}d</mi>", "delta": "<mi>δ</mi>"}[name.operator] + code
+    operators = {"": "", "d": f"{_NORMAL}d</mi>", "delta": "<mi>δ</mi>", "nabla": f"{_NORMAL}∇</mi>"}
+    return operators[name.operator] + code
 
 
 def _index(index: str) -> str:

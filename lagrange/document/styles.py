@@ -179,6 +179,10 @@ class Text:
         """A scalar product."""
         return Piece(f"dot({a.code}, {b.code})")
 
+    def cross(self, a: Piece, b: Piece) -> Piece:
+        """A vector product."""
+        return Piece(f"cross({a.code}, {b.code})")
+
     def wedge(self, forms: Sequence[Piece]) -> Piece:
         """An exterior product."""
         return Piece("wedge" + self.arguments([f.code for f in forms]))
@@ -288,6 +292,10 @@ class Unicode(Text):
         """A scalar product."""
         return Piece(f"{self._operand(a)}·{self._operand(b)}", Precedence.DIVISION)
 
+    def cross(self, a: Piece, b: Piece) -> Piece:
+        """A vector product."""
+        return Piece(f"{self._operand(a)} × {self._operand(b)}", Precedence.DIVISION)
+
     def wedge(self, forms: Sequence[Piece]) -> Piece:
         """An exterior product."""
         return Piece(" ∧ ".join(self._operand(f) for f in forms), Precedence.PRODUCT)
@@ -317,3 +325,13 @@ class Unicode(Text):
             pieces.append(f"{sign}{gap}{self.power(code, Piece(str(n))).code if n > 1 else code}")
         body = inner.code if inner.level == Precedence.ATOM else self.bracketed(inner.code)
         return f"{raised}{gap}{body}", gap.join(pieces)
+
+
+class BoldVectors(Unicode):
+    """A page on the terminal: vectors have bold letters, `m 𝐫̈ = 𝐅 + 𝐑`."""
+
+    def name(self, name: str, vector: bool = False) -> Piece:
+        """A symbol."""
+        if not vector:
+            return super().name(name)
+        return Piece(unicode_name(WrittenName.of(name), bold=True))

@@ -206,7 +206,9 @@ def law_times_displacement(configuration: Configuration, insertion: str) -> str:
     """What is multiplied by what: `Newton's law for each particle<insertion> by its virtual displacement`."""
     bodies, particles = configuration.rotations, configuration.particles
     if not bodies:
-        return f"Newton's law for each particle{insertion} by its virtual displacement"
+        one = len(particles) == 1
+        whom, whose = ("", "the") if one else (" for each particle", "its")
+        return f"Newton's law{whom}{insertion} by {whose} virtual displacement"
     whom = "each particle and mass centre" if particles else plural(len(bodies), "the mass centre", "each mass centre")
     turning = plural(len(bodies), "the law of angular momentum", "the law of angular momentum for each body")
     its = plural(len(bodies), "the", "its")

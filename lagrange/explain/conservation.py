@@ -23,16 +23,19 @@ MOST_TERMS = 6
 """The most multiples of equations of motion that are named where they add up to the rate of an integral."""
 
 
-def explain_conserved(conserved: Conserved, choice: str = "", taken: Collection[str] = ()) -> Step | None:
+def explain_conserved(
+    conserved: Conserved, choice: str = "", taken: Collection[str] = (), *, proofs: bool = True
+) -> Step | None:
     """The integrals with their proofs, and the rate of the energy; None where there is neither.
 
-    taken  names that the problem uses
+    taken   names that the problem uses
+    proofs  whether the equations of motion of which they are integrals are on the page
     """
     body: list[Block] = []
     small = sp.Symbol(next((n for n in SMALL if n not in taken), SMALL[0]), real=True)
     for because in Because:
         members = [i for i in conserved.integrals if i.because is because]
-        body += _shown(conserved, members, choice, small) if members else []
+        body += _shown(conserved, members, choice, small, proofs=proofs) if members else []
     if conserved.bound:
         body.append(_bound(tuple(conserved.bound)))
     if conserved.undecided:
@@ -46,7 +49,9 @@ def explain_conserved(conserved: Conserved, choice: str = "", taken: Collection[
     return Step(Rule.CONSERVED, title_in(quantities, choice), tuple(body)) if body else None
 
 
-def _shown(conserved: Conserved, integrals: Sequence[Integral], choice: str, small: sp.Symbol) -> list[Block]:
+def _shown(
+    conserved: Conserved, integrals: Sequence[Integral], choice: str, small: sp.Symbol, *, proofs: bool
+) -> list[Block]:
     """Integrals for one reason: why, the proof, and the equations."""
     suffix = suffix_of(choice)
     lines = [
@@ -56,7 +61,7 @@ def _shown(conserved: Conserved, integrals: Sequence[Integral], choice: str, sma
     long = any(i.expression.count_ops() > LONGEST for i in integrals)
     ending = "." if long else ":"
     return [
-        prose(*_reason(conserved, integrals, small), ". ", *_conclusion(conserved, integrals), ending),
+        prose(*_reason(conserved, integrals, small), ". ", *_conclusion(conserved, integrals, proofs=proofs), ending),
         display(*lines, boxed=True, detail=Detail.FULL if long else Detail.STEPS),
     ]
 
@@ -148,15 +153,15 @@ _CALLED = {
 _COMBINED = ("the combined momentum along and about the axis", "the combined momenta along and about the axes")
 
 
-def _conclusion(conserved: Conserved, integrals: Sequence[Integral]) -> tuple[Part, ...]:
+def _conclusion(conserved: Conserved, integrals: Sequence[Integral], *, proofs: bool) -> tuple[Part, ...]:
     """`Therefore (11) and (13) times C are the rates of change of the momenta, which are constant`."""
     several, first = len(integrals) > 1, integrals[0]
     configuration = conserved.motion.configuration
     quantities = {conserved_called(i, configuration) for i in integrals}
     quantity = quantities.pop() if len(quantities) == 1 else first.quantity
     one, more = _COMBINED if first.because is Because.SCREW else _CALLED[quantity]
-    proofs = [proof_of(conserved, i) for i in integrals]
-    if not all(proofs):
+    named = [proof_of(conserved, i) for i in integrals] if proofs else []
+    if not named or not all(named):
         return (f"Along the motion {more if several else one} {'are' if several else 'is'} constant",)
     if several and first.because is Because.RATE:
         return ("Therefore combinations of the equations of motion can be integrated",)
@@ -164,7 +169,7 @@ def _conclusion(conserved: Conserved, integrals: Sequence[Integral]) -> tuple[Pa
         return (
             f"Therefore combinations of the equations of motion are the rates of change of {more}, which are constant",
         )
-    words = series(proofs)
+    words = series(named)
     if first.because in (Because.GAUGE, Because.RATE):
         return ("Therefore ", *words, " can be integrated")
     rate = f" are the rates of change of {more}, which are" if several else f" is the rate of change of {one}, which is"

@@ -41,21 +41,19 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
         return [prose(f"Together, and with what restricts the rotation, the constraints imply {relations}.")]
     omega = sp.Symbol(letter, real=True)
     question = prose(
-        "Taken together, the constraints may imply further finite relations. A combination ", math(omega), " of the "
-        "forms is, up to a factor, the differential of such a relation only if ", math(differential(omega)),
-        " vanishes for any two displacements that satisfy all the constraints: ",
-        math(differential(omega), sp.S.Zero, relation="≡"), " modulo the forms. By Frobenius' theorem the constraints "
-        "are equivalent to finite relations if this holds for each of the forms.",
+        "Taken together, the constraints may imply finite relations that none implies alone. Only such combinations ",
+        math(omega), " of the forms can belong to one for which ", math(differential(omega)), " vanishes for any two "
+        "displacements that satisfy all the constraints.",
     )  # fmt: skip
     if len(flag.ranks) == 1:
-        answer = f"It does: together they are equivalent to {relations} between the coordinates."
+        answer = f"Here all of them do: by Frobenius' theorem the constraints are equivalent to {relations}."
     else:
         systems = plural(len(flag.ranks) - 1, "its derived system", "the derived systems")
         answer = (
-            "It does not. The combinations for which it holds form the derived system; those of them for which it "
-            "holds modulo the derived system form the next one, and so on until the rank no longer drops. "
-            f"The system has rank {flag.ranks[0]}, {systems} {joined(map(str, flag.ranks[1:]))}: "
-            f"together the constraints imply {relations} between the coordinates."
+            f"They form the derived system, from which the next is formed in the same way. "
+            f"The system has rank {flag.ranks[0]}, {systems} "
+            f"{joined(map(str, flag.ranks[1:]))}; by Frobenius' theorem the last is the number of finite relations: "
+            f"the constraints imply {relations} between the coordinates."
         )
     return [paragraph(question, prose(answer))]
 

@@ -383,7 +383,7 @@ def explain_classification(classification: Classification, taken: Collection[str
         words = [f"{capital(constraints_called(names))} {verb}, so the system is ", Emphasis("nonholonomic"), "."]
     sentences = (
         prose(*words),
-        _time(classification),
+        time_of(classification),
         *explain_one_sided(constraints),
         *explain_redundant(classification, form_letter(taken)),
         *explain_losses(classification),
@@ -401,7 +401,8 @@ def _why_holonomic(constraints: Sequence[ConstraintAnalysis]) -> str:
     return plural(len(constraints), one, "All constraints are equivalent to finite relations")
 
 
-def _time(classification: Classification) -> Prose:
+def time_of(classification: Classification) -> Prose:
+    """Scleronomic or rheonomic, and why."""
     if classification.scleronomic is None:
         return prose("It could not be decided whether time appears explicitly.")
     if classification.scleronomic:
@@ -413,11 +414,11 @@ def _time(classification: Classification) -> Prose:
             )
             return prose(words, Emphasis("scleronomic"), f", though not catastatic, because {rest}.")
         return prose(words, Emphasis("scleronomic"), ".")
-    return prose(f"Time appears explicitly in {_with_time(classification)}, so the system is ", Emphasis("rheonomic"),
+    return prose(f"Time appears explicitly in {_withtime_of(classification)}, so the system is ", Emphasis("rheonomic"),
                  ".")  # fmt: skip
 
 
-def _with_time(classification: Classification) -> str:
+def _withtime_of(classification: Classification) -> str:
     """What contains time: constraints, else their finite forms, else positions and orientations."""
     timed = [c for c in classification.constraints if c.depends_on_time]
     explicit = [c.row.name for c in timed if c.contains_time]

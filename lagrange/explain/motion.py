@@ -52,12 +52,13 @@ def _multiplied(configuration: Configuration) -> Block:
     if not configuration.rows:
         laws = law_times_displacement(configuration, ", multiplied")
         terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
-        one = " and summed, reads" if terms > 1 or not configuration.rotations else ", reads"
+        one = " and summed, reads" if terms > 1 else ", reads"
         ending = ", summed, read" if " and " in laws else one
         return prose(f"{_no_reactions(configuration)} {capital(laws)}{ending}")
     terms = len([p for p in configuration.points if not configuration.is_pinned(p)]) + len(configuration.rotations)
     add = ", and add" if terms > 1 else ""
-    words = f"Multiply {law_times_displacement(configuration, '')}{add}: the reactions drop out by "
+    drop = plural(len(configuration.rows), "the reaction drops", "the reactions drop")
+    words = f"Multiply {law_times_displacement(configuration, '')}{add}: {drop} out by "
     return prose(words, Ref("virtual-work"), ", and d'Alembert's principle remains:")
 
 

@@ -292,15 +292,14 @@ def _counted(newton: Newton, before: Count, after: Count, configuration: Configu
     turned = any(b.turning for b in newton.bodies or ())
     whose = "the laws of Newton and of angular momentum" if turned else "Newton's law"
     words = (
-        f"Without the directions of the reactions we should have {before.unknowns} unknowns "
-        f"({counted(coordinates, 'coordinate')} and {counted(components, 'component')} of reactions) "
-        f"{'but only' if missing > 0 else 'and'} {before.equations} equations ({counted(laws, 'component')} of {whose} "
-        f"and {counted(constraints, 'independent constraint')})"
+        f"{counted(laws, 'component')} of {whose} and {counted(constraints, 'independent constraint')} are "
+        f"{before.equations} equations for {before.unknowns} unknowns ({counted(coordinates, 'coordinate')}, "
+        f"{counted(components, 'component')} of reactions)"
     )
     if missing > 0:
-        words += f": {missing} too few" + (", which is the number of degrees of freedom" if missing == freedom else "")
-    unknown = counted(len(newton.reactions), "multiplier")
-    words += f". The directions leave {unknown}: {after.unknowns} unknowns in {after.equations} equations."
+        words += f": {missing} too few" + (", as many as there are degrees of freedom" if missing == freedom else "")
+    words += f". With the directions of the reactions known, {after.unknowns} unknowns remain in {after.equations} "
+    words += "equations."
     if after.missing > 0:
         words += (
             " The constraints are not independent, so the multipliers are not determined individually, only their "
@@ -334,7 +333,7 @@ def explain_works(works: Sequence[WorkOfReaction], configuration: Configuration)
         body.append(prose("It could not be decided whether this is zero."))
     for w in works:
         body += _shares(w)
-    body += _possible(works)
+    body += works_when_moving(works)
     return Step(
         Rule.WORKLESS, "The reactions do no virtual work" if good else "The virtual work of the reactions", tuple(body)
     )
@@ -373,7 +372,8 @@ def _ends(name: str, first: str, second: str) -> list[Block]:
     ]
 
 
-def _possible(works: Sequence[WorkOfReaction]) -> list[Block]:
+def works_when_moving(works: Sequence[WorkOfReaction]) -> list[Block]:
+    """The work of reactions in a possible displacement, where constraints move."""
     moving = [w for w in works if w.possible != 0]
     if not moving:
         return []

@@ -37,6 +37,7 @@ from lagrange.explain.motion import (
 )
 from lagrange.explain.newton import explain_newton, explain_works
 from lagrange.explain.page.arrangement import page, without_names_of_choices
+from lagrange.explain.page.names import short_names
 from lagrange.explain.reactions import explain_reactions, explain_reactions_at_rest
 from lagrange.explain.statement import explain_statement
 from lagrange.mechanics.constraints.definedness import explained_failures
@@ -468,7 +469,18 @@ def notation_of(solution: Solution) -> Notation:
         parameters=(*(p.symbol for p in problem.parameters), *steady),
         forces=(*_names_of_reactions(solution), *problem.unknowns),
         scalar_names=frozenset(problem.scope.scalars),
+        page_names=short_names(solution, _energy_letters(solution)),
     )
+
+
+def _energy_letters(solution: Solution) -> frozenset[str]:
+    """The letters of T, V, L and H, where the page has them."""
+    by_lagrange = solution.law is not None and solution.law.method is Method.LAGRANGE
+    if not by_lagrange and all(v.hamiltonian is None for v in solution.views):
+        return frozenset()
+    letters = energy_symbols(solution)
+    energies = (letters.kinetic, letters.potential, letters.lagrangian, letters.hamiltonian, letters.routhian)
+    return frozenset(s.name for s in energies)
 
 
 def _names_of_reactions(solution: Solution) -> Iterator[sp.Symbol]:

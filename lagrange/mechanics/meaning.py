@@ -14,16 +14,18 @@ that statics gives, and what the motion adds. To take the first for the whole is
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
+from lagrange.algebra.fourier.linear_systems import solved_linear
 from lagrange.algebra.fourier.textbook_form import common_factor, textbook_form
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
-from lagrange.core.symbols import Unspecified, t
+from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.values.dimensions import dimension, dimension_of_unit
@@ -39,6 +41,8 @@ LONGEST_WITH_UNITS = 1000
 """The most operations of an equation whose terms are compared in their units; it is multiplied out for that."""
 MOST_LIMITS = 2
 """The most limits of one problem."""
+LONGEST_CONSTANT = 120
+"""The most operations of accelerations that are constant."""
 LONGEST_PART = 10
 """The most operations of the parts of a reaction."""
 
@@ -71,6 +75,7 @@ class Meaning:
 
     small  rest and small motion of one degree of freedom
     terms  two terms of the first equation of motion, and the unit that all of its terms have
+    constant  the accelerations, where all of them are constant
     """
 
     view: InCoordinates
@@ -78,6 +83,7 @@ class Meaning:
     limits: tuple[Limit, ...]
     parts: tuple[Parts, ...]
     terms: tuple[sp.Expr, sp.Expr, str] | None
+    constant: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
 
 def meaning(solution: Solution) -> Meaning | None:
@@ -92,6 +98,7 @@ def meaning(solution: Solution) -> Meaning | None:
         tuple(_limits(solution, view, reactions)),
         tuple(_parts(view, reactions)),
         _units(solution, view),
+        _constant(view),
     )
 
 
@@ -138,13 +145,17 @@ def _limits(solution: Solution, view: InCoordinates, reactions: Mapping[sp.Symbo
     free = {p.symbol for p in solution.problem.parameters if p.value is None and p.symbol.is_positive}
     symbols = sorted(free & {s for e in equations for s in e.free_symbols}, key=str)
     found: list[tuple[sp.Expr, ...]] = []
+    lengths = {p.symbol for p in solution.problem.parameters if p.unit == "m"}  # a pendulum of no length is none
     for parameter, to in _candidates(symbols, len(equations) > 1):
+        if to == 0 and parameter in lengths:
+            continue
         limit = _limit(equations, parameter, to, view)
         if limit is None or limit in found:
             continue
         values = {} if to == sp.oo else {s: _at(e, parameter, to) for s, e in reactions.items()}
         shown = {s: e for s, e in values.items() if e is not None and e.count_ops() <= LONGEST_LIMIT}
-        yield Limit(parameter, to, limit, shown if len(shown) == len(values) else {})
+        whole = len(shown) == len(values) and sum(int(e.count_ops()) for e in shown.values()) <= LONGEST_LIMIT
+        yield Limit(parameter, to, limit, shown if whole else {})
         found.append(limit)
         if len(found) == MOST_LIMITS:
             return
@@ -174,6 +185,7 @@ def _limit(
     if any(e is None or e == 0 for e in there) or not _occur(accelerations, there):
         return None  # one that occurs nowhere is not determined
     shorter = [_without_common_factor(textbook_form(e)) for e in there if e is not None]
+    shorter = _with_zeros(shorter, accelerations)
     before, after = (sum(int(e.count_ops()) for e in es) for es in (equations, shorter))
     if 3 * after > 2 * before or any(e.count_ops() > LONGEST_LIMIT for e in shorter):
         return None
@@ -182,6 +194,12 @@ def _limit(
     except DivisionByZeroError:
         return None
     return tuple(shorter) if regular else None
+
+
+def _with_zeros(equations: Sequence[sp.Expr], accelerations: Sequence[sp.Symbol]) -> list[sp.Expr]:
+    """The equations with the accelerations substituted that one of them says are zero."""
+    zero = {e: sp.S.Zero for e in equations if e in accelerations}
+    return [e if e in zero else textbook_form(e.xreplace(zero)) for e in equations] if zero else [*equations]
 
 
 def _occur(symbols: Sequence[sp.Symbol], expressions: Sequence[sp.Expr]) -> bool:
@@ -236,6 +254,26 @@ def _parts(view: InCoordinates, reactions: Mapping[sp.Symbol, sp.Expr]) -> Itera
         added = textbook_form(value - static)
         if static != 0 and added != 0 and max(static.count_ops(), added.count_ops()) <= LONGEST_PART:
             yield Parts(force, static, added)
+
+
+def _constant(view: InCoordinates) -> dict[sp.Symbol, sp.Expr]:
+    """The accelerations, if the equations determine them by parameters alone and do not say them already."""
+    motion = view.motion
+    assert motion is not None
+    slots = view.configuration.slots
+    moving = {*slots.coordinates, *slots.velocities, *slots.prescribed, *(prime(u) for u in slots.prescribed), t}
+    equations = [e.expression for e in motion.final]
+    if motion.completing or view.configuration.rows or len(equations) != len(slots.accelerations) or len(equations) < 2:
+        return {}
+    if any(e.free_symbols & moving or e.atoms(Unspecified) for e in equations):
+        return {}
+    rows = [[e.diff(a) for a in slots.accelerations] for e in equations]
+    right = [-e.xreplace(dict.fromkeys(slots.accelerations, sp.S.Zero)) for e in equations]
+    found = solved_linear(rows, right, Surface())
+    if found is None or any(x is None for x in found):
+        return {}
+    solved = {a: x for a, x in zip(slots.accelerations, found, strict=True) if x is not None}
+    return solved if sum(int(x.count_ops()) for x in solved.values()) <= LONGEST_CONSTANT else {}
 
 
 def _units(solution: Solution, view: InCoordinates) -> tuple[sp.Expr, sp.Expr, str] | None:

@@ -57,7 +57,7 @@ class Wanted:
 
 def size(content: sp.Expr | str, notation: Notation) -> tuple[float, float]:
     """Estimated width and height in centimetres."""
-    text = content if isinstance(content, str) else Writer(UNICODE, notation).plain(content)
+    text = content if isinstance(content, str) else Writer(UNICODE, notation, on_page=True).plain(content)
     text = _COMBINING.sub("", text)
     small = sum(len(index[0]) - 1 for index in _INDEX.finditer(text))
     body = _INDEX.sub("", text)

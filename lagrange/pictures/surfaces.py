@@ -192,9 +192,10 @@ def surface_free_body(solution: Solution, notation: Notation) -> Scene | None:
     for reaction in newton.reactions:
         end = surface.page(plus(here, normal, 1.3))
         sketch.arrow(at, end, StrokeKind.REACTION)
-        label = reaction.force if reaction.directions is not None else UnitVector("R")
+        label = UnitVector(f"R_{point.name}" if reaction.directions is not None else "R")
         sketch.label(label, end, toward(at, end), optional=True)
-    for turn, load in enumerate(solution.own.configuration.loads):
+    loads = solution.law.configuration.loads  # without friction, which is drawn against the velocity
+    for turn, load in enumerate(loads):
         parts = load.vector.fixed().components
         if any(c.has(Unspecified) for c in parts):
             vector: FloatVector = (0.2, 0.75, 0.62 - 0.3 * turn)

@@ -4,8 +4,8 @@ Nothing runs on it but the script of the figures that move (`moving`), where the
 
 Mathematics is MathML. Browsers do not break a formula, so a long equation is several formulas in a row, between which
 they break the line (see `mathml`). One style sheet serves light and dark screens, phones, desks and paper; a table that
-is wider than a phone appears there as a list. Screen readers get headings in order, header cells, and each displayed
-equation in the language of problem files as its label.
+is wider than a phone is moved sideways there, its first column staying. Screen readers get headings in order, header
+cells, and each displayed equation in the language of problem files as its label.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ from lagrange.document.derivation import (
 from lagrange.document.math_writer import UNICODE, Notation, Writer
 from lagrange.render.escape import html_text as escape
 from lagrange.render.escape import slug
-from lagrange.render.limits import LONG_DISPLAY, PHONE_COLUMNS
+from lagrange.render.limits import LONG_DISPLAY
 from lagrange.render.mathml import Formulas
 from lagrange.render.selection import shown, written_out
 from lagrange.render.svg import figure
@@ -89,7 +89,7 @@ mover > mo { font-size: 1.15em; }
 table { border-collapse: collapse; margin-left: 1.6rem; font-size: .98em; }
 th, td { text-align: left; padding: .25rem .9rem .25rem 0; vertical-align: baseline; font-weight: normal; }
 thead th { border-bottom: 1px solid var(--ink); color: var(--quiet); }
-td .label, .phone { display: none; }
+.phone { display: none; }
 ul.checks { list-style: none; padding: 0; margin: .6rem 0; }
 ul.checks li { padding-left: 1.6rem; text-indent: -1.6rem; margin: .2rem 0; }
 .mark { display: inline-block; width: 1.6rem; text-indent: 0; font-weight: bold; }
@@ -129,17 +129,12 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
   .phone { display: inline; }
   .desk { display: none; }
   .display { column-gap: .5rem; }
-  .display math { font-size: .93em; }
+  .display math { font-size: 1em; }
   .display > .equation { padding-left: 2rem; text-indent: -1.2rem; }
   .display.aligned > .left { padding-left: .6rem; }
   .display.aligned > .equation { padding-left: 1.2rem; }
   table { margin-left: 0; }
-  table.wide, table.wide tbody, table.wide tr, table.wide th, table.wide td { display: block; }
-  table.wide thead { display: none; }
-  table.wide tr { margin-bottom: .6rem; }
-  table.wide th[scope=row] { font-style: italic; }
-  table.wide td { padding-left: 1.2rem; padding-block: .1rem; }
-  table.wide td .label { display: inline; color: var(--quiet); }
+  th[scope=row] { position: sticky; left: 0; background: var(--paper); }
 }
 @media print {
   :root { --ink: #000; --paper: #fff; --quiet: #444; --line: #bbb; --accent: #000; --good: #000; --bad: #000;
@@ -230,7 +225,7 @@ class _Article(Emitter[str]):
         self.derivation, self.notation, self.place, self.figure = derivation, notation, place, figure
         self.placed = False
         self.formulas = Formulas.of(notation)
-        self.in_pictures = Writer(UNICODE, notation)
+        self.in_pictures = Writer(UNICODE, notation, on_page=True)
         self.content = shown(derivation, detail, pictures=True)
         self.prefix = prefix
 
@@ -363,16 +358,12 @@ class _Article(Emitter[str]):
 
     def table(self, block: Table) -> Iterator[str]:
         header = [self.part(part) for part in block.header]
-        wide = len(block.header) > PHONE_COLUMNS
-        yield f'<div class="scroll"><table{" class=" + chr(34) + "wide" + chr(34) if wide else ""}>'
+        yield '<div class="scroll" tabindex="0"><table>'
         yield "<thead><tr>" + "".join(f'<th scope="col">{h}</th>' for h in header) + "</tr></thead>"
         yield "<tbody>"
         for row in block.rows:
             first, *others = (self.part(part) for part in row)
-            cells = "".join(
-                f'<td><span class="label" aria-hidden="true">{h}: </span>{c}</td>'
-                for h, c in zip(header[1:], others, strict=True)
-            )
+            cells = "".join(f"<td>{c}</td>" for c in others)
             yield f'<tr><th scope="row">{first}</th>{cells}</tr>'
         yield "</tbody></table></div>"
 

@@ -93,7 +93,7 @@ class _Article(Emitter[str]):
 
     def __init__(self, derivation: Derivation, notation: Notation, detail: Detail, prefix: str) -> None:
         self.derivation = derivation
-        self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
+        self.typesetter = Typesetter(Writer(LATEX, notation, on_page=True), Writer(WIDE_LATEX, notation, on_page=True))
         self.content = shown(derivation, detail, pictures=True, folded=False)
         self.prefix = prefix
 

@@ -41,7 +41,7 @@ TEX_LEFT_SIDE = 8.0
 
 # Web pages
 
-PHONE_PIECE = 11.5
+PHONE_PIECE = 11.0
 """Ems of a piece of a formula: what a phone of 360 pixels shows beside the number. `make sweep` opens every shipped
 page at this width, and nothing may stick out."""
 PHONE_LEFT_SIDE = 2.8
@@ -51,5 +51,3 @@ DESK_ROW = 28.0
 31 beside indentation and number."""
 LONG_DISPLAY = 12
 """Equations of a display that a printer may break between pages; a shorter one stays whole on less than half a page."""
-PHONE_COLUMNS = 3
-"""Columns of a table that a phone shows as a table; a wider one becomes a list there."""

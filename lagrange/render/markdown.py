@@ -117,7 +117,7 @@ class _Page(Emitter[str]):
         self.drawn = 0
         self.labels = Labels(prefix or slug(derivation.title), {})
         self.in_pictures = Writer(UNICODE, notation)
-        self.typesetter = Typesetter(Writer(LATEX, notation), Writer(WIDE_LATEX, notation))
+        self.typesetter = Typesetter(Writer(LATEX, notation, on_page=True), Writer(WIDE_LATEX, notation, on_page=True))
         self.content = shown(derivation, detail, pictures=figures is not None)
 
     def all(self) -> Iterator[str]:

@@ -21,10 +21,10 @@ from lagrange.core.records import record
 from lagrange.document.derivation import Mathematics
 from lagrange.document.math_writer import TEXT, Notation, Writer
 from lagrange.document.names import BREAK, END, START, plain
-from lagrange.document.style_mathml import MathML, WideMathML
+from lagrange.document.style_mathml import MathML, RunningMathML, WideMathML
 from lagrange.render.limits import DESK_ROW, PHONE_LEFT_SIDE, PHONE_PIECE
 
-MATHML, WIDE_MATHML = MathML(), WideMathML()
+MATHML, WIDE_MATHML, RUNNING_MATHML = MathML(), WideMathML(), RunningMathML()
 _TOKENS = re.compile(f"([{START}{BREAK}{END}])")
 _OPERATORS = "+−=≠≤≥<>≡≈→∝∧"
 _SMALLER = {"msub", "msup", "msubsup"}
@@ -36,21 +36,25 @@ class Formulas:
 
     writer  with fractions and brackets of their full size
     wide    with long fractions and tall brackets that can be cut
+    running for running text
     spoken  in the language of problem files, for screen readers
     """
 
     writer: Writer
     wide: Writer
+    running: Writer
     spoken: Writer
 
     @classmethod
     def of(cls, notation: Notation) -> Formulas:
         """The formulas of a derivation."""
-        return cls(Writer(MATHML, notation), Writer(WIDE_MATHML, notation), Writer(TEXT, notation))
+        usual, wide, running = (Writer(s, notation, on_page=True) for s in (MATHML, WIDE_MATHML, RUNNING_MATHML))
+        return cls(usual, wide, running, Writer(TEXT, notation))
 
     def equation(self, sides: Sequence[Mathematics], relation: str, displayed: bool = False, first: int = 0) -> str:
         """a = b = c, beginning with the side numbered `first`; in two writings where a phone needs another one."""
-        codes = [self.writer.marked(side) for side in sides]
+        writer = self.writer if displayed else self.running
+        codes = [writer.marked(side) for side in sides]
         flat = [self.wide.marked(side) for side in sides]
         if sum(map(width, codes)) > DESK_ROW:
             return self._written(flat, relation, displayed, first)

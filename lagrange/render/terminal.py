@@ -33,7 +33,7 @@ from lagrange.document.derivation import (
     Table,
     Task,
 )
-from lagrange.document.math_writer import UNICODE, Notation, Writer
+from lagrange.document.math_writer import BOLD, Notation, Writer
 from lagrange.render.limits import ALIGNED_LEFT_SIDE, NARROWEST_BOX, WIDEST_PAGE
 from lagrange.render.line_breaking import Breaker
 from lagrange.render.selection import ShownSteps, shown, written_out
@@ -77,7 +77,7 @@ def text(derivation: Derivation, notation: Notation, width: int, detail: Detail 
 def lines(derivation: Derivation, notation: Notation, width: int, detail: Detail = Detail.STEPS) -> Iterator[Text]:
     """The lines of a derivation, none wider than `width` cells."""
     inner = max(min(width - 1, WIDEST_PAGE) - len(MARGIN), 8)
-    page = _Page(Writer(UNICODE, notation), shown(derivation, detail, folded=False), inner)
+    page = _Page(Writer(BOLD, notation, on_page=True), shown(derivation, detail, folded=False), inner)
     for line in page.all(derivation):
         line.rstrip()
         yield Text.assemble(MARGIN, line) if line else line

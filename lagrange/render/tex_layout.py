@@ -32,6 +32,8 @@ _COMMANDS = {
     r"\;": 0.28,
     r"\cdot": 0.72,
     r"\wedge": 1.1,
+    r"\times": 1.22,
+    r"\nabla": 0.83,
     r"\neq": 1.34,
     r"\le": 1.34,
     r"\ge": 1.34,
@@ -122,6 +124,9 @@ def _width(token: str) -> float:
     return _LETTERS.get(token, 0.77 if token.isupper() else 0.53)
 
 
+_GROUP = r"(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})"
+_SLOPE = re.compile(rf"\\frac\{{(\\partial {_GROUP}+)\}}\{{(\\partial {_GROUP}+)\}}")
+"""∂f/∂x, which is too small in running text as a fraction."""
 ALIGN = "\ue003"
 """Marks the place of `&` in a row, until it is known whether all equations can be aligned at their relations."""
 
@@ -139,7 +144,7 @@ class Typesetter:
 
     def inline(self, sides: Sequence[Mathematics], relation: str, width: float) -> str:
         """a = b = c in running text."""
-        code = self.writer.relation(sides, relation)
+        code = _SLOPE.sub(r"\1/\2", self.writer.relation(sides, relation))
         return code if ems(code) <= width else self.wide.relation(sides, relation)
 
     def rows(self, equation: Equation, width: float, condition: str = "") -> tuple[list[str], list[str]]:

@@ -12,7 +12,7 @@ from lagrange.document.derivation import (
     Rule,
     Step,
 )
-from lagrange.document.math_writer import UNICODE, Notation, Writer
+from lagrange.document.math_writer import BOLD, UNICODE, Notation, Writer
 from lagrange.render import terminal
 from lagrange.render.line_breaking import Breaker, outermost
 from tests.support.sample_derivations import SAMPLES, driven_pendulum
@@ -33,7 +33,7 @@ def body(width, *blocks, notation=None, detail=Detail.STEPS):
 def test_no_term_is_lost_by_breaking(sample, width):
     derivation, notation = sample()
     printed = squeezed(terminal.text(derivation, notation, width))
-    writer = Writer(UNICODE, notation)
+    writer = Writer(BOLD, notation)
     for step in derivation.steps:
         for block in step.body:
             for equation in getattr(block, "equations", ()):
@@ -61,10 +61,10 @@ def test_terms_are_aligned_below_each_other():
     derivation, notation = driven_pendulum()
     lines = body(60, derivation.steps[1].body[1], notation=notation)
     assert lines == [
-        "  r̈_P = (r̈ − r θ̇² − r φ̇² sin²θ) e_r",
-        "        + (r θ̈ + 2ṙ θ̇ − r φ̇² sin θ cos θ) e_θ",
+        "  𝐫̈_P = (r̈ − r θ̇² − r φ̇² sin²θ) 𝐞_r",
+        "        + (r θ̈ + 2ṙ θ̇ − r φ̇² sin θ cos θ) 𝐞_θ",
         "        + (r φ̈ sin θ + 2ṙ φ̇ sin θ",
-        "           + 2r θ̇ φ̇ cos θ) e_φ                     (1)",
+        "           + 2r θ̇ φ̇ cos θ) 𝐞_φ                     (1)",
     ]
 
 

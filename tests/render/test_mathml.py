@@ -56,7 +56,7 @@ def test_brackets_grow_around_fractions_only():
 @pytest.mark.parametrize("style", [MATHML, WIDE_MATHML])
 @pytest.mark.parametrize(("derivation", "notation"), ALL, ids=lambda v: getattr(v, "title", ""))
 def test_every_formula_is_xml_also_where_it_is_cut(derivation, notation, style):
-    formulas = Formulas(Writer(style, notation), Writer(style, notation), Writer(style, notation))
+    formulas = Formulas(*(Writer(style, notation) for _ in range(4)))
     count = 0
     for step in derivation.steps:
         for block in step.body:

@@ -18,10 +18,10 @@ PENDULUM_AT_64 = """\
  ──────────────────────────────────────────────────────────────
  1  The system
      A particle P of mass m hangs from a fixed point O by a
-     massless rigid rod of length l. Axes: i points right, j
+     massless rigid rod of length l. Axes: 𝐢 points right, 𝐣
      down.
-       r_P = x i + y j
-         F = m g j
+       𝐫_P = x 𝐢 + y 𝐣
+         𝐅 = m g 𝐣
 
  2  Constraint
      rod: no velocity occurs, so the constraint is geometric.
@@ -36,7 +36,7 @@ PENDULUM_AT_64 = """\
      finite relation x² + y² = l².
 
  4  D'Alembert's principle
-       (m r̈_P − F)·δr_P = 0
+       (m 𝐫̈_P − 𝐅)·δ𝐫_P = 0
        m ẍ δx + m (ÿ − g) δy = 0                            (3)
 
  5  Equation of motion

@@ -13,28 +13,51 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.document.builders import listed, math, paragraph
-from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Rule, Step
+from lagrange.document.builders import listed, math, paragraph, prose
+from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Rule, Step, Table
 from lagrange.explain.checks import in_one_line
-from lagrange.explain.page.constraints import explain_geometric, is_plainly_geometric
-from lagrange.explain.page.laws import explain_laws, explain_work, has_vector_laws
+from lagrange.explain.displacements import explain_displacements
+from lagrange.explain.newton import explain_works
+from lagrange.explain.page.constraints import (
+    common_number,
+    explain_geometric,
+    explain_without,
+    halved,
+    is_plainly_geometric,
+    without_component,
+)
+from lagrange.explain.page.coordinates import explain_measures
+from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.laws import (
+    explain_laws,
+    explain_laws_of_bodies,
+    explain_work,
+    has_vector_laws,
+    in_forces,
+    shares_shortly,
+)
 from lagrange.explain.page.meaning import Stated, explain_meaning
 from lagrange.explain.page.motion import (
+    displacements_of_geometric,
     displacements_shortly,
     in_one_step,
     principle_shortly,
     with_conditions,
     with_displacements,
     with_kinematics,
+    without_detour,
     without_long_sum,
+    without_multipliers,
 )
+from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
 from lagrange.explain.page.result import explain_result
 from lagrange.explain.page.statics import said_once
+from lagrange.explain.page.surfaces import in_vectors, on_surface
 from lagrange.explain.page.system import explain_system
 from lagrange.explain.reactions import explain_reactions, title_of_reactions
 from lagrange.explain.words import capital, plural, spoken
 from lagrange.mechanics.dynamics.equations import DalembertMotion
-from lagrange.mechanics.dynamics.newton import Newton
+from lagrange.mechanics.dynamics.newton import Newton, works_of_reactions
 from lagrange.mechanics.meaning import meaning
 from lagrange.mechanics.results import Solution
 
@@ -64,15 +87,27 @@ def page(
     every_choice  whether no choice of coordinates is folded
     """
     first = solution.choices[0].name if solution.choices else ""
+    surface, speeds = on_surface(solution), ends_with_speeds(solution)
+    shortened = said_once(solution, _shortened(solution, steps))
+    if surface is not None:
+        shortened, stated = in_vectors(surface, shortened), ()
+    if speeds:
+        shortened = in_speeds_only(solution, shortened)
     open_, folded = [], []
-    for step in _in_pairs(said_once(solution, _shortened(solution, steps))):
+    arranged = list(_without_bodies(solution, shortened))
+    if not every_choice:
+        arranged = without_detour(solution, arranged, lambda step: _is_detour(solution, step))
+    for step in _in_pairs(arranged):
         if every_choice or (step.choice in ("", first) and not _is_detour(solution, step)):
             open_.append(step)
         elif not step.choice:
             folded.append(replace(step, folded=(step.title,)))
         else:
             folded.append(replace(step, folded=_summary(solution, step.choice)))
-    yield from explain_result(solution, open_, stated)
+    # Of the reaction of a surface the box would need the abbreviations of its step.
+    yield from explain_result(
+        solution, [s for s in open_ if surface is None or s.rule is not Rule.SOLVED_REACTIONS], stated
+    )
     yield from _with_meaning(solution, open_, stated)
     yield from folded
 
@@ -108,7 +143,8 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> 
         yield from steps
         return
     conserved = next((s for s in steps if s.rule is Rule.CONSERVED and s.choice == said.view.name), None)
-    step = explain_meaning(said, conserved, stated)
+    shown = {e.label for s in steps for b in s.body if isinstance(b, Display) for e in b.equations}
+    step = explain_meaning(said, conserved, stated, shown)
     for s in steps:
         if step is not None and s.rule in (Rule.QUESTION, Rule.CHECKS):
             yield step
@@ -118,10 +154,14 @@ def _with_meaning(solution: Solution, steps: Sequence[Step], stated: Stated) -> 
 
 
 def _is_detour(solution: Solution, step: Step) -> bool:
-    """Whether these are long equations in the file's coordinates, where better coordinates follow."""
+    """Whether equations in the file's coordinates are long or follow a second time, where better coordinates follow."""
     own, first = solution.own.motion, solution.choices[0] if solution.choices else None
+    if step.rule is Rule.EQUATIONS_OF_MOTION and ends_with_speeds(solution):
+        return True
     if step.choice or step.rule is not Rule.EQUATIONS_OF_MOTION or own is None or first is None or not first.motion:
         return False
+    if own.expressions == first.motion.expressions:  # a choice of some of the coordinates, the others constant
+        return True
     return sum(int(e.count_ops()) for e in own.expressions) > LONGEST_BESIDE
 
 
@@ -137,35 +177,47 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     """The steps one by one, shorter where the page says them shortly."""
     classification, law = solution.classification, solution.law
     geometric = is_plainly_geometric(classification)
-    free = not classification.constraints and classification.scleronomic is True
-    vectors = geometric and has_vector_laws(solution)
+    free = not classification.constraints
+    laws = has_vector_laws(solution)
+    vectors = geometric and laws
     newton = law.newton if law is not None else None
     if newton is not None and law is not None and not law.all_frictions:
         newton = newton.in_tensions
-    about: list[Step] = []
     shown: set[str] = set()
     known = False
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
     own = written if isinstance(written, DalembertMotion) else None
     for step in steps:
         if (geometric or free) and step.rule in _ABOUT_CONSTRAINTS:
-            about.append(step)
             if geometric and step.rule is Rule.CONSTRAINT:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
-                yield _joined(about)
+                yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)
+        elif step.rule is Rule.CONSTRAINT:
+            yield without_component(solution.problem, step)
         elif step.rule is Rule.STATEMENT:
             yield explain_system(solution, step)
+        elif step.rule is Rule.GENERALIZED_COORDINATES:
+            yield _with_measures(solution, step)
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
-            yield displacements_shortly(step)
+            yield displacements_shortly(_of_forms(solution, step) if geometric else step)
         elif vectors and step.rule is Rule.DISPLACEMENTS:
             continue
         elif step.rule is Rule.REACTIONS and newton is not None and newton.bodies is not None:
-            step = explain_laws(solution, newton) if vectors else step
+            step = explain_laws(solution, newton) if laws else explain_laws_of_bodies(solution, step)
             known = own is not None
             yield step if own is None else with_kinematics(step, own)
         elif vectors and step.rule is Rule.WORKLESS and newton is not None:
             yield explain_work(solution, newton)
+        elif laws and step.rule is Rule.WORKLESS and newton is not None:
+            own_ = solution.own
+            yield explain_works(works_of_reactions(newton, own_.configuration, own_.elimination), own_.configuration)
+        elif step.rule is Rule.WORKLESS:
+            yield shares_shortly(solution, step)
+        elif laws and step.rule is Rule.CONSERVED and newton is not None:
+            yield in_forces(step, newton)
+        elif step.rule is Rule.PFAFFIAN_FORM and own is not None:
+            yield replace(step, body=tuple(b for b in step.body if not isinstance(b, Table)))
         elif step.rule is Rule.PRINCIPLE:
             yield principle_shortly(step, frozenset(solution.problem.slots.accelerations), known=known)
         elif step.rule is Rule.EQUATIONS_OF_MOTION:
@@ -175,23 +227,62 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
             shown.add(step.choice)
             if first and motion is not None:
                 step = with_conditions(step, motion)
+            if newton is not None and newton.equations is not None:
+                step = without_multipliers(step)
             if first and isinstance(motion, DalembertMotion):
                 step = without_long_sum(step, motion)
                 step = with_displacements(step, motion) if vectors and not step.choice else step
             yield step
         elif step.rule is Rule.SOLVED_REACTIONS and newton is not None:
-            yield from _reactions(solution, step, newton)
+            names = {*solution.problem.scope.names(), *solution.problem.scope.vectors}
+            yield from (with_named_denominators(s, names) for s in _reactions(solution, step, newton))
         elif step.rule is Rule.CHECKS:
             yield in_one_line(step, solution)
         else:
             yield step
 
 
-def _joined(steps: Sequence[Step]) -> Step:
-    """Short steps as one, under the title of the last."""
-    words = paragraph(*(b for s in steps for b in s.body if isinstance(b, Prose)))
-    others = (b for s in steps for b in s.body if not isinstance(b, Prose))
-    return replace(steps[-1], body=(words, *others))
+def _without_bodies(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps, with what reactions are, where they are no forces on single bodies, beside their work."""
+    waiting: Step | None = None
+    for step in steps:
+        if waiting is not None and step.rule is Rule.WORKLESS:
+            step, waiting = replace(step, body=(*waiting.body, *step.body)), None
+        if waiting is not None:
+            yield waiting
+            waiting = None
+        if step.rule is Rule.REACTIONS and solution.law is not None and solution.law.newton.bodies is None:
+            waiting = step
+        else:
+            yield step
+    if waiting is not None:
+        yield waiting
+
+
+def _with_measures(solution: Solution, step: Step) -> Step:
+    """Generalized coordinates after what they are."""
+    view = next(v for v in solution.choices if v.name == step.choice)
+    measures = explain_measures(solution, view)
+    first = step.body[0] if step.body else None
+    if measures is None or not isinstance(first, Prose):
+        return step
+    noun = next((n for n, p in enumerate(first.parts) if isinstance(p, str) and p.startswith(" as generalized")), None)
+    if noun is not None:  # they have just been named
+        it = plural(len(view.configuration.slots.coordinates), "it", "them")
+        first = prose(f"With {it}", *first.parts[noun + 1 :])
+    return replace(step, body=(paragraph(measures, first), *step.body[1:]))
+
+
+def _of_forms(solution: Solution, step: Step) -> Step:
+    """Displacements of geometric constraints, from the forms without common factors; shortly before a law of motion."""
+    own = solution.own
+    rows = tuple(map(halved, own.configuration.rows))
+    configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
+    if own.dynamics is not None or own.equilibrium is not None:
+        return displacements_of_geometric(configuration, own.elimination)
+    normals = tuple(replace(n, gradient=n.gradient * (1 / common_number(n.row))) for n in solution.normals)
+    made = explain_displacements(configuration, own.elimination, solution.transport_rates, normals)
+    return replace(made, title=step.title)
 
 
 def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]:
@@ -206,6 +297,10 @@ def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]
         return  # they come with those of the choice
     own = solution.own.dynamics
     before = view is first or view.is_own
+    whole = reaction_as_a_whole(solution)
+    if whole is not None:
+        yield whole
+        return
     made = explain_reactions(view.dynamics, newton, step.choice, first=before)
     if made is None:
         return

@@ -1,7 +1,7 @@
 """Geometric constraints in one section: the relations, their differentials, exactness, classification, freedom.
 
-Where every constraint is a finite relation between the coordinates, free of time, independent of the others and valid
-in both directions, each of these is a line. Wherever one of them is something to be found out, the full derivation's
+Where every constraint is a finite relation between the coordinates, free of time, independent of the others,
+each of these is a line. Wherever one of them is something to be found out, the full derivation's
 sections are kept.
 """
 
@@ -12,26 +12,27 @@ from dataclasses import replace
 
 import sympy as sp
 
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.algebra.forms.integrability import PartialsComparison
-from lagrange.core.symbols import Slots
+from lagrange.core.symbols import DotProduct, Slots, Unspecified, VectorSymbol
+from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, paragraph, prose
-from lagrange.document.derivation import Block, Emphasis, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.constraint_systems import explain_losses
-from lagrange.explain.constraints import equal, telling_pair
-from lagrange.explain.words import counted, plural, spoken
+from lagrange.explain.constraints import equal, telling_pair, time_of
+from lagrange.explain.contact.one_sided import explain_in_contact, explain_one_sided
+from lagrange.explain.words import counted, in_words, plural, spoken
 from lagrange.mechanics.constraints.classification import Classification
 from lagrange.mechanics.constraints.constrained_system import Row
 from lagrange.mechanics.constraints.constraints import ConstraintAnalysis
 from lagrange.mechanics.constraints.displacements import possible_displacement
+from lagrange.problem.model import Constraint, Problem
 
 
 def is_plainly_geometric(classification: Classification) -> bool:
-    """Whether all constraints are geometric, independent, two-sided and free of time, and so are the positions."""
+    """Whether all constraints are geometric, independent and free of time, and so are the positions."""
     constraints = classification.constraints
-    plain = all(
-        c.row.finite is not None and not c.contains_time and c.constraint.side is None and c.constraint.given is None
-        for c in constraints
-    )
+    plain = all(c.row.finite is not None and not c.contains_time and c.constraint.given is None for c in constraints)
     whole = not classification.redundancies and classification.rank == len(constraints)
     return bool(constraints) and plain and whole and classification.scleronomic is True
 
@@ -55,6 +56,7 @@ def explain_geometric(classification: Classification, slots: Slots) -> Step:
         Equation(
             (c.constraint.lhs, c.constraint.rhs),
             label=f"constraint-{c.row.name}",
+            relation=c.constraint.relation,
             condition=(f"({spoken(c.row.name)}{f': {c.constraint.note}' if c.constraint.note else ''})",),
         )
         for c in constraints
@@ -68,13 +70,20 @@ def explain_geometric(classification: Classification, slots: Slots) -> Step:
         display(*relations),
         prose(
             "Neither velocities nor time appear: ", kind, Emphasis("geometric"),
-            plural(len(constraints), " constraint. Its differential", " constraints. Their differentials"),
+            plural(len(constraints), " constraint. ", " constraints. "), *_in_contact(constraints),
+            plural(len(constraints), "Its differential", "Their differentials"),
             _divided([common_number(c.row) for c in constraints]), ":",
         ),
         display(*lines),
         paragraph(*_conclusions(classification)),
     ]  # fmt: skip
     return Step(Rule.CONSTRAINT, plural(len(constraints), "The constraint", "Constraints"), tuple(body))
+
+
+def _in_contact(constraints: Sequence[ConstraintAnalysis]) -> tuple[Part, ...]:
+    """That a one-sided constraint is treated in contact."""
+    sentences = explain_in_contact(constraints)
+    return (*sentences[0].parts, " ") if sentences else ()
 
 
 def _divided(contents: Sequence[sp.Integer]) -> str:
@@ -103,7 +112,11 @@ def _conclusions(classification: Classification) -> list[Prose]:
     ]
     if freedom == 0:
         sentences.append(prose("The constraints alone determine the position."))
-    return [*sentences, *(s for s in explain_losses(classification) if not _is_excluded(classification))]
+    return [
+        *sentences,
+        *explain_one_sided(constraints),
+        *(s for s in explain_losses(classification) if not _is_excluded(classification)),
+    ]
 
 
 def _is_excluded(classification: Classification) -> bool:
@@ -112,13 +125,57 @@ def _is_excluded(classification: Classification) -> bool:
 
 
 def _pair(constraints: Sequence[ConstraintAnalysis]) -> PartialsComparison | None:
-    """The mixed partial derivatives of the only constraint, where they are short; None if there are more."""
+    """The mixed partial derivatives of the only constraint, where they are short and tell something."""
     if len(constraints) != 1:
         return None
     [c] = constraints
     pair = telling_pair(c)
-    if pair is None or 0 in pair.coefficients:
+    if pair is None or 0 in pair.coefficients or any(a.has(Unspecified) for a in pair.coefficients):
         return None
     content = common_number(c.row)
     (a, b), (left, right) = pair.coefficients, pair.derivatives
     return replace(pair, coefficients=(a / content, b / content), derivatives=(left / content, right / content))
+
+
+def without_component(problem: Problem, step: Step) -> Step:
+    """The constraints, with v·n = 0 for one that forbids a velocity along a unit vector that the file names."""
+    lines = [line for c in problem.constraints if (line := _across(problem, c)) is not None]
+    if not lines:
+        return step
+    one, more = "a component of the velocity vanishes", "components of velocities vanish"
+    words = f"That is, {plural(len(lines), one, more)}:"
+    at = next(n for n, b in enumerate(step.body) if isinstance(b, Display)) + 1
+    return replace(step, body=(*step.body[:at], prose(words), display(*lines), *step.body[at:]))
+
+
+def _across(problem: Problem, constraint: Constraint) -> Equation | None:
+    """(x' i + y' j)·n = 0, where the constraint is that."""
+    if not constraint.kinematic:
+        return None
+    slots = problem.slots
+    difference = constraint.lhs - constraint.rhs
+    places = [*(p.position for p in problem.particles), *(b.position for b in problem.bodies)]
+    plane = [q for q in slots.coordinates if q.name in ("x", "y")]
+    if len(plane) == 2 and not places:
+        places = [Vector((plane[0], plane[1], sp.S.Zero))]
+    for name, direction in problem.abbreviations.items():
+        if not isinstance(direction, Vector) or is_zero(direction.dot(direction) - 1) is not True:
+            continue
+        for place in places:
+            velocity = place.fixed().map(slots.time_derivative)
+            product = velocity.dot(direction.fixed())
+            if is_zero(difference - product) is True or is_zero(difference + product) is True:
+                return Equation((DotProduct(velocity.as_sum(), VectorSymbol(name)), sp.S.Zero))
+    return None
+
+
+def explain_without(classification: Classification, built_in: bool) -> Step:
+    """Freedom and classification where no constraint relates the coordinates."""
+    freedom = classification.degrees_of_freedom
+    why = "No constraint relates the coordinates"
+    if built_in:
+        why = "The positions, written in these coordinates, satisfy the constraints already; none is left"
+    count = "With its one coordinate it has " if freedom == 1 else "It has as many degrees of freedom as coordinates: "
+    holonomic = prose(f"{why}, so the system is ", Emphasis("holonomic"), ".")
+    many = prose(count, Emphasis(in_words(freedom, "degree") + " of freedom"), ".")
+    return Step(Rule.DEGREES_OF_FREEDOM, "Degrees of freedom", (paragraph(holonomic, time_of(classification), many),))

@@ -7,12 +7,13 @@ each degree of freedom; the direction of R is that statement. A virtual displace
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.core.symbols import DotProduct, VectorSymbol
 from lagrange.document.builders import display, listed, math, paired, paragraph, prose, series
-from lagrange.document.derivation import Block, Equation, Part, Ref, Rule, Step
+from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
 from lagrange.explain.newton import law_of, nature
 from lagrange.explain.page.constraints import halved
 from lagrange.explain.page.system import are_short
@@ -51,11 +52,30 @@ def explain_laws(solution: Solution, newton: Newton) -> Step:
     body: list[Block] = [
         prose(*_named(bodies), plural(len(bodies), "Newton's law is", "Newton's law for each particle is")),
         display(*lines),
-        *_missing(solution, newton),
-        *_directions(newton.reactions),
+        *_together([*missing_relations(solution, newton), *_directions(newton.reactions)]),
         display(*vectors, *(paired(components) if are_short(components) else components)),
     ]
     return Step(Rule.REACTIONS, "Newton's law and the reactions", tuple(body))
+
+
+def _together(blocks: Sequence[Block]) -> list[Block]:
+    """What is missing and what is known of the reactions in one paragraph."""
+    words = [b for b in blocks if isinstance(b, Prose)]
+    return [paragraph(*words)] if words and len(words) == len(blocks) else list(blocks)
+
+
+def in_forces(step: Step, newton: Newton) -> Step:
+    """A step with the tensions of rods and strings in place of their multipliers."""
+    rule = {r.multiplier: r.per_force * r.force for r in newton.reactions if r.named and r.force != r.multiplier}
+
+    def line(e: Equation) -> Equation:
+        sides = (s.xreplace(rule) if isinstance(s, sp.Expr) and s.has(*rule) else s for s in e.sides)
+        return replace(e, sides=tuple(sides))
+
+    if not rule:
+        return step
+    blocks = (replace(b, equations=tuple(map(line, b.equations))) if isinstance(b, Display) else b for b in step.body)
+    return replace(step, body=tuple(blocks))
 
 
 def _directions(reactions: tuple[Reaction, ...]) -> list[Block]:
@@ -99,23 +119,23 @@ def _named(bodies: tuple[FreeBody, ...]) -> tuple[Part, ...]:
     return ("With ", *((*force, " and ") if applied else ()), *reaction, ", ")
 
 
-def _missing(solution: Solution, newton: Newton) -> Iterator[Block]:
+def missing_relations(solution: Solution, newton: Newton) -> Iterator[Block]:
     """Unknowns against equations while the directions of the reactions are not known."""
-    before, configuration = newton.before, solution.own.configuration
+    before = newton.before
     if before is None or before.missing <= 0:
         return
-    coordinates = len(configuration.slots.coordinates)
     laws = sum(len(b.laws) for b in newton.bodies or ())
     freedom = solution.classification.degrees_of_freedom
     as_many = ", as many as there are degrees of freedom" if before.missing == freedom else ""
     missing = f"{before.missing} {plural(before.missing, 'is', 'are')} missing{as_many}"
     constraints = before.equations - laws
     bound = "the constraint" if constraints == 1 else f"the {constraints} constraints"
+    its = plural(len(newton.bodies or ()), "its", "their")
+    one = len(newton.reactions) == 1
     yield prose(
-        f"{counted(laws, 'component').capitalize()} and {bound} are {before.equations} equations for {before.unknowns} "
-        f"unknowns ({counted(coordinates, 'coordinate')}, {counted(before.unknowns - coordinates, 'component')} of "
-        f"reactions): {missing}. The {plural(len(newton.reactions), 'direction', 'directions')} of the "
-        f"{plural(len(newton.reactions), 'reaction', 'reactions')} must be known."
+        f"With {bound}, {its} {counted(laws, 'component')} are {before.equations} equations for {before.unknowns} "
+        f"unknowns: {missing}. The {'direction' if one else 'directions'} of the {'reaction' if one else 'reactions'} "
+        "must be known."
     )
 
 
@@ -124,12 +144,13 @@ def _reaction_line(body: FreeBody) -> Equation | None:
     if not body.reactions:
         return None
     name = VectorSymbol(f"R_{body.name}")
-    if all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
-        pulls = sp.Add(*(_pull(r, body.name) for r, _ in body.reactions))
-        return Equation((name, pulls), label=f"reaction-{body.name}")
     total = body.reactions[0][1] * body.reactions[0][0].force
     for r, along in body.reactions[1:]:
         total = total + along * r.force
+    is_along_unit = sum(c != 0 for c in total.components) == 1 and total.triad.directions is not None
+    if not is_along_unit and all(r.rod is not None and r.tension is not None and r.named for r, _ in body.reactions):
+        pulls = sp.Add(*(_pull(r, body.name) for r, _ in body.reactions))
+        return Equation((name, pulls), label=f"reaction-{body.name}")
     return Equation((name, total), label=f"reaction-{body.name}")
 
 
@@ -191,3 +212,72 @@ def _single(works: Sequence[WorkOfReaction], zero: tuple[Part, ...]) -> Iterator
     does = plural(len(several), "does", "do")
     words = f"On {names} taken separately {called} {does} work: what one loses, another gains."
     yield prose(*by, " " if by else "", words)
+
+
+def explain_laws_of_bodies(solution: Solution, step: Step) -> Step:
+    """Newton's law of bodies and of particles with friction: forces alike in one sentence, all sums in one display."""
+    law, own = solution.law, solution.own
+    if law is None or law.newton.bodies is None or own.dynamics is None or own.equilibrium is not None:
+        return step
+    newton = law.newton
+    names = [b.name for b in newton.bodies or ()]
+    labels = {f"{kind}-{name}" for name in names for kind in ("reaction", "couple")}
+    sums = [e for b in step.body if isinstance(b, Display) for e in b.equations if e.label in labels]
+    if len(names) < 2 or not sums:
+        return step
+    at = next(n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label in labels)
+    last = max(n for n, b in enumerate(step.body) if isinstance(b, Display) and b.equations[0].label in labels)
+    before = [b for b in step.body[: at - 1] if not _is_free_body(b)]
+    after = [b for b in step.body[last + 1 :] if not _is_free_body(b)]
+    moments = any((e.label or "").startswith("couple") for e in sums)
+    forces = any((e.label or "").startswith("reaction") for e in sums)
+    what = joined(["the reactions"] * forces + ["their moments about the mass centres"] * moments)
+    sentences = [prose(*s) for s in _alike(newton.reactions)]
+    if sentences:
+        before = [b for b in before if not isinstance(b, Prose)] + [paragraph(*sentences)]
+    return replace(step, body=(*before, prose(f"On each body {what} add up to"), display(*sums), *after))
+
+
+def _is_free_body(block: Block) -> bool:
+    """Whether it lists what acts on a body, as the figure and the equations do."""
+    first = block.parts[0] if isinstance(block, Prose) and block.parts else ""
+    return isinstance(first, str) and first.startswith(("On ", "No force acts on "))
+
+
+def _alike(reactions: Sequence[Reaction]) -> Iterator[tuple[Part, ...]]:
+    """Named forces along the same unit vector in one sentence; nothing unless all reactions are such forces."""
+    groups: dict[tuple[sp.Expr, ...], list[Reaction]] = {}
+    for r in reactions:
+        direction = r.single.direction if r.single is not None and r.given is not None else None
+        if r.single is None or direction is None or r.rod is not None or r.is_normal or not r.single.opposite:
+            return
+        groups.setdefault(direction.fixed().components, []).append(r)
+    for members in groups.values():
+        [first, *_] = members
+        assert first.single is not None
+        assert first.single.direction is not None
+        on = series((math(r.force), f" on {the(r.single.on)}") for r in members if r.single is not None)
+        opposite = joined(dict.fromkeys(the(r.single.opposite) for r in members if r.single is not None))
+        called = constraints_called(r.name for r in members)
+        one = len(members) == 1
+        subject = f"The {plural(len(members), 'reaction', 'reactions')} of {called}"
+        yield (
+            f"{subject} {'is the force' if one else 'are the forces'} ",
+            *on, " along ", math(first.single.direction),
+            f"; the opposite {'force acts' if one else 'forces act'} on {opposite}.",
+        )  # fmt: skip
+
+
+def shares_shortly(solution: Solution, step: Step) -> Step:
+    """The work of the reactions, without the shares of each body one by one where there are several."""
+    several = [w for w in solution.works if len(w.working) > 1]
+    if len(several) < 2:
+        return step
+    labels = tuple(f"share-{w.reaction.name}-" for w in several)
+    body: list[Block] = []
+    for block in step.body:
+        if isinstance(block, Display) and (block.equations[0].label or "").startswith(labels):
+            body.pop()
+        elif not (isinstance(block, Prose) and str(block.parts[0]).startswith("Only the sum need vanish")):
+            body.append(block)
+    return replace(step, body=(*body, *_single(several, ())))

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
 from lagrange.core.symbols import CONSTANT, prime
 from lagrange.document.builders import display, listed, math, prose, series
-from lagrange.document.derivation import Block, Emphasis, Equation, Part, Rule, Step
-from lagrange.explain.conservation import conserved_called, proof_of
+from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
+from lagrange.explain.conservation import conserved_called, explain_conserved, proof_of
+from lagrange.explain.motion import label_of
+from lagrange.explain.page.denominators import with_named_denominators
 from lagrange.explain.statement import raised
 from lagrange.mechanics.dynamics.conservation import Conserved, ConservedQuantity
 from lagrange.mechanics.meaning import Limit, Meaning
@@ -28,14 +31,18 @@ Stated = tuple[tuple[sp.Expr, ...], ...]
 """Equations, each as its sides."""
 
 
-def explain_meaning(meaning: Meaning, conserved: Step | None, stated: Stated = ()) -> Step | None:
+def explain_meaning(
+    meaning: Meaning, conserved: Step | None, stated: Stated = (), labels: Collection[str | None] | None = None
+) -> Step | None:
     """The step; None where there is nothing to say.
 
     conserved  the step of the full derivation on the conserved quantities
     stated     the equations of motion in another form, known to be right
+    labels     of the equations on the page; None: all of them
     """
     choice = meaning.view.name
-    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved)]
+    body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved, labels)]
+    body += _accelerations(meaning)
     body += _one_way(meaning)
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
@@ -67,15 +74,21 @@ _CALLED = {
 }
 
 
-def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block]:
+def _conserved(
+    step: Step | None, conserved: Conserved | None, labels: Collection[str | None] | None
+) -> Iterator[Block]:
     """The conserved quantities, short ones each in a sentence with its proof; otherwise as in the full derivation."""
     if step is None or conserved is None:
         return
     proofs = [proof_of(conserved, i) for i in conserved.integrals]
+    equations = {label_of(conserved.motion, e) for e in conserved.motion.equations}
+    proven = labels is None or not conserved.integrals or equations <= {*labels}
+    if not proven:  # the equations of motion are folded, or written otherwise
+        step = explain_conserved(conserved, step.choice, (), proofs=False) or step
     short = all(i.expression.count_ops() <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
-        yield from step.body
+        yield from _without_accelerations(step.body)
         return
     for integral, proof in zip(conserved.integrals, proofs, strict=True):
         if sum(m != 0 for m in integral.multipliers) > MOST_MULTIPLIERS:
@@ -83,7 +96,34 @@ def _conserved(step: Step | None, conserved: Conserved | None) -> Iterator[Block
         called = conserved_called(integral, conserved.motion.configuration)
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
-        yield prose(name, ": ", *proof, " integrates to ", quantity, ".")
+        yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
+
+
+def _without_accelerations(body: Sequence[Block]) -> Iterator[Block]:
+    """The conserved quantities; of an energy that is not, no balance with accelerations on its right side."""
+    blocks = list(body)
+    for n, block in enumerate(blocks):
+        last = block.equations[-1] if isinstance(block, Display) else None
+        if last is None or not (last.label or "").startswith("energy-rate"):
+            continue
+        rate = last.sides[-1]
+        if isinstance(rate, sp.Expr) and any(s.name.endswith("''") for s in rate.free_symbols):
+            before = blocks[n - 1]
+            assert isinstance(before, Prose)
+            words = tuple(p.replace(" Along the motion", "") if isinstance(p, str) else p for p in before.parts)
+            blocks[n - 1 : n + 1] = [replace(before, parts=words)]
+            break
+    return iter(blocks)
+
+
+def _accelerations(meaning: Meaning) -> Iterator[Block]:
+    """The accelerations, where they are constant."""
+    if not meaning.constant:
+        return
+    step = Step(Rule.MEANING, "", (display(*(Equation(pair) for pair in meaning.constant.items()), boxed=True),))
+    names = {s.name for e in meaning.constant.values() for s in e.free_symbols}
+    yield prose(Emphasis("Accelerations"), ", all of them constant:")
+    yield from with_named_denominators(step, names).body
 
 
 def _one_way(meaning: Meaning) -> Iterator[Block]:

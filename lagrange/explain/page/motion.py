@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -10,12 +10,15 @@ import sympy as sp
 from lagrange.core.symbols import variation
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, listed, math, paired, prose
-from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Step
-from lagrange.explain.displacements import LONGEST, conditions, solved_displacements
+from lagrange.document.derivation import Block, Display, Equation, Part, Prose, Ref, Rule, Step
+from lagrange.explain.displacements import LONGEST, conditions, of_points, solved_displacements
 from lagrange.explain.motion import WRITTEN_OUT, accelerations_of
 from lagrange.explain.page.system import are_short
 from lagrange.explain.words import plural, suffix_of
+from lagrange.mechanics.constraints.displacements import Elimination, virtual_displacement
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import DalembertMotion, EquationsOfMotion, excluding
+from lagrange.mechanics.results import Solution
 
 LONGEST_SUM = 60
 """The most operations of the principle in independent displacements that is shown before the equations themselves."""
@@ -29,6 +32,20 @@ def displacements_shortly(step: Step) -> Step:
             body[n - 1 : n + 1] = []
             break
     return replace(step, body=tuple(body)) if body else step
+
+
+def displacements_of_geometric(configuration: Configuration, elimination: Elimination) -> Step:
+    """Where constraints are free of time, virtual displacements satisfy them as possible ones do."""
+    slots, rows = configuration.slots, configuration.rows
+    lines = (Equation((virtual_displacement(r, slots), sp.S.Zero), label=f"virtual-{r.name}") for r in rows)
+    body = (
+        prose("Time does not appear in ", *listed(Ref(f"form-{r.name}") for r in rows),
+              f": virtual displacements satisfy {plural(len(rows), 'it', 'them')} too,"),
+        display(*lines),
+        *solved_displacements(elimination, configuration),
+        *of_points(configuration, elimination),
+    )  # fmt: skip
+    return Step(Rule.DISPLACEMENTS, "Virtual displacements", body)
 
 
 def _is_plain(equation: Equation) -> bool:
@@ -161,3 +178,56 @@ def _merged(body: Sequence[Block]) -> list[Block]:
 
 def _is_kinematic(block: Display) -> bool:
     return all((e.label or "").startswith(_KINEMATICS) for e in block.equations)
+
+
+def without_multipliers(step: Step) -> Step:
+    """The equations without those with multipliers, where Newton's law has given the same."""
+    body = list(step.body)
+    begins = (n for n, b in enumerate(body) if isinstance(b, Prose) and str(b.parts[0]).startswith("With multipliers"))
+    at = next(begins, None)
+    return step if at is None else replace(step, body=tuple(body[:at] + body[at + 2 :]))
+
+
+def without_detour(solution: Solution, steps: Sequence[Step], is_detour: Callable[[Step], bool]) -> list[Step]:
+    """The steps in the file's coordinates without what only the equations of motion there would need.
+
+    These are folded, and take the principle written out with them; the dependent displacements are not needed.
+    """
+    own = solution.own
+    if own.dynamics is None or not any(is_detour(step) for step in steps):
+        return [*steps]
+    unused: list[Block] = []
+    if own.configuration.rows:
+        unused = [*solved_displacements(own.elimination, own.configuration),
+                  *of_points(own.configuration, own.elimination)]  # fmt: skip
+    moved: list[Block] = []
+    kept: list[Step] = []
+    for step in steps:
+        if step.choice:
+            kept.append(step)
+        elif step.rule is Rule.DISPLACEMENTS:
+            body = tuple(b for b in step.body if b not in unused)
+            kept += [replace(step, body=body)] if body else []
+        elif step.rule is Rule.PRINCIPLE:
+            body, moved = _without_coordinates(step.body)
+            kept.append(replace(step, body=body))
+        elif is_detour(step):
+            kept.append(replace(step, body=(*moved, *step.body)))
+        else:
+            kept.append(step)
+    return kept
+
+
+def _without_coordinates(body: Sequence[Block]) -> tuple[tuple[Block, ...], list[Block]]:
+    """The principle in vectors, and the rest of its step."""
+    at = next((n for n, b in enumerate(body) if isinstance(b, Display)), None)
+    if at is None:
+        return tuple(body), []
+    shown = body[at]
+    assert isinstance(shown, Display)
+    vectors = tuple(e for e in shown.equations if e.label == "principle")
+    others = tuple(e for e in shown.equations if e.label != "principle")
+    if not vectors:
+        return tuple(body), []
+    rest: list[Block] = [prose("Written out, the principle reads"), replace(shown, equations=others)] if others else []
+    return (*body[:at], replace(shown, equations=vectors)), [*rest, *body[at + 1 :]]

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from lagrange.algebra.closed_forms.solution_sets import Branch
-from lagrange.core.symbols import prime
+from lagrange.core.symbols import VectorSymbol, prime
 from lagrange.document.builders import display, listed, math, prose
 from lagrange.document.derivation import Block, Detail, Display, Equation, Part, Rule, Step
 from lagrange.explain.page.meaning import Stated, operations, verdict_on
@@ -74,14 +74,16 @@ def explain_result(solution: Solution, steps: list[Step], stated: Stated = ()) -
         return
     freedom = solution.classification.degrees_of_freedom
     words: list[Part] = [f"{in_words(freedom, 'degree').capitalize()} of freedom"]
-    called = listed(_called(rule, kept[rule]) for rule in kept)
+    called = listed(_called(rule, kept[rule], solution) for rule in kept)
     words += ["; ", *called, ":"]
     lines = [replace(e, label=None) for es in kept.values() for e in es]
     body: tuple[Block, ...] = (prose(*words), display(*lines, boxed=True, detail=Detail.BRIEF))
     yield Step(Rule.RESULT, "", body)
 
 
-def _called(rule: Rule, lines: Sequence[Equation]) -> str:
+def _called(rule: Rule, lines: Sequence[Equation], solution: Solution) -> str:
+    if rule is Rule.SOLVED_REACTIONS and solution.law is not None and len(solution.law.newton.reactions) == 1:
+        return "the reaction"
     several = rule is Rule.EQUILIBRIUM and len(lines) > 1 and all(e.condition for e in lines)
     return "the equilibria" if several else _CALLED[rule]
 
@@ -95,12 +97,28 @@ def _from_steps(solution: Solution, steps: list[Step], stated: Stated) -> Iterat
             if s.rule is rule
         ]
         last = next((b for b in reversed(boxes) if b), [])
+        if rule is Rule.EQUATIONS_OF_MOTION and not last:
+            yield from _in_speeds(steps, stated)
         if not last or (len(last) > 1 and solution.own.equilibrium is not None):
             continue  # reactions that differ from one equilibrium to the next
-        lines = list(last[-1].equations)
+        lines = [e for e in last[-1].equations if not isinstance(e.sides[0], VectorSymbol)]
+        if not lines:
+            continue  # a reaction as a whole, which refers to an acceleration
+        if rule is Rule.SOLVED_REACTIONS and any(e.label is None for e in lines):
+            continue  # with a denominator that has a letter of its own
         if rule is Rule.EQUATIONS_OF_MOTION and stated and operations(stated) < sum(map(_operations, lines)):
             lines = [Equation(sides) for sides in stated]
         yield rule, lines
+
+
+def _in_speeds(steps: list[Step], stated: Stated) -> Iterator[tuple[Rule, list[Equation]]]:
+    """The motion where the page has it in quasi-velocities only: as the answers have it, or as the page has."""
+    boxes = [b for s in steps if s.rule is Rule.QUASI_VELOCITIES for b in s.body if isinstance(b, Display) and b.boxed]
+    if boxes and stated:
+        yield Rule.EQUATIONS_OF_MOTION, [Equation(sides) for sides in stated]
+    elif boxes:
+        moving = [e for e in boxes[-1].equations if (e.label or "").startswith("motion-in-speeds")]
+        yield Rule.EQUATIONS_OF_MOTION, [replace(e, condition=()) for e in moving]
 
 
 def _from_view(solution: Solution, view: InCoordinates) -> Iterator[tuple[Rule, list[Equation]]]:

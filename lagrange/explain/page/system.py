@@ -8,7 +8,10 @@ from dataclasses import replace
 from lagrange.core.vectors import Vector
 from lagrange.document.builders import display, math, paired, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Step, Table
-from lagrange.explain.words import plural, the
+from lagrange.explain.page.bodies import introduced_together
+from lagrange.explain.page.coordinates import explain_measures
+from lagrange.explain.page.texts import set_text
+from lagrange.explain.words import joined, plural, the
 from lagrange.mechanics.results import Solution
 from lagrange.problem.model import Assumption
 
@@ -31,7 +34,9 @@ def explain_system(solution: Solution, step: Step) -> Step:
         else:
             before.append(sentence)
         body = (*before, *rest)
-    return replace(step, body=_together(solution, body))
+    body = introduced_together(solution, body)
+    measures = explain_measures(solution, solution.own)
+    return replace(step, body=(*_together(solution, body), *([measures] if measures is not None else ())))
 
 
 def _symbols(solution: Solution) -> tuple[Prose, int]:
@@ -41,7 +46,7 @@ def _symbols(solution: Solution) -> tuple[Prose, int]:
     for kind, members in (("coordinate", problem.coordinates), ("parameter", problem.parameters)):
         if not any(m.meaning or m.unit for m in members):
             continue
-        named = ((math(m.symbol), f" ({m.meaning})" if m.meaning else "") for m in members)
+        named = ((math(m.symbol), *((" (", *set_text(m.meaning, problem), ")") if m.meaning else ())) for m in members)
         parameters = [m for m in problem.parameters if m.range is None]
         positive = kind == "parameter" and all(p.assume is Assumption.POSITIVE for p in parameters)
         some = f", {'both' if len(members) == 2 else 'all'} positive" if len(members) > 1 else ", positive"
@@ -68,8 +73,14 @@ def _together(solution: Solution, body: tuple[Block, ...]) -> tuple[Block, ...]:
     forces = any((e.label or "").startswith("force") for e in lines)
     also = (" and weight" if len(points) == 1 else " and weights") if weights else " and applied force"
     masses = ((the(p.name), *((", of mass ", math(p.mass), ",") if p.mass != 0 else ())) for p in points)
+    loaded = [p.name for p in points if any(e.label == f"force-{p.name}" for e in lines)]
+    end: tuple[Part, ...] = ()
+    if forces and len(loaded) < len(points):
+        force = plural(len(loaded), "weight", "weights") if weights else plural(len(loaded), "force", "forces")
+        comma = "" if points[-1].mass != 0 else ","
+        end, forces = (f"{comma} and the {force} on {joined(map(the, loaded))}",), False
     what = plural(len(points), "The position", "The positions") + (also if forces else "")
-    lead = prose(what, " of ", *series(masses), " are" if forces or len(points) > 1 else " is")
+    lead = prose(what, " of ", *series(masses), *end, " are" if forces or end or len(points) > 1 else " is")
     shown = paired(lines) if len(points) == 1 and are_short(lines) else lines
     return (*body[: at[0] - 1], lead, display(*shown), *body[at[-1] + 1 :])
 

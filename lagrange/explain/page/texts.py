@@ -12,6 +12,7 @@ from collections.abc import Iterator
 import sympy as sp
 
 from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.vectors import UNITS
 from lagrange.document.builders import math
 from lagrange.document.derivation import Part
 from lagrange.expressions.reader import read_equation, read_value
@@ -53,9 +54,15 @@ def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:
     """A text in which declared symbols are symbols."""
     symbols = {q.name: q for q in (*problem.slots.coordinates, *problem.slots.prescribed, *problem.unknowns)}
     symbols |= {p.symbol.name: p.symbol for p in problem.parameters}
+    units = {name: unit for name, unit in UNITS.items() if name not in symbols}
     end = 0
     for match in _SYMBOL.finditer(text):
         name = match[1].rstrip("'")
+        if match[1] in units:
+            yield text[end : match.start()]
+            yield math(units[name])
+            end = match.end()
+            continue
         if name not in symbols or name in _WORDS:
             continue
         yield text[end : match.start()]

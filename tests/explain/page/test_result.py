@@ -22,7 +22,7 @@ def box(r: Report) -> str:
 @pytest.mark.parametrize(
     ("name", "contained"),
     [
-        ("ex16-rod-on-two-planes", ("the reactions and the equilibrium", "tan θ = (2k − 1)/tan α    unstable")),
+        ("ex16-rod-on-two-planes", ("One degree of freedom; the equilibrium", "tan θ = (2k − 1)/tan α    unstable")),
         ("rod-in-bowl", ("the equilibria", "stable where sin θ > 0")),
         ("leaving-a-sphere", ("what is asked", "cos θ = 2/3", "θ ≈ 48.19°")),
         ("released-pendulum", ("T = m g (3 − 2 cos α)    when θ = 0",)),

@@ -26,6 +26,7 @@ def written(text: str) -> str:
     [
         ("the angle alpha between", "the angle ‹α› between"),
         ("a rod of length l, and of mass m.", "a rod of length ‹l›, and of mass ‹m›."),
+        ("carried along i, k up", "carried along ‹i›, ‹k› up"),
         ("rods l1 and r_1", "rods ‹l₁› and ‹r₁›"),
         ("its rate theta' is small", "its rate ‹θ̇› is small"),
         ("I take a body; its a is a letter", "I take a body; its a is a letter"),

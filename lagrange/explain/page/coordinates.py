@@ -1,0 +1,68 @@
+"""What generalized coordinates measure, in a sentence: `θ is the angle from j to OP, positive towards i`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.core.vectors import Vector
+from lagrange.document.builders import listed, math, prose
+from lagrange.document.derivation import Part, Prose
+from lagrange.explain.words import joined, plural, the
+from lagrange.mechanics.constraints.measures import Angle, angles, of_mass_centre
+from lagrange.mechanics.results import InCoordinates, Solution
+
+SHORT_NAME = 2
+"""The most characters of a point whose name is written beside another, as in AB."""
+
+
+def explain_measures(solution: Solution, view: InCoordinates) -> Prose | None:
+    """What the coordinates of a choice are that the file has not explained; None where this was not found."""
+    known = {q.symbol for q in solution.problem.coordinates if q.meaning or not view.is_own}
+    new = [q for q in view.configuration.slots.coordinates if q not in known]
+    sentences = [*_centre(of_mass_centre(view.configuration, new)), *_angles(angles(view.configuration, new), solution)]
+    parts: list[Part] = []
+    for sentence in sentences:
+        parts += [" " if parts else "", *sentence]
+    return prose(*parts) if parts else None
+
+
+def _centre(symbols: tuple[sp.Symbol, ...]) -> Iterator[tuple[Part, ...]]:
+    if symbols:
+        verb = plural(len(symbols), " is the coordinate of", " are the coordinates of")
+        yield (*listed(math(q) for q in symbols), f"{verb} the mass centre.")
+
+
+def _angles(found: tuple[Angle, ...], solution: Solution) -> Iterator[tuple[Part, ...]]:
+    """One sentence for angles of the same kind."""
+    rest = list(found)
+    while rest:
+        first = rest[0]
+        alike = [a for a in rest if (a.zero, a.towards, a.projected) == (first.zero, first.towards, first.projected)]
+        rest = [a for a in rest if a not in alike]
+        lines = joined(line(a.start, a.end) for a in alike)
+        if first.projected is not None:
+            lines = f"the projection of {lines}"
+        names = listed(math(a.symbol) for a in alike)
+        are = plural(len(alike), " is the angle from ", " are the angles from ")
+        sense: tuple[Part, ...] = (", positive towards ", math(first.towards)) if first.towards is not None else ()
+        yield (*names, are, *_axis(first.zero, solution), " to ", lines, *sense, ".")
+
+
+def _axis(axis: Vector, solution: Solution) -> tuple[Part, ...]:
+    """`the downward vertical` where gravity is along it, `the upward vertical`, or the unit vector."""
+    gravity = solution.problem.gravity
+    if gravity is not None and gravity.fixed().cross(axis).is_zero:
+        down = sum(c * a for c, a in zip(gravity.fixed().components, axis.components, strict=True))
+        if down.is_positive or down.is_negative:
+            return (f"the {'downward' if down.is_positive else 'upward'} vertical",)
+    return (math(axis),)
+
+
+def line(start: str, end: str) -> str:
+    """`OP`, `AB`, or `the line from the block to the ball`."""
+    first = start or "O"
+    if len(first) <= SHORT_NAME and len(end) <= SHORT_NAME:
+        return f"{first}{end}"
+    return f"the line from {the(start) if start else 'O'} to {the(end)}"

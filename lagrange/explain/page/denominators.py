@@ -1,0 +1,48 @@
+"""A long denominator that several results share gets a letter: F_1 = .../Δ, F_2 = .../Δ, with Δ in the same box."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Collection, Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.core.symbols import free_letter
+from lagrange.document.derivation import Block, Display, Equation, Step
+
+SHORTEST = 12
+"""The fewest operations of a denominator that gets a letter."""
+
+
+def with_named_denominators(step: Step, taken: Collection[str]) -> Step:
+    """The step with a letter for the denominator that lines of a box share."""
+    return replace(step, body=tuple(_named(b, taken) for b in step.body))
+
+
+def _named(block: Block, taken: Collection[str]) -> Block:
+    if not isinstance(block, Display) or not block.boxed or len(block.equations) < 2:
+        return block
+    counts = Counter(base for e in block.equations for base in {*_below(e)})
+    shared = [base for base, n in counts.items() if n > 1 and base.count_ops() >= SHORTEST]
+    if len(shared) != 1:
+        return block
+    [base] = shared
+    letter = sp.Symbol(free_letter("Delta", "D", "D_0", taken=taken), real=True)
+    lines = tuple(replace(e, sides=tuple(_with_letter(s, base, letter) for s in e.sides)) for e in block.equations)
+    last = lines[-1]
+    return replace(block, equations=(*lines[:-1], last, Equation((letter, base))))
+
+
+def _below(equation: Equation) -> Iterator[sp.Expr]:
+    """The sums in the denominators of its sides."""
+    for side in equation.sides:
+        if isinstance(side, sp.Expr):
+            yield from (f.base for f in sp.Mul.make_args(side) if f.is_Pow and f.exp == -1 and f.base.is_Add)
+
+
+def _with_letter(side: object, base: sp.Expr, letter: sp.Symbol) -> object:
+    if not isinstance(side, sp.Expr) or not side.is_Mul:
+        return side
+    factors = [1 / letter if f.is_Pow and f.exp == -1 and f.base == base else f for f in side.args]
+    return sp.Mul(*factors, evaluate=False) if factors != list(side.args) else side

@@ -1,0 +1,64 @@
+"""Shorter names on a printed page, where nothing else could be meant.
+
+Of a single particle or body P the index says nothing: m r'' = F + R. Of a single constraint the reaction needs none
+either: T, N or λ. Of several, words that all names share are dropped: T_upper for the tension of the upper rod, if the
+other is the lower rod. Programs see the full names, JSON and the labels of equations for screen readers too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator
+
+from lagrange.mechanics.results import Solution
+
+VECTORS = ("r", "v", "F", "R", "omega", "H", "M", "Gamma", "pi")
+"""Position, velocity, forces, angular velocity and momentum, moments, virtual rotation."""
+
+
+def short_names(solution: Solution, taken: Collection[str]) -> dict[str, str]:
+    """The shorter names by the full ones; `taken`: letters that the page uses for something else."""
+    used = {*solution.problem.scope.names(), *taken}
+    used |= {q.name for c in solution.choices for q in c.configuration.slots.coordinates}
+    return {**dict(_of_vectors(solution, used)), **dict(_of_reactions(solution, used))}
+
+
+def _of_vectors(solution: Solution, used: Collection[str]) -> Iterator[tuple[str, str]]:
+    """Of the only particle or body. A scalar of the same letter is not bold: r = r e_r."""
+    configuration = solution.own.configuration
+    names = {p.name for p in configuration.points} | {r.name for r in configuration.rotations}
+    if len(names) != 1 or any(f.elsewhere for f in configuration.loads):
+        return
+    [name] = names
+    scope = solution.problem.scope
+    if not any(letter in scope.vectors for letter in VECTORS):
+        yield from ((f"{letter}_{name}", letter) for letter in VECTORS)
+    for rotation in configuration.rotations:
+        for unit in rotation.angular_velocity.triad.names:
+            stem = unit.removesuffix(f"_{name}")
+            if stem not in scope.vectors and stem not in used:
+                yield unit, stem
+
+
+def _of_reactions(solution: Solution, used: Collection[str]) -> Iterator[tuple[str, str]]:
+    """Of the only constraint; of several, without the words that all of them share."""
+    if solution.law is None:
+        return
+    reactions = solution.law.newton.reactions
+    endings = _distinct([r.name for r in reactions])
+    for r, ending in zip(reactions, endings, strict=True):
+        symbols = {r.multiplier.name} | ({r.symbol.name} if r.symbol is not None else set())
+        for name in symbols:
+            letter, _, index = name.partition("_")
+            short = f"{letter}_{ending}" if ending else letter
+            if index == r.name and short != name and short not in used:
+                yield name, short
+
+
+def _distinct(names: list[str]) -> list[str]:
+    """The names without what all of them end in: upper and lower for upper_rod and lower_rod."""
+    if len(names) == 1:
+        return [""]
+    words = [n.split("_") for n in names]
+    while all(len(w) > 1 for w in words) and len({w[-1] for w in words}) == 1:
+        words = [w[:-1] for w in words]
+    return ["_".join(w) for w in words]

@@ -1,0 +1,115 @@
+"""Pages that end with quasi-velocities, which spare the long equations in the file's coordinates.
+
+D'Alembert's principle is stated in vectors and written out once, in the quasi-velocities. Multipliers of constraints
+that are no single forces say little: of a single body the whole reaction is R = m r'' − F, with the acceleration known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.core.symbols import DotProduct, VectorSymbol
+from lagrange.core.vectors import Vector
+from lagrange.document.builders import display, prose
+from lagrange.document.derivation import Block, Display, Equation, Part, Ref, Rule, Step
+from lagrange.explain.displacements import solved_displacements
+from lagrange.explain.words import the
+from lagrange.mechanics.dynamics.equations import DalembertMotion
+from lagrange.mechanics.results import Solution
+
+LONGEST = 60
+"""The most operations of a multiplier that is shown."""
+
+
+def ends_with_speeds(solution: Solution) -> bool:
+    """Whether the equations of motion in quasi-velocities are those of the page."""
+    own = solution.own
+    written = own.dynamics.written if own.dynamics is not None else None
+    equations = own.in_speeds.equations if own.in_speeds is not None else None
+    return equations is not None and isinstance(written, DalembertMotion) and not solution.choices
+
+
+def in_speeds_only(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
+    """The steps without the principle written out in the file's coordinates, and what else is not needed then."""
+    for step in steps:
+        if step.rule is Rule.PRINCIPLE:
+            yield replace(step, body=step.body[:2])
+        elif step.rule is Rule.DISPLACEMENTS:
+            unused = solved_displacements(solution.own.elimination, solution.own.configuration)
+            yield replace(step, body=tuple(b for b in step.body if b not in unused))
+        elif step.rule is Rule.SOLVED_REACTIONS and _are_long(solution):
+            continue
+        elif step.rule is Rule.QUASI_VELOCITIES:
+            yield replace(step, body=tuple(_without_rates(solution, b) for b in step.body))
+        else:
+            yield step
+
+
+def _are_long(solution: Solution) -> bool:
+    """Whether the multipliers are no single forces, and long: then the page has no room for them."""
+    dynamics, law = solution.own.dynamics, solution.law
+    if dynamics is None or dynamics.reactions is None or law is None:
+        return False
+    nameless = all(r.single is None and r.given is None for r in law.newton.reactions)
+    values = [v for v in dynamics.reactions.multipliers.values() if v is not None]
+    return nameless and reaction_as_a_whole(solution) is None and any(v.count_ops() > LONGEST for v in values)
+
+
+def _without_rates(solution: Solution, block: Block) -> Block:
+    """The boxed equations with a reference to the kinematic ones, which stand above."""
+    form = solution.own.in_speeds
+    if not isinstance(block, Display) or not block.boxed or form is None:
+        return block
+    labels = [f"kinematic-{v.name}" for v in form.velocities.kinematic]
+    kinematic = {*form.velocities.kinematic.items()}
+    lines = [e for e in block.equations if e.sides not in kinematic]
+    if len(labels) < 3 or len(lines) == len(block.equations):
+        return block
+    lines[-1] = replace(lines[-1], condition=("with ", Ref(labels[0]), " to ", Ref(labels[-1])))
+    return replace(block, equations=tuple(lines))
+
+
+def reaction_as_a_whole(solution: Solution) -> Step | None:
+    """R = m r'' − F of the only body; None where the multipliers say more, or another force is not in F."""
+    own, law = solution.own, solution.law
+    configuration = own.configuration
+    if law is None or own.dynamics is None or len(configuration.points) != 1 or not configuration.rotations:
+        return None
+    if configuration.links or configuration.potential != 0 or law.all_frictions or solution.choices:
+        return None
+    if any(r.single is not None for r in law.newton.reactions) or solution.problem.unknowns:
+        return None
+    [point] = configuration.points
+    if configuration.is_pinned(point) or any(f.elsewhere for f in configuration.loads):
+        return None
+    force = sum((f.vector for f in configuration.loads), Vector.zero())
+    reaction, moved = VectorSymbol(f"R_{point.name}"), point.mass * VectorSymbol(f"r_{point.name}''")
+    shown = moved - (VectorSymbol(f"F_{point.name}") if not force.is_zero else 0)
+    sides = (reaction, shown) if force.is_zero else (reaction, shown, moved - force.as_sum())
+    in_speeds = own.in_speeds.equations if own.in_speeds is not None else None
+    known: tuple[Part, ...] = ()
+    if in_speeds is not None and point.name in in_speeds.accelerations:
+        known = ("with ", Ref(f"changed-in-speeds-r_{point.name}''"))
+    words = f"By Newton's law the total reaction on {the(point.name)} is"
+    line = Equation(sides, label=f"reaction-{point.name}", condition=known)
+    body: list[Block] = [prose(words), display(line, boxed=True)]
+    body += _across(solution, point.acceleration, point.mass, force, reaction)
+    return Step(Rule.SOLVED_REACTIONS, "The reaction", tuple(body))
+
+
+def _across(
+    solution: Solution, acceleration: Vector, mass: sp.Expr, force: Vector, reaction: VectorSymbol
+) -> Iterator[Block]:
+    """The vertical component, where there is gravity."""
+    gravity = solution.problem.gravity
+    along = [n for n, c in enumerate(gravity.fixed().components) if c != 0] if gravity is not None else []
+    if len(along) != 1:
+        return
+    [n] = along
+    unit = Vector.zero().triad.units[n]
+    value = mass * acceleration.fixed().components[n] - force.fixed().components[n]
+    yield prose("Its vertical component is")
+    yield display(Equation((DotProduct(reaction, unit), sp.factor_terms(value)), label="vertical-reaction"))
