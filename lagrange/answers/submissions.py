@@ -25,9 +25,9 @@ from dataclasses import replace
 from pathlib import PurePath
 from time import perf_counter
 
-from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
+from lagrange.answers.points import Score, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.markup import text_of_html
@@ -236,10 +236,12 @@ class Graded:
 
     headline   the verdict in one sentence
     equations  the verdict on each equation
+    together   the verdict on the equations together
     others     the verdicts on answers to other questions, without their parts
     messages   errors and notes with their places, for the author of the submission
     right      the number of independent equations that it has; None if that is not known
     required   the number asked for; None if equations are not what is counted
+    score      the points, part by part; None if the submission could not be graded at all
     """
 
     verdict: Verdict
@@ -250,15 +252,27 @@ class Graded:
     required: int | None = None
     seconds: float = 0.0
     others: tuple[AnswerVerdict, ...] = ()
+    together: Verdict = Verdict.EQUIVALENT
+    score: Score | None = None
 
     @property
     def remark(self) -> str:
-        """The most important remark: the first diagnosis, or else the first other remark."""
-        wrong = [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
+        """The most important remark: the parts that are not right, and the first diagnosis or else another remark."""
+        diagnoses = [a.diagnosis for a in self.others if a.diagnosis]
+        diagnoses += [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
         remarks = [r for e in self.equations for r in e.remarks]
-        if wrong or self.verdict is Verdict.EQUIVALENT:
-            return next(iter([*wrong, *remarks]), "")
-        return self.headline.partition(": ")[2]
+        if self.verdict is Verdict.EQUIVALENT:
+            return next(iter([*diagnoses, *remarks]), "")
+        if parts := self._of_parts:
+            return "; ".join([parts, *diagnoses[:1]])
+        return next(iter(diagnoses), self.headline.partition(": ")[2])
+
+    @property
+    def _of_parts(self) -> str:
+        """`degrees of freedom wrong, equations right`; empty unless questions are answered beside the equations."""
+        parts = [(a.name.replace("_", " "), a.verdict) for a in self.others]
+        parts += [("equations", self.together)] if parts and self.equations else []
+        return ", ".join(f"{name} {'right' if v is Verdict.EQUIVALENT else v.value}" for name, v in parts)
 
 
 @record
@@ -271,11 +285,9 @@ class Grader:
     @classmethod
     def of(cls, examiner: Examiner) -> Grader:
         """A grader with the number of equations asked for. Raises ProblemError if there is nothing to compare with."""
-        nothing = (Fragment.of("0 = 0"),)
-        if examiner.solution is not None and examiner.solution.own.motion is None:
-            examiner.check(nothing)
-            return cls(examiner, None)
-        return cls(examiner, check_equations(nothing, examiner.reference).missing)
+        if examiner.required is None:
+            examiner.check((Fragment.of("0 = 0"),))
+        return cls(examiner, examiner.required)
 
     def grade(self, submission: Submission) -> Graded:
         """The verdict on a submission."""
@@ -298,6 +310,8 @@ class Grader:
             None if judgement.statics else self.required,
             perf_counter() - start,
             tuple(AnswerVerdict(a.verdict, name=a.name, diagnosis=a.diagnosis) for a in judgement.others),
+            judgement.equations.verdict,
+            score(self.examiner.problem, judgement, self.required),
         )
 
     def _checked(self, submission: Submission) -> Judgement | None:
@@ -323,7 +337,8 @@ class Grader:
 
     def _unread(self, verdict: Verdict, reason: str, messages: Sequence[str]) -> Graded:
         right = 0 if verdict is Verdict.UNREADABLE and self.required is not None else None
-        return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required)
+        points = unread_score(self.examiner.problem, verdict, self.required)
+        return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required, score=points)
 
     def _right(self, judgement: Judgement) -> int | None:
         """The number of independent equations that follow; None if some could not be judged."""
