@@ -125,11 +125,11 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         if answers.virtual_displacements:
             yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
     if answers.steady:
-        from lagrange.answers.equilibria import check_equilibria
+        from lagrange.answers.equilibria import check_steady
 
         conditions = [v.steady.about.equilibrium for v in solution.views if v.steady is not None]
         if conditions:
-            verdict = check_equilibria(answers.steady, conditions, reference_of_solution(solution))
+            verdict = check_steady(answers.steady, conditions, reference_of_solution(solution))
             missing = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
             yield replace(verdict, name="steady", diagnosis=missing)
         else:
@@ -309,6 +309,11 @@ class Examiner:
             return None
         return check_equations((Fragment.of("0 = 0"),), self.reference).missing
 
+    @property
+    def asks_for_conditions(self) -> bool:
+        """Whether inequalities are asked for: where friction holds the system."""
+        return self.solution is not None and bool(_rests(self.solution))
+
     def score(self, judgement: Judgement) -> Score:
         """The points for an answer that was judged by this examiner."""
         from lagrange.answers.points import score
@@ -326,7 +331,7 @@ class Examiner:
 
         answer = separated(answer)
         solution = self.solution
-        if solution is not None and _rests(solution) and any(map(is_inequality, answer)):
+        if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
             return self._with_conditions([c for f in answer for c in conditions_of(f)], solution)
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference

@@ -34,6 +34,7 @@ from lagrange.answers.written.markup import text_of_html
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
+from lagrange.expressions.relations import is_inequality
 from lagrange.problem.model import Answers
 from lagrange.problem.sources import decode
 from lagrange.problem.stated_answers import read_answers
@@ -47,15 +48,21 @@ _FENCE = re.compile(r"\s{0,3}(?:[-*+]\s+|[0-9]{1,2}[.)]\s+)?(?P<fence>`{3,}|~{3,
 _SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=ticks)(?!`)")
 _BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
 _INLINE = ("$", r"\(", r"\)")
+_NOTHING = ("no-equations",)
+"""The mistakes of a problem that has nothing to compare an answer with."""
 
 
-def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
+def equations_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:
     """The equations in a text; `ending` is the file's extension: `.tex`, `.md`, ...
+
+    conditions  whether inequalities count as well, a line each
 
     Raises ProblemError at mathematics that is not closed, and at a line that continues another.
     """
     fragment = Fragment(source.text, Span(source, 0, len(source.text)), 0)
     _check_size(fragment)
+    if conditions and is_inequality(fragment):
+        return tuple(_conditions(fragment))
     match ending.lower():
         case ".tex" | ".latex" | ".ltx":
             return tuple(_in_latex(fragment))
@@ -66,6 +73,21 @@ def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
             return tuple(_in_markdown(fragment))
         case _:
             return tuple(_in_lines(fragment))
+
+
+def _conditions(fragment: Fragment) -> Iterator[Fragment]:
+    """The lines with inequalities, each without words before it, and the other lines with equations."""
+    number = 0
+    for start, end in _lines(fragment.text):
+        line = fragment.text[start:end]
+        if not is_inequality(_part(fragment, start, end)):
+            yield from _in_lines(_part(fragment, start, end))
+            continue
+        begins = start + _beginning(line, number, _BULLET)
+        number += 1
+        kept = fragment.text[begins:end].strip(" $.,;\r")
+        begins += fragment.text[begins:end].find(kept)
+        yield _part(fragment, begins, begins + len(kept))
 
 
 def _check_size(fragment: Fragment) -> None:
@@ -285,7 +307,7 @@ class Grader:
     @classmethod
     def of(cls, examiner: Examiner) -> Grader:
         """A grader with the number of equations asked for. Raises ProblemError if there is nothing to compare with."""
-        if examiner.required is None:
+        if examiner.required is None and not examiner.asks_for_conditions and not examiner.problem.points:
             examiner.check((Fragment.of("0 = 0"),))
         return cls(examiner, examiner.required)
 
@@ -297,7 +319,7 @@ class Grader:
             if judgement is None:
                 return self._unread(Verdict.UNREADABLE, "there is no equation in it", submission.notes)
         except ProblemError as error:
-            undecided = isinstance(error, UndecidedError | NotCoveredError)
+            undecided = isinstance(error, UndecidedError | NotCoveredError) or error.diagnostics[0].code in _NOTHING
             verdict = Verdict.UNDECIDED if undecided else Verdict.UNREADABLE
             messages = (*(str(d) for d in error.diagnostics), *submission.notes)
             return self._unread(verdict, error.diagnostics[0].message, messages)
@@ -321,7 +343,7 @@ class Grader:
         for name, content in submission.files:
             source, ending = decode(content, name), PurePath(name).suffix.lower()
             if ending not in (".yaml", ".yml"):
-                fragments += equations_in_file(source, ending)
+                fragments += equations_in_file(source, ending, conditions=self.examiner.asks_for_conditions)
                 if len(fragments) > MAX_SIGNS:
                     message = f"a submission may have {MAX_SIGNS:,} equations in all its files"
                     help_ = "hand in the equations asked for, and not everything that was computed"

@@ -170,7 +170,8 @@ class AnswerReader:
 
     def _condition(self, node: Node) -> Fragment:
         fragment = scalar_of(node, "an entry of `rest`").fragment
-        self._try(read_equation, limit_of(fragment, "a condition", strict=True)[0])
+        if self.tries:
+            self._try(read_equation, limit_of(fragment, "a condition", strict=True)[0])
         return fragment
 
     def equations(self, node: Node | None, what: str) -> tuple[Fragment, ...]:

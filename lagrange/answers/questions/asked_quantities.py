@@ -21,12 +21,12 @@ from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.statements import statement
 from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
-from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
-from lagrange.expressions.reader import Scope, read_equation, read_value
+from lagrange.expressions.reader import Scope, read_value
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.results import Asked, How
 from lagrange.mechanics.results import Solution
@@ -245,19 +245,15 @@ def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | 
 
     Raises ProblemError.
     """
-    text = fragment.text
-    if "=" in text:
-        left, _, _ = text.partition("=")
-        if left.strip() == name and name not in scope.names():
-            start = text.index("=") + 1
-            fragment = Fragment(text[start:], fragment.span(start, len(text)), (fragment.start or 0) + start)
-        else:
-            equation = tried(fragment, scope, lambda f: read_equation(f, scope, [], MAX_ANSWER_CHARACTERS, latex=True))
-            lhs, rhs = equation.lhs, equation.rhs
-            if isinstance(lhs, Vector) or isinstance(rhs, Vector):
-                raise ProblemError(Diagnostic("vector-for-scalar", "an equation between vectors", fragment.whole))
-            return None, lhs - rhs
-    value = tried(fragment, scope, lambda f: read_value(f, scope, [], latex=True))
+    stated = statement(fragment, scope, name=name)
+    scope = stated.scope
+    values = [tried(side, scope, lambda f: read_value(f, scope, [], latex=True)) for side in stated.sides]
+    if len(values) > 1:
+        lhs, rhs = values
+        if isinstance(lhs, Vector) or isinstance(rhs, Vector):
+            raise ProblemError(Diagnostic("vector-for-scalar", "an equation between vectors", fragment.whole))
+        return None, lhs - rhs
+    [value] = values
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a quantity is a number, not a vector", fragment.whole))
     return value, None
