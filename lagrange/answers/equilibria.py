@@ -148,7 +148,7 @@ def check_steady(
 
 
 def _read(alternative: Sequence[Fragment], reference: Reference) -> tuple[tuple[Reading, ...], tuple[Diagnostic, ...]]:
-    """The equations of one alternative, and notes; as an answer with working where they cannot be read by themselves."""
+    """The equations of one alternative, and notes; read as an answer with working where one cannot be read alone."""
     readings = tuple(read_answer(f, reference.scope) for f in alternative)
     notes: tuple[Diagnostic, ...] = ()
     if any(r.error for r in readings):

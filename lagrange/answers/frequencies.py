@@ -139,7 +139,7 @@ def _is_complete(f: Linearization) -> bool:
 
 
 def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
-    """ω; it may be stated as `omega^2 = ...`, by the period `T = ...` or as `f = ...`, the number of periods a second."""
+    """ω; it may be stated as `omega^2 = ...`, by the period `T = ...`, or by `f = ...`, the periods in a second."""
     stated = statement(fragment, replace(reference.scope, decimals=""), reference.declared)
     if len(stated.sides) > 1:
         message = "a frequency is one value"

@@ -57,13 +57,15 @@ def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], re
 
 
 _RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
-_AND = re.compile(r",|;|\band\b|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*and\s*\}|\\q?quad(?![A-Za-z])")
+_AND = re.compile(
+    r",|;|\band\b|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*and\s*\}|\\q?quad(?![A-Za-z])"
+)
 _EXTREME = re.compile(r"\s*\\?(?P<which>min|max|Min|Max)\s*(?:\\left\s*)?(?P<open>[({\[]|\\\{)")
 
 
 def _each(fragment: Fragment) -> Iterator[Fragment]:
     """The conditions in a text: a <= b <= c is two, and so are `a and b` and a <= min(b, c)."""
-    parts = [p for p in _pieces(fragment, _AND)]
+    parts = _pieces(fragment, _AND)
     if not all(_RELATION.search(p.text) for p in parts):
         parts = [fragment]
     for part in parts:

@@ -34,7 +34,10 @@ def products_left_out(m: Mechanics) -> Iterator[Variation]:
     place = f"the terms with products of {names}, which are no velocities of coordinates"
     groups = [(m.inertias, "")]
     if m.particles and m.rotations:
-        groups += [(m.rotations, " in the equations of the rotation"), (m.particles, " in the equations of the mass centres")]
+        groups += [
+            (m.rotations, " in the equations of the rotation"),
+            (m.particles, " in the equations of the mass centres"),
+        ]
     equations = [(parts, where, _kinetic(m, parts, speeds)) for parts, where in groups]
     for factor, how in _FACTORS:
         for parts, where, kinetic in equations:

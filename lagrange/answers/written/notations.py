@@ -64,8 +64,12 @@ _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
 _RUN = re.compile(r"(?<![A-Za-z_.])(?<![A-Za-z_][0-9])(?<![A-Za-z_][0-9][0-9])[A-Za-z][A-Za-z0-9_]*")
 _DEGREES = re.compile(r"(?<=[0-9])\s*(?:°|\b(?:deg|degs|degrees?|Grad)\b)|(?<=[0-9])\s+(?:rad|radians?)\b")
-_EXPONENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])(?P<e>[eE])\s*(?:\^|\*\*)\s*(?:(?=[({{])|(?P<power>-?\s*(?:[0-9]+|{_NAME})))")
-_METHOD = re.compile(rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*\.\s*diff\s*\(\s*(?:t\b\s*)?(?P<comma>,?)")
+_EXPONENTIAL = re.compile(
+    rf"(?<![A-Za-z0-9_'])(?P<e>[eE])\s*(?:\^|\*\*)\s*(?:(?=[({{])|(?P<power>-?\s*(?:[0-9]+|{_NAME})))"
+)
+_METHOD = re.compile(
+    rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*\.\s*diff\s*\(\s*(?:t\b\s*)?(?P<comma>,?)"
+)
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
 _PRODUCT = re.compile(r"[A-Za-z]+")
 
@@ -222,7 +226,8 @@ def _rate(match: re.Match[str], scope: Scope) -> str | None:
         return None
     if by == "t" and not match["more"]:
         return f"{name}{chr(39) * order}{_left_over(match)}" if not name.isdigit() else None
-    if order == 1 and not match["more"] and match[0].lstrip("(")[0] != "∂" and _is_rate(match["name"], match["dots"], scope):
+    along = order == 1 and not match["more"] and match[0].lstrip("(")[0] != "∂"
+    if along and _is_rate(match["name"], match["dots"], scope):
         return f"(diff({name}, t)/{by}'){_left_over(match)}"
     inner = f"{name}"
     for _ in range(order):

@@ -142,7 +142,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         return [_Line(fragment, fragment.text, reading=fragment.reading)]
     text = fragment.text.strip()
     if len(text) > MAX_ANSWER_CHARACTERS:  # its error, and nothing else of it
-        return [_Line(fragment, text, reading=Reading(text, error=_too_long(fragment)))]
+        return [_Line(fragment, text, reading=Reading(text, error=too_long(fragment)))]
     if _ALTERNATIVES.search(fragment.text):
         return [_Line(fragment, text, whole=True)]
     if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
@@ -178,7 +178,7 @@ def _without_braces(draft: Draft) -> None:
         draft.keep(start + 1, end - 1)
 
 
-def _too_long(fragment: Fragment) -> ProblemError:
+def too_long(fragment: Fragment) -> ProblemError:
     length = len(fragment.text)
     message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
     help_ = "write it shorter, or with abbreviations where there is a `let:`"
@@ -343,7 +343,7 @@ class _Sorting:
             return False
         for side, other in (sides, sides[::-1]):
             name, applied = self._name_alone(side)
-            if not name or (name in self.declared and name not in self.moving) or name in RESERVED or name in self.defined:
+            if not name or name in self.declared - self.moving or name in RESERVED or name in self.defined:
                 continue
             if not self.values_are_asides and self._marks_a_coordinate(line, name):
                 return False
@@ -373,7 +373,7 @@ class _Sorting:
         return False
 
     def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
-        """Whether a name is that of a coordinate with an index for equilibrium, theta_0; it means the coordinate then."""
+        """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
         coordinate, _, index = name.partition("_")
         symbol = next((q for q in self.scope.slots.coordinates if q.name == coordinate), None)
         if symbol is None or index not in _AT_EQUILIBRIUM:
