@@ -31,7 +31,7 @@ from lagrange.answers.verdicts import (
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, symbols_in
 from lagrange.expressions.relations import is_inequality
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
@@ -538,7 +538,7 @@ def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:
     """Whether velocities or accelerations occur in an answer."""
     scope = reference_of_solution(solution).scope
     readings = [read_answer(f, scope) for f in answer]
-    return any(base(s) != s for r in readings for e in r.components for s in e.free_symbols)
+    return any(base(s) != s for r in readings for e in r.components for s in symbols_in(e))
 
 
 def check_own_answers(problem: Problem) -> Judgement:

@@ -179,6 +179,7 @@ def _without_braces(draft: Draft) -> None:
 
 
 def too_long(fragment: Fragment) -> ProblemError:
+    """The error of a text with more characters than an answer may have."""
     length = len(fragment.text)
     message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
     help_ = "write it shorter, or with abbreviations where there is a `let:`"
