@@ -42,6 +42,7 @@ from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import Decimal
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import ALTERNATIVE, is_latex, piece
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 _ALL_ANGLES = "only one of the angles with this tangent, sine or cosine is given; all of them are taken to be meant"
@@ -246,7 +247,7 @@ def _judged(
         return None
 
     def rewritten(e: sp.Expr) -> list[sp.Expr]:
-        stated = without_displacements(configuration.rewritten(e), configuration)
+        stated = without_displacements(_with_roots_named(configuration.rewritten(e), configuration), configuration)
         return [part.xreplace(dict(values)) for part in stated]
 
     systems = [[tuple(part for e in r.components for part in rewritten(e)) for r in a] for a in readings]
@@ -280,6 +281,26 @@ def _judged(
         )
     )
     return replace(read_wider, equations=equations)
+
+
+def _with_roots_named(e: sp.Expr, configuration: Configuration) -> sp.Expr:
+    """sqrt(l² − x²) as y, where that is y² by the constraints: books mean the position that is drawn, where y > 0."""
+    roots = [p for p in e.atoms(sp.Pow) if abs(p.exp) == sp.Rational(1, 2)]
+    if not roots or not configuration.finite_constraints:
+        return e
+    rule = {}
+    for root in roots[:_MOST_ROOTS]:
+        for q in configuration.slots.coordinates:
+            try:
+                if configuration.surface.is_zero(root.base - q**2) is True:
+                    rule[root] = q if root.exp > 0 else 1 / q
+                    break
+            except (DivisionByZeroError, NoPointError, UnsupportedError):
+                continue
+    return e.xreplace(rule)
+
+
+_MOST_ROOTS = 4
 
 
 def _with_right_decimals(
