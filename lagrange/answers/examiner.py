@@ -40,6 +40,7 @@ from lagrange.problem.model import Answers, Problem
 if TYPE_CHECKING:
     from lagrange.answers.points import Score
     from lagrange.answers.written.working import Working
+    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest as Rest
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
@@ -130,8 +131,8 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         conditions = [v.steady.about.equilibrium for v in solution.views if v.steady is not None]
         if conditions:
             verdict = check_steady(answers.steady, conditions, reference_of_solution(solution))
-            missing = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
-            yield replace(verdict, name="steady", diagnosis=missing)
+            why = _about_equilibria(verdict, answers.steady, conditions, reference_of_solution(solution))
+            yield replace(verdict, name="steady", diagnosis=why.replace("equilibria", "steady motions"))
         else:
             why = "the problem does not ask for steady motions"
             yield AnswerVerdict(Verdict.UNDECIDED, name="steady", diagnosis=why)
@@ -179,8 +180,24 @@ def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]])
         diagnosis = "the problem does not ask for equilibrium"
         return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
     verdict = check_equilibria(alternatives, equilibria, reference_of_solution(solution))
-    diagnosis = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
-    return replace(verdict, name="equilibrium", diagnosis=diagnosis)
+    why = _about_equilibria(verdict, alternatives, equilibria, reference_of_solution(solution))
+    return replace(verdict, name="equilibrium", diagnosis=why)
+
+
+def _about_equilibria(
+    verdict: AnswerVerdict,
+    alternatives: Sequence[Sequence[Fragment]],
+    equilibria: Sequence[Equilibrium],
+    reference: Reference,
+) -> str:
+    """What is missing, or of which changed problem these are the equilibria."""
+    if verdict.verdict is Verdict.INCOMPLETE:
+        return missing_equilibria(verdict.missing)
+    if verdict.verdict is not Verdict.WRONG:
+        return ""
+    from lagrange.answers.equilibria import explained_equilibria
+
+    return explained_equilibria(alternatives, equilibria, reference)
 
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:

@@ -259,7 +259,7 @@ class Graded:
     headline   the verdict in one sentence
     equations  the verdict on each equation
     together   the verdict on the equations together
-    others     the verdicts on answers to other questions, without their parts
+    others     the verdicts on answers to other questions, each with its parts
     messages   errors and notes with their places, for the author of the submission
     right      the number of independent equations that it has; None if that is not known
     required   the number asked for; None if equations are not what is counted
@@ -281,6 +281,7 @@ class Graded:
     def remark(self) -> str:
         """The most important remark: the parts that are not right, and the first diagnosis or else another remark."""
         diagnoses = [a.diagnosis for a in self.others if a.diagnosis]
+        diagnoses += [e.diagnosis for a in self.others for e in a.equations if e.diagnosis]
         diagnoses += [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
         remarks = [r for e in self.equations for r in e.remarks]
         if self.verdict is Verdict.EQUIVALENT:
@@ -295,6 +296,11 @@ class Graded:
         parts = [(a.name.replace("_", " "), a.verdict) for a in self.others]
         parts += [("equations", self.together)] if parts and self.equations else []
         return ", ".join(f"{name} {'right' if v is Verdict.EQUIVALENT else v.value}" for name, v in parts)
+
+
+def _without_sides(equations: Sequence[EquationVerdict]) -> tuple[EquationVerdict, ...]:
+    """The verdicts without expressions: what goes from one process to another is text."""
+    return tuple(replace(e, sides=(), hints=()) for e in equations)
 
 
 @record
@@ -326,12 +332,15 @@ class Grader:
         return Graded(
             judgement.verdict,
             judgement.headline,
-            tuple(replace(e, sides=(), hints=()) for e in judgement.each),
+            _without_sides(judgement.each),
             (*(str(d) for d in judgement.messages), *submission.notes),
             self._right(judgement),
             None if judgement.statics else self.required,
             perf_counter() - start,
-            tuple(AnswerVerdict(a.verdict, name=a.name, diagnosis=a.diagnosis) for a in judgement.others),
+            tuple(
+                AnswerVerdict(a.verdict, _without_sides(a.equations), name=a.name, diagnosis=a.diagnosis)
+                for a in judgement.others
+            ),
             judgement.equations.verdict,
             score(self.examiner.problem, judgement, self.required),
         )

@@ -42,6 +42,8 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
             diagnosis = f" ({prose(answer.diagnosis)})" if answer.diagnosis else ""
             mark = MARKS.get(answer.verdict, "·")
             yield f"- {mark} {prose(answer.name.replace('_', ' '))}: {answer.verdict.value}{diagnosis}"
+            for part in answer.equations:
+                yield from (f"  {line}" for line in _of_equation(part))
     if graded.equations:
         yield "\n## Equation by equation\n"
         for equation in graded.equations:

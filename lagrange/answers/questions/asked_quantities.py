@@ -15,8 +15,9 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.force_names import meanings
+from lagrange.answers.models.letters import letter_variations
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
@@ -32,6 +33,16 @@ from lagrange.mechanics.questions.results import Asked, How
 from lagrange.mechanics.results import Solution
 from lagrange.problem.questions import scope_of_questions
 
+_FACTORS = (
+    (sp.Rational(1, 2), "it is twice as large as it should be"),
+    (sp.Integer(2), "it is half as large as it should be"),
+    (sp.S.NegativeOne, "it has the wrong sign"),
+    (sp.sqrt(2), "a factor sqrt(2) is missing"),
+    (1 / sp.sqrt(2), "there is a factor sqrt(2) too many"),
+    (2 * sp.pi, "a factor 2*pi is missing"),
+    (1 / (2 * sp.pi), "there is a factor 2*pi too many"),
+)
+"""What would make a wrong value right."""
 _ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
 _SIDES = "one of two opposite values: the sense of the motion is left open by the initial state"
 _SPEED = "it is taken as a speed, without the sign that the velocity has here"
@@ -94,7 +105,24 @@ class _Claim:
             if rounded_verdict is Verdict.EQUIVALENT or verdict is Verdict.WRONG:
                 right = rounded_verdict is Verdict.EQUIVALENT
                 return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
+        if verdict is Verdict.WRONG and not remark and self.asked.how is not How.NUMERICAL:
+            remark = self._explained(as_written(claim))
         return verdict, remark
+
+    def _explained(self, claim: sp.Expr) -> str:
+        """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
+        judged = self._of_expression if self.expression is not None else self._of_equation
+        if self.expression is not None:
+            for factor, how in _FACTORS:
+                if judged(factor * claim)[0] is Verdict.EQUIVALENT:
+                    return how
+        for variation in letter_variations([claim], (), self.scope.slots):
+            try:
+                if variation.rule and judged(claim.xreplace(dict(variation.rule)))[0] is Verdict.EQUIVALENT:
+                    return f"this is the answer {variation.clause}"
+            except (DivisionByZeroError, NoPointError, UnsupportedError):
+                continue
+        return ""
 
     def _derived(self) -> list[sp.Expr]:
         return list(dict.fromkeys(v for b in self.asked.branches for v in b.values))
