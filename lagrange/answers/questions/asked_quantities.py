@@ -112,10 +112,10 @@ class _Claim:
     def _explained(self, claim: sp.Expr) -> str:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
         judged = self._of_expression if self.expression is not None else self._of_equation
-        if self.expression is not None:
-            for factor, how in _FACTORS:
-                if judged(factor * claim)[0] is Verdict.EQUIVALENT:
-                    return how
+        value = claim if self.expression is not None else self._stated_value(claim)
+        for factor, how in _FACTORS if value is not None else ():
+            if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
+                return how
         for variation in letter_variations([claim], (), self.scope.slots):
             try:
                 if variation.rule and judged(claim.xreplace(dict(variation.rule)))[0] is Verdict.EQUIVALENT:

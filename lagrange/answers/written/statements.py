@@ -133,12 +133,12 @@ def _with_definition(part: Fragment, scope: Scope) -> Scope:
 
 def _label(side: Fragment, scope: Scope, declared: Collection[str], name: str) -> str:
     """The letter of a label; empty if the side is none."""
+    if name and side.text.strip(" $") == name and name not in scope.names():
+        return name
     match = _LABEL.match(side.text)
     if match is None:
         return ""
     letter = f"{match['name']}{'^2' if match['square'] else ''}"
-    if name and side.text.strip(" $") == name and name not in scope.names():
-        return letter
     try:
         tried(side, scope, lambda f: read_value(f, scope, [], latex=True))
     except ProblemError:
