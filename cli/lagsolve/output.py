@@ -117,8 +117,8 @@ def write_verdict(answer: Judgement, format_: str, revealed: Sequence[Any] = (),
         points = {"points": score.as_json()} if score is not None else {}
         write_stdout(json_text({**answer.as_json(revealed), **points}, indent=1) + "\n")
     else:
-        points = "\n" + "".join(f"{line}\n" for line in score.lines()) if score is not None else ""
-        write_stdout(answer.text(terminal_width(), revealed) + points)
+        below = "\n" + "".join(f"{line}\n" for line in score.lines()) if score is not None else ""
+        write_stdout(answer.text(terminal_width(), revealed) + below)
 
 
 def write_rows(rows: Sequence[TableRow], as_csv: bool) -> None:

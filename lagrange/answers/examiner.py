@@ -363,7 +363,11 @@ class Examiner:
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
 
-            return self._judgement(_impending(solution, alternatives_of(working.judged)), statics=True)
+            verdict = _impending(solution, alternatives_of(working.judged))
+            if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
+                each = _impending(solution, [(f,) for f in working.judged])  # up or down, a line each
+                verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
+            return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
             return self._statics(working, solution)
         verdict = self._on_motion(working)

@@ -43,7 +43,7 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
 _LIST = re.compile(r"\s*(?:\w+\s*=\s*)?([\[{])")

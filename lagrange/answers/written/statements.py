@@ -37,7 +37,7 @@ _INDEX = r"(?:\{(?:[^{}]|\{[^{}]{0,20}\}){0,30}\}|\\(?:text|mathrm|rm)\s*\{[^{}]
 _GREEK = "|".join(sorted(set(GREEK.values()), key=len, reverse=True))
 _MARKED = re.compile(rf"\\?(?P<name>[^\W\d_]|{_GREEK})_(?:\{{\s*)?(?:\\text\s*\{{)?(?P<index>\w{{1,12}})")
 _LABEL = re.compile(
-    rf"\s*\$?\s*(?:\\Delta\s*|Δ\s*)?(?P<name>[^\W\d_]|\\?(?:{_GREEK}))(?:[_^]{_INDEX}){{0,2}}\s*(?:\([a-z]\))?\s*"
+    rf"\s*\$?\s*(?:\\Delta\s*|Δ\s*)?(?P<name>[^\W\d_]|\\?(?:{_GREEK}))(?:[_^]{_INDEX}){{0,2}}\s*(?:\([^()=]{{0,12}}\))?\s*"
     r"(?P<square>(?:\^\s*\{?\s*2\s*\}?|²)?)\s*\Z"
 )
 _MOST_DEFINITIONS = 5
