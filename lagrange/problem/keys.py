@@ -448,18 +448,11 @@ ANSWERS = Form(
     ),
 )
 
-_NAMED_PARTS = ("ask", "reactions")
-"""The parts of an answer whose statements can have points each, by their names."""
-
-
-def _points_for(part: str) -> Key:
-    what = "the equations of motion, shared by the independent ones" if part == "equations" else f"`{part}`"
-    if part in _NAMED_PARTS:
-        return Key(part, AnyOf(("decimal", Named("decimal", new=False))), f"For {what}; or for each, by its name.")
-    return Key(part, "decimal", f"For {what}.")
-
-
-POINTS = Form("points", tuple(_points_for(key.name) for key in ANSWERS.keys))
+_EACH = AnyOf(("decimal", Named("decimal", new=False)))
+POINTS = Form(
+    "points",
+    tuple(Key(k, _EACH if k in ("ask", "reactions") else "decimal", f"For `{k}` in an answer.") for k in ANSWERS.names),
+)
 
 _CHAINS = ListOf("path")
 

@@ -17,7 +17,6 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.force_names import meanings
-from lagrange.answers.models.letters import letter_variations
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
@@ -111,6 +110,8 @@ class _Claim:
 
     def _explained(self, claim: sp.Expr) -> str:
         """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
+        from lagrange.answers.models.letters import letter_variations
+
         judged = self._of_expression if self.expression is not None else self._of_equation
         value = claim if self.expression is not None else self._stated_value(claim)
         for factor, how in _FACTORS if value is not None else ():
