@@ -41,7 +41,7 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.decimals import Values, remark_on, rounded_in_motion
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import CONSTANT, Decimal, Slots, base
+from lagrange.core.symbols import CONSTANT, Decimal, Slots, base, symbols_in
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import separated
 from lagrange.mechanics.dynamics.comparison import EquationComparison, Standing, System, compare, compare_really
@@ -114,7 +114,7 @@ def _attempts(readings: Sequence[Reading], reference: Reference) -> Iterator[_At
     If it is right in none, then also with radii taken as positive.
     """
     tried = []
-    for candidate in reference.candidates_for({s.name for r in readings for e in r.components for s in e.free_symbols}):
+    for candidate in reference.candidates_for({s.name for r in readings for e in r.components for s in symbols_in(e)}):
         attempt = _attempt(readings, candidate, reference)
         if attempt is not None:
             yield attempt
@@ -144,7 +144,7 @@ def _right_for_positive_radii(
 
 def _attempt(readings: Sequence[Reading], candidate: ReferenceCandidate, reference: Reference) -> _Attempt | None:
     """The verdict in one set of coordinates; None if the answer uses others."""
-    used = {base(s).name for r in readings for e in r.components for s in e.free_symbols}
+    used = {base(s).name for r in readings for e in r.components for s in symbols_in(e)}
     displaced = displaced_coordinates([e for r in readings for e in r.components], reference.scope.slots.coordinates)
     used |= {q.name for q in displaced}
     if not used & reference.moving <= candidate.known:
@@ -244,7 +244,7 @@ def _without_redundancy(
     """The verdict, in which an equation with a reaction of known value is not redundant: it states that value too."""
     equations = tuple(
         replace(e, remarks=tuple(x for x in e.remarks if x != REDUNDANT))
-        if any(s.name in candidate.named for c in r.components for s in c.free_symbols)
+        if any(s.name in candidate.named for c in r.components for s in symbols_in(c))
         else e
         for e, r in zip(verdict.equations, readings, strict=True)
     )
@@ -262,7 +262,7 @@ def _with_meanings(verdict: AnswerVerdict, readings: Sequence[Reading], candidat
 
 def _without_constant(equation: sp.Expr, slots: Slots) -> sp.Expr:
     """A finite relation x − R φ = const differentiated once; an equation with velocities is returned as it is."""
-    if CONSTANT not in equation.free_symbols or equation.free_symbols & {*slots.velocities, *slots.accelerations}:
+    if CONSTANT not in symbols_in(equation) or equation.free_symbols & {*slots.velocities, *slots.accelerations}:
         return equation
     rate = slots.time_derivative(equation)
     return equation if CONSTANT in rate.free_symbols else rate

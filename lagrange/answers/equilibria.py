@@ -40,7 +40,9 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import Decimal
+from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import ALTERNATIVE, is_latex, piece
+from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 
 _ALL_ANGLES = "only one of the angles with this tangent, sine or cosine is given; all of them are taken to be meant"
@@ -52,7 +54,7 @@ def alternatives_of(answer: Sequence[Fragment]) -> list[tuple[Fragment, ...]]:
 
     Raises ProblemError if there are too many.
     """
-    parts = [_split(f) for f in answer]
+    parts = [[one for part in _split(f) for one in _signs(part)] for f in answer]
     total = 1
     for p in parts:
         total *= len(p)
@@ -76,6 +78,21 @@ def _split(fragment: Fragment) -> list[Fragment]:
     return parts
 
 
+def _signs(fragment: Fragment) -> list[Fragment]:
+    """An equation with ± as two, with all upper and all lower signs."""
+    if isinstance(fragment, GivenEquation) or not _PLUS_MINUS.search(fragment.text):
+        return [fragment]
+    both = []
+    for upper, lower in (("+", "-"), ("-", "+")):
+        draft = Draft(fragment)
+        draft.replace(_PLUS_MINUS, lambda m, u=upper, l=lower: l if m[0].strip() in ("∓", r"\mp") else u)  # type: ignore[misc]
+        both.append(draft.finished(latex=is_latex(fragment)))
+    return both
+
+
+_PLUS_MINUS = re.compile(r"[±∓]|\\(?:pm|mp)(?![A-Za-z])|\+/-|\+-(?=\s?sqrt)")
+
+
 def check_equilibria(
     alternatives: Sequence[Sequence[Fragment]], equilibria: Sequence[Equilibrium], reference: Reference
 ) -> AnswerVerdict:
@@ -91,8 +108,9 @@ def check_equilibria(
     if len(alternatives) > MAX_ALTERNATIVES or any(len(a) > MAX_EQUATIONS for a in alternatives):
         message = f"an answer may have {MAX_EQUATIONS} equations"
         raise ProblemError(Diagnostic("too-many-equations", message, flat[0].whole))
-    readings = [tuple(read_answer(f, reference.scope) for f in a) for a in alternatives]
-    notes = tuple(n for a in readings for r in a for n in r.notes)
+    alternatives = [tuple(choice) for a in alternatives for choice in product(*map(_signs, a))]
+    readings, more = [*zip(*(_read(a, reference) for a in alternatives), strict=True)]
+    notes = (*(n for a in readings for r in a for n in r.notes), *(n for several in more for n in several))
     errors = tuple(d for a in readings for r in a if r.error for d in r.error.diagnostics)
     if errors:
         return _unreadable(readings, errors, notes)
@@ -102,6 +120,67 @@ def check_equilibria(
         equations = tuple(EquationVerdict(r.text, Verdict.UNREADABLE, MIXED_CHOICES) for a in readings for r in a)
         return AnswerVerdict(Verdict.UNREADABLE, equations, notes=notes)
     return replace(max(tried, key=lambda v: WORST_TO_BEST.index(v.verdict)), notes=notes)
+
+
+def check_steady(
+    alternatives: Sequence[Sequence[Fragment]], conditions: Sequence[Equilibrium], reference: Reference
+) -> AnswerVerdict:
+    """The verdict on steady motions. Those in one sense are complete if those in the opposite sense are steady too."""
+    verdict = check_equilibria(alternatives, conditions, reference)
+    if verdict.verdict is not Verdict.INCOMPLETE:
+        return verdict
+    opposite = {v: -v for v in reference.scope.slots.velocities}
+    both = [tuple(GivenEquation.of_reading(r, "answer") for r in _read(a, reference)[0]) for a in alternatives]
+    turned = [
+        tuple(
+            replace(g, reading=replace(g.reading, components=tuple(c.xreplace(opposite) for c in g.reading.components)))
+            for g in a
+        )
+        for a in both
+    ]
+    if turned == both:
+        return verdict
+    again = check_equilibria([*both, *turned], conditions, reference)
+    if again.verdict is not Verdict.EQUIVALENT:
+        return verdict
+    remark = "the same motion in the opposite sense is taken to be meant as well"
+    equations = tuple(replace(e, verdict=Verdict.EQUIVALENT, remarks=(*e.remarks, remark)) for e in verdict.equations)
+    return replace(verdict, verdict=Verdict.EQUIVALENT, equations=equations, missing=0)
+
+
+def _read(alternative: Sequence[Fragment], reference: Reference) -> tuple[tuple[Reading, ...], tuple[Diagnostic, ...]]:
+    """The equations of one alternative, and notes; read as an answer with working where one cannot be read alone."""
+    readings = tuple(read_answer(f, reference.scope) for f in alternative)
+    notes: tuple[Diagnostic, ...] = ()
+    if any(r.error for r in readings):
+        from lagrange.answers.written.working import understood
+
+        working = understood(alternative, reference, moving=False)
+        if working.judged and not working.unreadable:
+            readings = tuple(f.reading for f in working.judged if isinstance(f, GivenEquation))
+            notes = working.notes
+    return _without_unknowns(readings, reference), notes
+
+
+def _without_unknowns(readings: Sequence[Reading], reference: Reference) -> tuple[Reading, ...]:
+    """The equations without names that the problem does not know, unknown forces, each eliminated by one of them."""
+    known = {*reference.scope.names(), *(f"{q.name}'" for q in reference.scope.slots.coordinates)}
+    present = {s for r in readings for e in r.components for s in e.free_symbols if type(s) is sp.Symbol}
+    readings = tuple(readings)
+    for unknown in sorted((s for s in present if s.name not in known and s == sp.Symbol(s.name, real=True)), key=str):
+        for n, r in enumerate(readings):
+            [e, *others] = r.components or (sp.S.Zero,)
+            rate = e.diff(unknown)
+            if others or rate == 0 or unknown in rate.free_symbols:
+                continue
+            rule = {unknown: -e.xreplace({unknown: sp.S.Zero}) / rate}
+            readings = tuple(
+                replace(other, components=tuple(sp.together(c.xreplace(rule)) for c in other.components))
+                for m, other in enumerate(readings)
+                if m != n
+            )
+            break
+    return readings
 
 
 def explained_equilibria(
@@ -168,7 +247,7 @@ def _judged(
         return None
 
     def rewritten(e: sp.Expr) -> list[sp.Expr]:
-        stated = without_displacements(configuration.rewritten(e), configuration)
+        stated = without_displacements(_with_roots_named(configuration.rewritten(e), configuration), configuration)
         return [part.xreplace(dict(values)) for part in stated]
 
     systems = [[tuple(part for e in r.components for part in rewritten(e)) for r in a] for a in readings]
@@ -202,6 +281,26 @@ def _judged(
         )
     )
     return replace(read_wider, equations=equations)
+
+
+def _with_roots_named(e: sp.Expr, configuration: Configuration) -> sp.Expr:
+    """sqrt(l² − x²) as y, where that is y² by the constraints: books mean the position that is drawn, where y > 0."""
+    roots = [p for p in e.atoms(sp.Pow) if abs(p.exp) == sp.Rational(1, 2)]
+    if not roots or not configuration.finite_constraints:
+        return e
+    rule = {}
+    for root in roots[:_MOST_ROOTS]:
+        for q in configuration.slots.coordinates:
+            try:
+                if configuration.surface.is_zero(root.base - q**2) is True:
+                    rule[root] = q if root.exp > 0 else 1 / q
+                    break
+            except (DivisionByZeroError, NoPointError, UnsupportedError):
+                continue
+    return e.xreplace(rule)
+
+
+_MOST_ROOTS = 4
 
 
 def _with_right_decimals(

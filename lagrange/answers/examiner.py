@@ -32,14 +32,16 @@ from lagrange.answers.verdicts import (
 from lagrange.core.diagnostics import Diagnostic, Fragment, GaveUpError, ProblemError
 from lagrange.core.effort import allowed_for
 from lagrange.core.records import record
-from lagrange.core.symbols import base
+from lagrange.core.symbols import base, symbols_in
 from lagrange.expressions.relations import is_inequality
 from lagrange.mechanics.results import Solution
 from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Answers, Problem
 
 if TYPE_CHECKING:
+    from lagrange.answers.points import Score
     from lagrange.answers.written.working import Working
+    from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest as Rest
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
 
@@ -125,13 +127,13 @@ def _quantities(solution: Solution, answers: Answers) -> Iterator[AnswerVerdict]
         if answers.virtual_displacements:
             yield quantities.check_virtual_displacements(answers.virtual_displacements, solution)
     if answers.steady:
-        from lagrange.answers.equilibria import check_equilibria
+        from lagrange.answers.equilibria import check_steady
 
         conditions = [v.steady.general for v in solution.views if v.steady is not None]
         if conditions:
-            verdict = check_equilibria(answers.steady, conditions, reference_of_solution(solution))
-            missing = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
-            yield replace(verdict, name="steady", diagnosis=missing)
+            verdict = check_steady(answers.steady, conditions, reference_of_solution(solution))
+            why = _about_equilibria(verdict, answers.steady, conditions, reference_of_solution(solution))
+            yield replace(verdict, name="steady", diagnosis=why.replace("equilibria", "steady motions"))
         else:
             why = "the problem does not ask for steady motions"
             yield AnswerVerdict(Verdict.UNDECIDED, name="steady", diagnosis=why)
@@ -189,8 +191,24 @@ def _equilibrium(solution: Solution, alternatives: Sequence[Sequence[Fragment]])
         return AnswerVerdict(Verdict.UNDECIDED, name="equilibrium", diagnosis=diagnosis)
     verdict = check_equilibria(alternatives, equilibria, reference_of_solution(solution))
     verdict = compared_in_numbers(alternatives, verdict, solution)
-    diagnosis = missing_equilibria(verdict.missing) if verdict.verdict is Verdict.INCOMPLETE else ""
-    return replace(verdict, name="equilibrium", diagnosis=diagnosis)
+    why = _about_equilibria(verdict, alternatives, equilibria, reference_of_solution(solution))
+    return replace(verdict, name="equilibrium", diagnosis=why)
+
+
+def _about_equilibria(
+    verdict: AnswerVerdict,
+    alternatives: Sequence[Sequence[Fragment]],
+    equilibria: Sequence[Equilibrium],
+    reference: Reference,
+) -> str:
+    """What is missing, or of which changed problem these are the equilibria."""
+    if verdict.verdict is Verdict.INCOMPLETE:
+        return missing_equilibria(verdict.missing)
+    if verdict.verdict is not Verdict.WRONG:
+        return ""
+    from lagrange.answers.equilibria import explained_equilibria
+
+    return explained_equilibria(alternatives, equilibria, reference)
 
 
 def _equations(solution: Solution, answers: Answers) -> Verdict | None:
@@ -316,6 +334,24 @@ class Examiner:
         """The equations of motion that answers are compared with. Raises ProblemError if there are none."""
         return reference_of_equations(self.problem) if self.solution is None else _reference_of(self.solution)
 
+    @cached_property
+    def required(self) -> int | None:
+        """How many independent equations of motion are asked for; None if the problem asks for no motion."""
+        if self.solution is not None and self.solution.own.motion is None:
+            return None
+        return check_equations((Fragment.of("0 = 0"),), self.reference).missing
+
+    @property
+    def asks_for_conditions(self) -> bool:
+        """Whether inequalities are asked for: where friction holds the system."""
+        return self.solution is not None and bool(_rests(self.solution))
+
+    def score(self, judgement: Judgement) -> Score:
+        """The points for an answer that was judged by this examiner."""
+        from lagrange.answers.points import score
+
+        return score(self.problem, judgement, self.required)
+
     def check(self, answer: tuple[Fragment, ...]) -> Judgement:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""
         with allowed_for("comparing answers", UNITS_OF_CHECKING):
@@ -327,7 +363,7 @@ class Examiner:
 
         answer = separated(answer)
         solution = self.solution
-        if solution is not None and _rests(solution) and any(map(is_inequality, answer)):
+        if solution is not None and self.asks_for_conditions and any(map(is_inequality, answer)):
             return self._with_conditions([c for f in answer for c in conditions_of(f)], solution)
         moving = solution is None or solution.own.motion is not None
         scope = self.reference if moving else self._statics_reference
@@ -342,7 +378,11 @@ class Examiner:
         if solution is not None and at_rest and any(v.impending for v in solution.views):
             from lagrange.answers.equilibria import alternatives_of
 
-            return self._judgement(_impending(solution, alternatives_of(working.judged)), statics=True)
+            verdict = _impending(solution, alternatives_of(working.judged))
+            if verdict.verdict is Verdict.WRONG and len(working.judged) > 1:
+                each = _impending(solution, [(f,) for f in working.judged])  # up or down, a line each
+                verdict = each if each.verdict in (Verdict.EQUIVALENT, Verdict.INCOMPLETE) else verdict
+            return self._judgement(verdict, statics=True)
         if solution is not None and solution.own.equilibrium is not None and at_rest:
             return self._statics(working, solution)
         verdict = self._on_motion(working)
@@ -538,7 +578,7 @@ def _moves(answer: Sequence[Fragment], solution: Solution) -> bool:
     """Whether velocities or accelerations occur in an answer."""
     scope = reference_of_solution(solution).scope
     readings = [read_answer(f, scope) for f in answer]
-    return any(base(s) != s for r in readings for e in r.components for s in e.free_symbols)
+    return any(base(s) != s for r in readings for e in r.components for s in symbols_in(e))
 
 
 def check_own_answers(problem: Problem) -> Judgement:

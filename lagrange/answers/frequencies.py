@@ -24,6 +24,7 @@ from lagrange.answers.models.letters import explained_frequencies
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.statements import statement
 from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
@@ -138,11 +139,20 @@ def _is_complete(f: Linearization) -> bool:
 
 
 def _read(fragment: Fragment, reference: Reference) -> sp.Expr:
-    scope = replace(reference.scope, decimals="")
-    value = tried(fragment, scope, lambda f: read_value(f, scope, [], latex=True))
+    """ω; it may be stated as `omega^2 = ...`, by the period `T = ...`, or by `f = ...`, the periods in a second."""
+    stated = statement(fragment, replace(reference.scope, decimals=""), reference.declared)
+    if len(stated.sides) > 1:
+        message = "a frequency is one value"
+        help_ = "write `sqrt(k/m)`, or `omega = sqrt(k/m)`"
+        raise ProblemError(Diagnostic("unexpected-equation", message, fragment.whole, help=help_))
+    value = tried(stated.sides[0], stated.scope, lambda f: read_value(f, stated.scope, [], latex=True))
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a frequency is a number, not a vector", fragment.whole))
-    return value
+    letter, squared = stated.label[:1], stated.label.endswith("^2")
+    value = sp.sqrt(value) if squared else value
+    if letter in ("T", "τ") and value != 0:
+        return 2 * sp.pi / value
+    return 2 * sp.pi * value if stated.label.removesuffix("^2") in ("f", "nu", "ν") else value
 
 
 def _of_list(

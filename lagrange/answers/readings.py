@@ -35,7 +35,7 @@ from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.answers.limits import MAX_ANGLES
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
-from lagrange.core.symbols import Decimal, differential, prime, t, variation
+from lagrange.core.symbols import Decimal, differential, prime, symbols_in, t, variation
 from lagrange.core.vectors import Vector
 from lagrange.expressions.latex_layout import OneEquation
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
@@ -122,7 +122,7 @@ _DECIMAL = re.compile(r"[0-9](?:\.|\{,\})[0-9]|\.[0-9][0-9]|[0-9]{3}")
 
 def decimals_in(expressions: Iterable[sp.Expr]) -> list[Decimal]:
     """The decimals that may have been rounded, in a fixed order."""
-    return sorted({s for e in expressions for s in e.free_symbols if isinstance(s, Decimal)}, key=lambda d: d.name)
+    return sorted({s for e in expressions for s in symbols_in(e) if isinstance(s, Decimal)}, key=lambda d: d.name)
 
 
 def radii(system: System) -> tuple[sp.Symbol, ...]:
@@ -182,7 +182,7 @@ def _unchanged(places: Sequence[sp.Expr], rule: Mapping[sp.Symbol, sp.Expr]) -> 
 
 def displaced_coordinates(expressions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> frozenset[sp.Symbol]:
     """The coordinates whose displacements, dq or δq, occur in expressions."""
-    used = {s for e in expressions for s in e.free_symbols}
+    used = {s for e in expressions for s in symbols_in(e)}
     return frozenset(q for q in coordinates if used & {variation(q), differential(q)})
 
 
@@ -193,9 +193,10 @@ def without_displacements(equation: sp.Expr, configuration: Configuration) -> tu
     """
     slots = configuration.slots
     present = (*slots.coordinates, *configuration.expressed)
-    virtual = [variation(q) for q in present if variation(q) in equation.free_symbols]
-    possible = {d: rate for q in present if (d := differential(q)) in equation.free_symbols for rate in [prime(q)]}
-    if differential(t) in equation.free_symbols:
+    used = symbols_in(equation)
+    virtual = [variation(q) for q in present if variation(q) in used]
+    possible = {d: rate for q in present if (d := differential(q)) in used for rate in [prime(q)]}
+    if differential(t) in used:
         possible[differential(t)] = sp.S.One
     if bool(virtual) == bool(possible) or not _is_linear(equation, [*virtual, *possible]):
         return (equation,)

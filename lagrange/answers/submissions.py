@@ -25,15 +25,16 @@ from dataclasses import replace
 from pathlib import PurePath
 from time import perf_counter
 
-from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
+from lagrange.answers.points import Score, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.markup import text_of_html
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Source, Span, UndecidedError
 from lagrange.core.records import record
 from lagrange.expressions.latex_layout import Mark, Region, delimited, equations, has_equation, marks_of, rows
+from lagrange.expressions.relations import is_inequality
 from lagrange.problem.model import Answers
 from lagrange.problem.sources import decode
 from lagrange.problem.stated_answers import read_answers
@@ -47,15 +48,21 @@ _FENCE = re.compile(r"\s{0,3}(?:[-*+]\s+|[0-9]{1,2}[.)]\s+)?(?P<fence>`{3,}|~{3,
 _SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=ticks)(?!`)")
 _BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
 _INLINE = ("$", r"\(", r"\)")
+_NOTHING = ("no-equations",)
+"""The mistakes of a problem that has nothing to compare an answer with."""
 
 
-def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
+def equations_in_file(source: Source, ending: str, *, conditions: bool = False) -> tuple[Fragment, ...]:
     """The equations in a text; `ending` is the file's extension: `.tex`, `.md`, ...
+
+    conditions  whether inequalities count as well, a line each
 
     Raises ProblemError at mathematics that is not closed, and at a line that continues another.
     """
     fragment = Fragment(source.text, Span(source, 0, len(source.text)), 0)
     _check_size(fragment)
+    if conditions and is_inequality(fragment):
+        return tuple(_conditions(fragment))
     match ending.lower():
         case ".tex" | ".latex" | ".ltx":
             return tuple(_in_latex(fragment))
@@ -66,6 +73,21 @@ def equations_in_file(source: Source, ending: str) -> tuple[Fragment, ...]:
             return tuple(_in_markdown(fragment))
         case _:
             return tuple(_in_lines(fragment))
+
+
+def _conditions(fragment: Fragment) -> Iterator[Fragment]:
+    """The lines with inequalities, each without words before it, and the other lines with equations."""
+    number = 0
+    for start, end in _lines(fragment.text):
+        line = fragment.text[start:end]
+        if not is_inequality(_part(fragment, start, end)):
+            yield from _in_lines(_part(fragment, start, end))
+            continue
+        begins = start + _beginning(line, number, _BULLET)
+        number += 1
+        kept = fragment.text[begins:end].strip(" $.,;\r")
+        begins += fragment.text[begins:end].find(kept)
+        yield _part(fragment, begins, begins + len(kept))
 
 
 def _check_size(fragment: Fragment) -> None:
@@ -236,10 +258,12 @@ class Graded:
 
     headline   the verdict in one sentence
     equations  the verdict on each equation
-    others     the verdicts on answers to other questions, without their parts
+    together   the verdict on the equations together
+    others     the verdicts on answers to other questions, each with its parts
     messages   errors and notes with their places, for the author of the submission
     right      the number of independent equations that it has; None if that is not known
     required   the number asked for; None if equations are not what is counted
+    score      the points, part by part; None if the submission could not be graded at all
     """
 
     verdict: Verdict
@@ -250,15 +274,33 @@ class Graded:
     required: int | None = None
     seconds: float = 0.0
     others: tuple[AnswerVerdict, ...] = ()
+    together: Verdict = Verdict.EQUIVALENT
+    score: Score | None = None
 
     @property
     def remark(self) -> str:
-        """The most important remark: the first diagnosis, or else the first other remark."""
-        wrong = [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
+        """The most important remark: the parts that are not right, and the first diagnosis or else another remark."""
+        diagnoses = [a.diagnosis for a in self.others if a.diagnosis]
+        diagnoses += [e.diagnosis for a in self.others for e in a.equations if e.diagnosis]
+        diagnoses += [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
         remarks = [r for e in self.equations for r in e.remarks]
-        if wrong or self.verdict is Verdict.EQUIVALENT:
-            return next(iter([*wrong, *remarks]), "")
-        return self.headline.partition(": ")[2]
+        if self.verdict is Verdict.EQUIVALENT:
+            return next(iter([*diagnoses, *remarks]), "")
+        if parts := self._of_parts:
+            return "; ".join([parts, *diagnoses[:1]])
+        return next(iter(diagnoses), self.headline.partition(": ")[2])
+
+    @property
+    def _of_parts(self) -> str:
+        """`degrees of freedom wrong, equations right`; empty unless questions are answered beside the equations."""
+        parts = [(a.name.replace("_", " "), a.verdict) for a in self.others]
+        parts += [("equations", self.together)] if parts and self.equations else []
+        return ", ".join(f"{name} {'right' if v is Verdict.EQUIVALENT else v.value}" for name, v in parts)
+
+
+def _without_sides(equations: Sequence[EquationVerdict]) -> tuple[EquationVerdict, ...]:
+    """The verdicts without expressions: what goes from one process to another is text."""
+    return tuple(replace(e, sides=(), hints=()) for e in equations)
 
 
 @record
@@ -271,11 +313,9 @@ class Grader:
     @classmethod
     def of(cls, examiner: Examiner) -> Grader:
         """A grader with the number of equations asked for. Raises ProblemError if there is nothing to compare with."""
-        nothing = (Fragment.of("0 = 0"),)
-        if examiner.solution is not None and examiner.solution.own.motion is None:
-            examiner.check(nothing)
-            return cls(examiner, None)
-        return cls(examiner, check_equations(nothing, examiner.reference).missing)
+        if examiner.required is None and not examiner.asks_for_conditions and not examiner.problem.points:
+            examiner.check((Fragment.of("0 = 0"),))
+        return cls(examiner, examiner.required)
 
     def grade(self, submission: Submission) -> Graded:
         """The verdict on a submission."""
@@ -285,19 +325,24 @@ class Grader:
             if judgement is None:
                 return self._unread(Verdict.UNREADABLE, "there is no equation in it", submission.notes)
         except ProblemError as error:
-            undecided = isinstance(error, UndecidedError | NotCoveredError)
+            undecided = isinstance(error, UndecidedError | NotCoveredError) or error.diagnostics[0].code in _NOTHING
             verdict = Verdict.UNDECIDED if undecided else Verdict.UNREADABLE
             messages = (*(str(d) for d in error.diagnostics), *submission.notes)
             return self._unread(verdict, error.diagnostics[0].message, messages)
         return Graded(
             judgement.verdict,
             judgement.headline,
-            tuple(replace(e, sides=(), hints=()) for e in judgement.each),
+            _without_sides(judgement.each),
             (*(str(d) for d in judgement.messages), *submission.notes),
             self._right(judgement),
             None if judgement.statics else self.required,
             perf_counter() - start,
-            tuple(AnswerVerdict(a.verdict, name=a.name, diagnosis=a.diagnosis) for a in judgement.others),
+            tuple(
+                AnswerVerdict(a.verdict, _without_sides(a.equations), name=a.name, diagnosis=a.diagnosis)
+                for a in judgement.others
+            ),
+            judgement.equations.verdict,
+            score(self.examiner.problem, judgement, self.required),
         )
 
     def _checked(self, submission: Submission) -> Judgement | None:
@@ -307,7 +352,7 @@ class Grader:
         for name, content in submission.files:
             source, ending = decode(content, name), PurePath(name).suffix.lower()
             if ending not in (".yaml", ".yml"):
-                fragments += equations_in_file(source, ending)
+                fragments += equations_in_file(source, ending, conditions=self.examiner.asks_for_conditions)
                 if len(fragments) > MAX_SIGNS:
                     message = f"a submission may have {MAX_SIGNS:,} equations in all its files"
                     help_ = "hand in the equations asked for, and not everything that was computed"
@@ -323,7 +368,8 @@ class Grader:
 
     def _unread(self, verdict: Verdict, reason: str, messages: Sequence[str]) -> Graded:
         right = 0 if verdict is Verdict.UNREADABLE and self.required is not None else None
-        return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required)
+        points = unread_score(self.examiner.problem, verdict, self.required)
+        return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required, score=points)
 
     def _right(self, judgement: Judgement) -> int | None:
         """The number of independent equations that follow; None if some could not be judged."""

@@ -40,7 +40,7 @@ from lagrange.answers.limits import (
 )
 from lagrange.core.expression_size import Sizes
 from lagrange.core.records import record
-from lagrange.core.symbols import partial
+from lagrange.core.symbols import partial, symbols_in
 from lagrange.mechanics.dynamics.comparison import System, affine_rows, state, symbols_of
 
 _BELOW: dict[type, type] = {sp.tan: sp.cos, sp.sec: sp.cos, sp.cot: sp.sin, sp.csc: sp.sin}
@@ -263,7 +263,7 @@ class _Validity:
     def _coefficient(self, equation: sp.Expr, column: int) -> sp.Expr:
         """∂e/∂u for e affine in u, written as e is, with nothing multiplied out."""
         u = self.unknowns[column]
-        if u not in equation.free_symbols:
+        if u not in symbols_in(equation):
             return sp.S.Zero
         return partial(equation, u)
 

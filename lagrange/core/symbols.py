@@ -28,6 +28,12 @@ CONSTANT = sp.Symbol("const", real=True)
 """The constant value of a finite relation: x − R φ = const."""
 
 
+@lru_cache(maxsize=1000)
+def symbols_in(e: sp.Expr) -> frozenset[sp.Symbol]:
+    """The free symbols of an expression; SymPy walks through it each time it is asked."""
+    return frozenset(e.free_symbols)
+
+
 class Sign(sp.Symbol):
     """A symbol with the value +1 or -1; its even powers are 1."""
 

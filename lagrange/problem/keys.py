@@ -450,6 +450,12 @@ ANSWERS = Form(
     ),
 )
 
+_EACH = AnyOf(("decimal", Named("decimal", new=False)))
+POINTS = Form(
+    "points",
+    tuple(Key(k, _EACH if k in ("ask", "reactions") else "decimal", f"For `{k}` in an answer.") for k in ANSWERS.names),
+)
+
 _CHAINS = ListOf("path")
 
 CIRCLE = Form(
@@ -561,6 +567,7 @@ PROBLEM = Form(
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
         Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
+        Key("points", _or_nothing(POINTS), "What each part of an answer is worth: {equations: 6, ask: {leaves: 3}}."),
         Key("figure", _or_nothing(FIGURE), "What the figure shows beside what the problem says by itself."),
     ),
 )
@@ -592,6 +599,6 @@ PARTS: dict[str, Kind] = {
 
 FORMS = (
     *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
-    *(*FORCES.values(), CHOICE, QUESTION, IMPACT, *IMPULSES.values(), ANSWERS, FIGURE, CIRCLE, CURVE),
+    *(*FORCES.values(), CHOICE, QUESTION, IMPACT, *IMPULSES.values(), ANSWERS, POINTS, FIGURE, CIRCLE, CURVE),
 )
 """All forms, in the order in which the documentation has them."""

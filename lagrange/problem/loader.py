@@ -134,6 +134,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         lagrangian=lagrangian,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
+        points=answers.points(root.section("points")),
         figure=read_figure(root, context, choices),
     )
     _check_whole(problem, root, diagnostics)

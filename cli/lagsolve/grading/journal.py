@@ -132,5 +132,8 @@ def _is_row(row: TableRow) -> bool:
     counts = (row.right, row.required, row.missing)
     if not all(c is None or (type(c) is int and 0 <= c <= MOST_COUNTED) for c in counts):
         return False
+    amounts = (row.points, row.possible)
+    if not all(a is None or (type(a) in (int, float) and 0 <= a <= MOST_COUNTED) for a in amounts):
+        return False
     difference = None if row.right is None or row.required is None else row.required - row.right
     return 0 <= row.seconds < float("inf") and row.missing == difference and row.submission != ""

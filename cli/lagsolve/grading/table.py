@@ -19,6 +19,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
+from lagrange.answers.points import as_number
 from lagrange.answers.submissions import Graded
 from lagrange.answers.verdicts import Verdict
 from lagrange.core.printable import visible
@@ -31,7 +32,10 @@ COLOURS = {Verdict.EQUIVALENT: "green", Verdict.WRONG: "red", Verdict.UNDECIDED:
 
 @record
 class TableRow:
-    """One submission; the fields are the columns of the CSV file. Unknown values are None."""
+    """One submission; the fields are the columns of the CSV file. Unknown values are None.
+
+    points, possible  only where the problem file gives weights
+    """
 
     submission: str
     verdict: Verdict
@@ -42,6 +46,8 @@ class TableRow:
     seconds: float
     feedback: str = ""
     mistakes: str = ""
+    points: float | None = None
+    possible: float | None = None
 
     @classmethod
     def of(cls, name: str, graded: Graded, feedback: str = "") -> TableRow:
@@ -53,12 +59,23 @@ class TableRow:
             remark = f"{remark[:LONGEST_REMARK]}..."
         causes = dict.fromkeys(visible(e.cause) for e in graded.equations if e.cause)
         mistakes, seconds = "; ".join(causes)[:LONGEST_REMARK], round(graded.seconds, 3)
-        return cls(visible(name), graded.verdict, right, required, missing, remark, seconds, feedback, mistakes)
+        points = possible = None
+        if graded.score is not None and graded.score.weighed:
+            points = as_number(graded.score.points) if graded.score.settled else None
+            possible = as_number(graded.score.possible)
+        counts = right, required, missing
+        return cls(visible(name), graded.verdict, *counts, remark, seconds, feedback, mistakes, points, possible)
 
     @property
     def score(self) -> str:
         """`1/2`: one of two equations is right."""
         return "" if self.right is None or self.required is None else f"{self.right}/{self.required}"
+
+    @property
+    def points_of(self) -> str:
+        """`7.5/10`, or `?/10` where something is undecided; empty where there are no weights."""
+        points = "?" if self.points is None else f"{self.points:g}"
+        return "" if self.possible is None else f"{points}/{self.possible:g}"
 
 
 HEADER = b"submission,verdict,right,required,"
@@ -91,10 +108,13 @@ def table_text(rows: Sequence[TableRow], width: int, on_terminal: bool) -> str:
     table.add_column("submission", overflow="fold", max_width=max(12, width // 3))
     table.add_column("verdict", no_wrap=True)
     table.add_column("right", no_wrap=True, justify="right")
+    if points := any(r.possible is not None for r in rows):
+        table.add_column("points", no_wrap=True, justify="right")
     if remarks:
         table.add_column("remark", overflow="fold")
     for row in rows:
         cells = [Text(row.submission), Text(row.verdict.value, COLOURS.get(row.verdict, "")), Text(row.score)]
+        cells += [Text(row.points_of)] if points else []
         table.add_row(*cells, *([Text(row.remark)] if remarks else []))
     file = io.StringIO()
     Console(file=file, width=width, height=len(rows), force_terminal=on_terminal or None).print(table)

@@ -9,18 +9,20 @@ undecided otherwise.
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
 import sympy as sp
 
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
-from lagrange.answers.readings import read_answer
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.verdicts import all_hold
+from lagrange.expressions.edits import Draft, closings, cuts
+from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import limit_of
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import Signs, shortest
@@ -43,7 +45,7 @@ class _Stated:
 def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], reference: Reference) -> AnswerVerdict:
     """The verdict on conditions; the best one in any set of coordinates."""
     try:
-        read = [_read(f, reference) for f in stated]
+        read = [_read(c, reference) for f in stated for c in _each(f)]
     except ProblemError as error:
         equations = tuple(EquationVerdict(f.text, Verdict.UNREADABLE) for f in stated)
         return AnswerVerdict(Verdict.UNREADABLE, equations, unreadable=tuple(error.diagnostics), name="rest")
@@ -54,9 +56,70 @@ def check_rest(stated: Sequence[Fragment], rests: Sequence[AtRest | Rolling], re
     return AnswerVerdict(best, name="rest", diagnosis=diagnosis)
 
 
+_RELATION = re.compile(r"[<>]=?|[≤≥⩽⩾]|\\[gl]e(?:q(?:slant)?)?(?![A-Za-z])|(?<![<>])=")
+_AND = re.compile(
+    r",|;|\band\b|∧|\\(?:land|wedge)(?![A-Za-z])|\\(?:text|mathrm|mbox)\s*\{\s*and\s*\}|\\q?quad(?![A-Za-z])"
+)
+_EXTREME = re.compile(r"\s*\\?(?P<which>min|max|Min|Max)\s*(?:\\left\s*)?(?P<open>[({\[]|\\\{)")
+
+
+def _each(fragment: Fragment) -> Iterator[Fragment]:
+    """The conditions in a text: a <= b <= c is two, and so are `a and b` and a <= min(b, c)."""
+    parts = _pieces(fragment, _AND)
+    if not all(_RELATION.search(p.text) for p in parts):
+        parts = [fragment]
+    for part in parts:
+        signs = [*_RELATION.finditer(part.text)]
+        bounds = [0, *(m.end() for m in signs), len(part.text)]
+        for n in range(max(1, len(signs) - 1)):
+            start, end = bounds[n], signs[n + 1].start() if n + 1 < len(signs) else len(part.text)
+            piece = _cut(part, start, end)
+            yield from _without_extremes(piece)
+
+
+def _pieces(fragment: Fragment, separator: re.Pattern[str]) -> list[Fragment]:
+    return [_cut(fragment, *place) for place in cuts(fragment.text, separator) if fragment.text[slice(*place)].strip()]
+
+
+def _cut(fragment: Fragment, start: int, end: int) -> Fragment:
+    if (start, end) == (0, len(fragment.text)):
+        return fragment
+    draft = Draft(fragment)
+    draft.keep(start, end)
+    return draft.finished(latex=is_latex(fragment))
+
+
+def _without_extremes(condition: Fragment) -> list[Fragment]:
+    """`a <= min(b, c) d` as a <= (b) d and a <= (c) d: a minimum as an upper bound, a maximum as a lower one."""
+    sign = _RELATION.search(condition.text)
+    if sign is None or sign[0] == "=":
+        return [condition]
+    less = sign[0] in ("<", "<=", "≤", "⩽") or sign[0].startswith("\\l")
+    for start, end, bound in ((0, sign.start(), not less), (sign.end(), len(condition.text), less)):
+        found = _EXTREME.search(condition.text, start, end)
+        if found is None or (found["which"].lower() == "min") is not bound:
+            continue
+        close = closings(condition.text).get(found.end() - 1)
+        if close is None or close >= end:
+            continue
+        inside = [(found.end() + a, found.end() + b) for a, b in cuts(condition.text[found.end() : close], _COMMA)]
+        drafts = []
+        for a, b in inside:
+            draft = Draft(condition)
+            draft.apply([(found.start(), close + 1, f" ({condition.text[a:b]})")])
+            drafts.append(draft.finished(latex=is_latex(condition)))
+        return drafts
+    return [condition]
+
+
+_COMMA = re.compile(",")
+
+
 def _read(fragment: Fragment, reference: Reference) -> _Stated:
+    from lagrange.answers.written.working import read_as_written
+
     limit, side = limit_of(fragment, "a condition", strict=True)
-    reading = read_answer(limit, reference.scope)
+    reading = read_as_written(limit, reference.scope)
     if reading.error is not None:
         raise reading.error
     [difference] = reading.components

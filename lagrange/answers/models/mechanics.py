@@ -35,7 +35,7 @@ from lagrange.mechanics.dynamics.lagrangian import (
     spin_along_axes,
 )
 from lagrange.mechanics.dynamics.principle import given_forces
-from lagrange.problem.model import Potential, Problem
+from lagrange.problem.model import Potential, Problem, Speed
 
 Pair = tuple[int, int]
 """i ≤ j of a product q_i' q_j' in T; the number of coordinates stands for time."""
@@ -131,6 +131,7 @@ class Mechanics:
     frictions  the friction forces, which are among the forces
     kept       the coordinates whose equations are set up; all of them, unless constraints were put into T
     units      of the parameters, as far as the file gives them
+    speeds     the quasi-velocities of the file
     """
 
     configuration: Configuration
@@ -139,6 +140,7 @@ class Mechanics:
     frictions: tuple[FrictionForce, ...] = ()
     kept: tuple[int, ...] = ()
     units: tuple[tuple[sp.Symbol, str], ...] = ()
+    speeds: tuple[Speed, ...] = ()
 
     def may_be_exchanged(self, a: sp.Symbol, b: sp.Symbol) -> bool:
         """Whether two parameters are of one kind, as far as their units tell."""
@@ -198,7 +200,7 @@ def mechanics_of(configuration: Configuration, problem: Problem, frictions: Sequ
     inertias = tuple(i for i in (*particles, *rotations) if i.moving and any(w != 0 for w in i.weights))
     everything = tuple(range(len(slots.coordinates)))
     units = tuple((p.symbol, p.unit) for p in problem.parameters)
-    return Mechanics(configuration, inertias, forces, tuple(frictions), everything, units)
+    return Mechanics(configuration, inertias, forces, tuple(frictions), everything, units, problem.speeds)
 
 
 def particle(name: str, mass: sp.Expr, position: Vector, slots: Slots) -> Inertia:

@@ -165,7 +165,8 @@ def changed_rows(variation: Variation, at: ModelState) -> list[NumberRow] | None
     """The rows of the changed equations at a state; None if they are not defined there."""
     try:
         if variation.mechanics is not None:
-            return at.rows(variation.mechanics)
+            m, quasi = variation.mechanics, variation.quasi
+            return at.rows(m) if quasi is None else at.quasi_rows(m, quasi)
         if variation.values:
             changes = {s: at.point.value(e) for s, e in variation.values.items()}
             return ModelState(at.point.with_values(changes), at.system).derived

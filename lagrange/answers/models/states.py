@@ -19,6 +19,7 @@ import sympy as sp
 from lagrange.algebra.exact.linear_algebra import NumberRow, RowSpace
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, InadmissibleError, Point
 from lagrange.answers.models.mechanics import Force, Inertia, Mechanics
+from lagrange.answers.models.variation import QuasiEquations
 from lagrange.core.symbols import Slots, partial
 from lagrange.mechanics.dynamics.comparison import System, affine_rows
 
@@ -73,6 +74,26 @@ class ModelState:
             for k, row in enumerate(self.share(part)):
                 total[k] = [reduce(a + b) for a, b in zip(total[k], row, strict=True)]
         return [total[k] for k in mechanics.kept]
+
+    def quasi_rows(self, mechanics: Mechanics, quasi: QuasiEquations) -> list[NumberRow]:
+        """The rows of the equations in quasi-velocities; their reactions do no work, and are not in them."""
+        reduce, less = self.point.arithmetic.reduce, self._number(quasi.factor - 1)
+        partials = [self.point.values(row) for row in quasi.partials]
+        whole = self.rows(mechanics)
+        inertia = [self._sum([row[k] for row in map(self.share, quasi.parts)]) for k in range(len(whole))]
+        rows = []
+        for s, kinetic in enumerate(affine_rows(self.point, quasi.kinetic, self.unknowns)):
+            share = [p[s] for p in partials]
+            all_, own = self._combined(share, whole), self._combined(share, inertia)
+            rows.append([reduce(w + less * (a - b)) for w, a, b in zip(all_, own, kinetic, strict=True)])
+        return rows
+
+    def _sum(self, rows: Sequence[NumberRow]) -> NumberRow:
+        return [self.point.arithmetic.reduce(sum(column)) for column in zip(*rows, strict=True)]
+
+    def _combined(self, factors: Sequence[Any], rows: Sequence[NumberRow]) -> NumberRow:
+        """Σ_k f_k row_k."""
+        return self._sum([[f * x for x in row] for f, row in zip(factors, rows, strict=True)])
 
     def share(self, part: Inertia | Force) -> list[NumberRow]:
         """What a part adds to each E_k, shape (n, len(unknowns) + 1)."""

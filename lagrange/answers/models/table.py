@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from lagrange.answers.models import coordinates, forces, kinetic
+from lagrange.answers.models import coordinates, forces, kinetic, quasi
 from lagrange.answers.models.mechanics import Mechanics
 from lagrange.answers.models.variation import Variation
 from lagrange.core.records import record
@@ -38,10 +38,11 @@ MODELS = (
     Model("force reversed", forces.force_reversed),
     Model(MEASURED_FROM_ELSEWHERE, coordinates.measured_from_elsewhere),
     Model("constraint put into T", kinetic.constraint_in_energy),
+    Model("quasi-velocities taken for velocities", quasi.products_left_out),
     Model("moving frame or support taken as fixed", kinetic.frame_at_rest),
+    Model("rotational energy left out", kinetic.rotation_left_out),
     Model("carried velocity left out", kinetic.velocity_left_out),
     Model("product of velocities in T left out", kinetic.product_left_out),
-    Model("rotational energy left out", kinetic.rotation_left_out),
     Model("moment of inertia of another body", kinetic.other_inertia),
     Model("gravity left out", forces.gravity_left_out),
     Model("friction left out", forces.friction_left_out),

@@ -15,23 +15,33 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.force_names import meanings
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
 from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.statements import statement
 from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import base
 from lagrange.core.vectors import Vector
-from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
-from lagrange.expressions.reader import Scope, read_equation, read_value
+from lagrange.expressions.reader import Scope, read_value
 from lagrange.mechanics.questions.elimination import eliminated
 from lagrange.mechanics.questions.results import Asked, How
 from lagrange.mechanics.results import Solution
 from lagrange.problem.questions import scope_of_questions
 
+_FACTORS = (
+    (sp.Rational(1, 2), "it is twice as large as it should be"),
+    (sp.Integer(2), "it is half as large as it should be"),
+    (sp.S.NegativeOne, "it has the wrong sign"),
+    (sp.sqrt(2), "a factor sqrt(2) is missing"),
+    (1 / sp.sqrt(2), "there is a factor sqrt(2) too many"),
+    (2 * sp.pi, "a factor 2*pi is missing"),
+    (1 / (2 * sp.pi), "there is a factor 2*pi too many"),
+)
+"""What would make a wrong value right."""
 _ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
 _SIDES = "one of two opposite values: the sense of the motion is left open by the initial state"
 _SPEED = "it is taken as a speed, without the sign that the velocity has here"
@@ -100,7 +110,26 @@ class _Claim:
             if rounded_verdict is Verdict.EQUIVALENT or verdict is Verdict.WRONG:
                 right = rounded_verdict is Verdict.EQUIVALENT
                 return rounded_verdict, "; ".join(filter(None, [rounded_remark, _ROUNDED if right else ""]))
+        if verdict is Verdict.WRONG and not remark and self.asked.how is not How.NUMERICAL:
+            remark = self._explained(as_written(claim))
         return verdict, remark
+
+    def _explained(self, claim: sp.Expr) -> str:
+        """Of which changed problem a wrong answer is the answer, or by which factor it is off; empty if not found."""
+        from lagrange.answers.models.letters import letter_variations
+
+        judged = self._of_expression if self.expression is not None else self._of_equation
+        value = claim if self.expression is not None else self._stated_value(claim)
+        for factor, how in _FACTORS if value is not None else ():
+            if self._of_expression(factor * value)[0] is Verdict.EQUIVALENT:
+                return how
+        for variation in letter_variations([claim], (), self.scope.slots):
+            try:
+                if variation.rule and judged(claim.xreplace(dict(variation.rule)))[0] is Verdict.EQUIVALENT:
+                    return f"this is the answer {variation.clause}"
+            except (DivisionByZeroError, NoPointError, UnsupportedError):
+                continue
+        return ""
 
     def _derived(self) -> list[sp.Expr]:
         return list(dict.fromkeys(v for b in self.asked.branches for v in b.values))
@@ -251,19 +280,15 @@ def read_stated(fragment: Fragment, scope: Scope, name: str) -> tuple[sp.Expr | 
 
     Raises ProblemError.
     """
-    text = fragment.text
-    if "=" in text:
-        left, _, _ = text.partition("=")
-        if left.strip() == name and name not in scope.names():
-            start = text.index("=") + 1
-            fragment = Fragment(text[start:], fragment.span(start, len(text)), (fragment.start or 0) + start)
-        else:
-            equation = tried(fragment, scope, lambda f: read_equation(f, scope, [], MAX_ANSWER_CHARACTERS, latex=True))
-            lhs, rhs = equation.lhs, equation.rhs
-            if isinstance(lhs, Vector) or isinstance(rhs, Vector):
-                raise ProblemError(Diagnostic("vector-for-scalar", "an equation between vectors", fragment.whole))
-            return None, lhs - rhs
-    value = tried(fragment, scope, lambda f: read_value(f, scope, [], latex=True))
+    stated = statement(fragment, scope, name=name)
+    scope = stated.scope
+    values = [tried(side, scope, lambda f: read_value(f, scope, [], latex=True)) for side in stated.sides]
+    if len(values) > 1:
+        lhs, rhs = values
+        if isinstance(lhs, Vector) or isinstance(rhs, Vector):
+            raise ProblemError(Diagnostic("vector-for-scalar", "an equation between vectors", fragment.whole))
+        return None, lhs - rhs
+    [value] = values
     if isinstance(value, Vector):
         raise ProblemError(Diagnostic("vector-for-scalar", "a quantity is a number, not a vector", fragment.whole))
     return value, None

@@ -11,12 +11,18 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.answers.readings import GivenEquation, displaced_coordinates
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.answers.written.working import Working
 from lagrange.core.diagnostics import Diagnostic, Fragment, Severity
 from lagrange.core.symbols import base, prime
+from lagrange.core.vectors import Vector
+from lagrange.mechanics.dynamics.comparison import Standing, compare
+from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 
 Check = Callable[[Sequence[Fragment], bool], AnswerVerdict]
 """The verdict on equations; with or without a diagnosis of wrong ones."""
@@ -84,7 +90,9 @@ def _without_asides(
             rest = Working(tuple(kept), notes=())
             result = _without_asides(kept, again, rest, reference, check)
             return result[0], result[1], [*notes, *result[2]]
-    about = [n for n in wrong if not _is_of_motion(equations[n], reference)]
+    about = [
+        n for n in wrong if not _is_of_motion(equations[n], reference) or _is_kinetic_energy(equations[n], reference)
+    ]
     if len(about) < len(wrong):
         return unchanged
     kept = [e for n, e in enumerate(equations) if n not in about]
@@ -126,6 +134,23 @@ def _is_of_motion(equation: Fragment, reference: Reference) -> bool:
     used = {s.name for c in components for s in c.free_symbols}
     forces = {s.name for c in reference.candidates for s in (*c.multipliers, *c.meanings)}
     return not used.isdisjoint(forces | {u.name for u in reference.unknowns})
+
+
+def _is_kinetic_energy(equation: Fragment, reference: Reference) -> bool:
+    """Whether an equation states the kinetic energy by a letter that the problem has for a force."""
+    sides = equation.reading.sides if isinstance(equation, GivenEquation) else ()
+    for name, energy in (sides, sides[::-1]) if len(sides) == 2 else ():
+        if not isinstance(name, sp.Symbol) or name.name not in ("T", "K") or isinstance(energy, Vector):
+            continue
+        for c in reference.candidates_for({base(s).name for s in energy.free_symbols}):
+            difference = c.read(energy) - c.read(kinetic_energy(c.configuration))
+            try:
+                result = compare([difference], c.system)
+            except DivisionByZeroError:
+                continue
+            if result is not None and all(s is Standing.CONSTRAINT for s in result.standings):
+                return True
+    return False
 
 
 def _with_unreadable(verdict: AnswerVerdict, equations: Sequence[Fragment], working: Working) -> AnswerVerdict:

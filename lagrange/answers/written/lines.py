@@ -25,6 +25,9 @@ _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|
 _SEPARATOR = re.compile(rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|\\n")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
+_NAMED = re.compile(r"\s*[A-Za-z][A-Za-z0-9_]{0,20}\s*:=(?=[^=]*=)")
+_NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
+_LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
 _WORD = re.compile(r"[^\W\d_]{2,}[.,:]?(?=\s|$|[,:])")
 _KNOWN = frozenset({*FUNCTIONS, *GREEK.values(), "arcsin", "arccos", "arctan", "sgn", "ln", "eq", "diff", "cross"})
@@ -40,7 +43,7 @@ bewegungsgleichung mit und dann fuer für folgt damit somit wobei
 _LINKING = frozenset(_LINKING_WORDS.split())
 _TAIL = re.compile(
     r"(?:\s*[,.;]?\s+(?:(?:where|with|for|since|because|which|when|if|so|as|by|using|from|towards?|is|are|at|in|the|q\.?e\.?d"
-    r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)|\s*[.,;:]+)\s*\Z",
+    r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
 _LIST = re.compile(r"\s*(?:\w+\s*=\s*)?([\[{])")
@@ -112,10 +115,12 @@ def _in_latex(fragment: Fragment, beside: str) -> Iterator[Fragment]:
     end = comment.start() if comment and comment.start() > start else len(text)
     if "=" not in text[start:end] and not re.search(r"\\equiv|\\coloneqq", text):
         return
-    part = fragment if (start, end) == (0, len(text)) else _part(fragment, start, end)
     words = f"{beside} {text[:start]} {_words_of(text)}".strip()
-    for e in equations(part):
-        yield replace(e, beside=words) if isinstance(e, OneEquation) else e
+    pieces = cuts(text[start:end], _LATEX_WORDS) if "$" not in text else [(0, end - start)]
+    for first, last in pieces:
+        whole = (start + first, start + last) == (0, len(text))
+        part = fragment if whole else _part(fragment, start + first, start + last)
+        yield from (replace(e, beside=words) if isinstance(e, OneEquation) else e for e in equations(part))
 
 
 def _words_of(text: str) -> str:
@@ -211,7 +216,8 @@ def _from_call(fragment: Fragment, opening: int, beside: str) -> Iterator[Fragme
 
 def _after_words(text: str, start: int, end: int) -> int:
     """Where mathematics begins after words, arrows and labels."""
-    at = start
+    named = _NAMED.match(text, start, end)
+    at = named.end() if named else start
     words = 0
     while at < end:
         if text[at].isspace():
@@ -232,6 +238,8 @@ def _is_word(word: str, words: int, text: str, at: int, end: int) -> bool:
     if plain in _KNOWN:
         return word.endswith(":")
     if plain in _LINKING or word.endswith(":"):
+        return True
+    if len(plain) > 3 and _NAMES_NEXT.match(text, at, end):
         return True
     following = _WORD.match(text, at + 1, end)
     return len(plain) > 3 and (words > 0 or (following is not None and following[0].lower() not in _KNOWN))

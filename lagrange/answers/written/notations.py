@@ -1,6 +1,7 @@
 r"""Other notations of an equation, rewritten in the language of expressions: nothing here is ever run as code.
 
     d/dt(e)   d^2θ/dt^2   dU/dr   ∂L/∂θ'               diff(e, t)   θ''   diff(U, r)   diff(L, θ')
+    dθ'/dθ   x(t).diff(t, 2)   e^(-k t)   30 deg       θ''/θ'   diff(x, t, 2)   exp(-k t)   30*pi/180
     δx   dx                                            delta(x)   d(x)
     ddot(x)   x_ddot   x''[t]   D(x)(t)   θ¨           x''          x''   x''          x'   θ''
     Derivative(x(t), (t, 2))   diff(x(t), t$2)         diff(x, t, t)
@@ -62,7 +63,13 @@ _CALLED = re.compile(
 _CALLS = {"arcsin": "asin", "arccos": "acos", "arctan": "atan", "sgn": "sign", "ln": "log", "arccot": "acot"}
 _ELEMENTWISE = re.compile(r"\.(?=[*/^])")
 _RUN = re.compile(r"(?<![A-Za-z_.])(?<![A-Za-z_][0-9])(?<![A-Za-z_][0-9][0-9])[A-Za-z][A-Za-z0-9_]*")
-_DEGREES = re.compile(r"(?<=[0-9])\s*°")
+_DEGREES = re.compile(r"(?<=[0-9])\s*(?:°|\b(?:deg|degs|degrees?|Grad)\b)|(?<=[0-9])\s+(?:rad|radians?)\b")
+_EXPONENTIAL = re.compile(
+    rf"(?<![A-Za-z0-9_'])(?P<e>[eE])\s*(?:\^|\*\*)\s*(?:(?=[({{])|(?P<power>-?\s*(?:[0-9]+|{_NAME})))"
+)
+_METHOD = re.compile(
+    rf"(?<![A-Za-z0-9_])(?P<name>{_NAME})\s*(?:\(\s*t\s*\))?\s*\.\s*diff\s*\(\s*(?:t\b\s*)?(?P<comma>,?)"
+)
 _CLOSED_POWER = re.compile(r"\s*(?:\^\s*[0-9]{1,2}|[²³])")
 _PRODUCT = re.compile(r"[A-Za-z]+")
 
@@ -71,7 +78,9 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     """A plain text with other notations written in that of the language; the text itself where there are none."""
     draft = Draft(fragment)
     _characters(draft)
-    draft.replace(_DEGREES, "*pi/180")
+    draft.replace(_DEGREES, lambda m: None if _is_declared_unit(m[0], scope) else "" if "rad" in m[0] else "*pi/180")
+    draft.replace(_METHOD, lambda m: f"diff({m['name']}, t{m['comma']}")
+    draft.apply(_exponentials(draft.text, scope))
     draft.replace(_MAPLE, lambda m: m[2] + "'" * int(m[1] or 1))
     draft.replace(_DERIVED, lambda m: m[2] + "'" * int(m[1]))
     draft.replace(_OF_TIME, "")
@@ -91,14 +100,40 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     return draft.finished()
 
 
+def _is_declared_unit(written: str, scope: Scope) -> bool:
+    """Whether what looks like a unit of angles is a name of the problem."""
+    name = written.strip()
+    return name.isalpha() and scope.role(name) is not Role.UNDECLARED
+
+
+def _exponentials(text: str, scope: Scope) -> Iterator[Edit]:
+    """`e^(-k t)` as exp(-k t), where no `e` is declared."""
+    ends: dict[int, int] | None = None
+    for match in _EXPONENTIAL.finditer(text):
+        if scope.role(match["e"]) is not Role.UNDECLARED:
+            continue
+        if match["power"]:
+            yield match.start(), match.end(), f"exp({match['power']})"
+            continue
+        ends = closings(text) if ends is None else ends
+        if (end := ends.get(match.end())) is not None:
+            yield match.start(), match.end() + 1, "exp("
+            yield end, end + 1, ")"
+
+
 def _displacements(draft: Draft, scope: Scope) -> None:
-    """`δx` as delta(x), and `dx` as d(x)."""
+    """`δx` as delta(x), and `dx` as d(x); of a name that the answer defines, as the differential of its value."""
     moving = {q.name for q in scope.slots.coordinates} | {"t"}
 
     def displaced(match: re.Match[str], sign: str) -> str | None:
         name = scope.spelling("".join(GREEK.get(c, c) for c in match["name"]))
         own = sign == "d" and scope.role(match[0].replace(" ", "")) is not Role.UNDECLARED
-        return f" {sign}({name})" if name in moving and not own else None
+        if name in moving or own:
+            return None if own else f" {sign}({name})"
+        value = scope.scalar(name) if sign == "delta" else None
+        varied = sorted(value.free_symbols & {*scope.slots.coordinates}, key=str) if value is not None else []
+        terms = [f"diff({name}, {q})*delta({q})" for q in varied]
+        return f" ({' + '.join(terms)})" if terms else None
 
     if scope.role("delta") is Role.UNDECLARED:
         draft.replace(_VARIATION, lambda m: displaced(m, "delta"))
@@ -191,10 +226,28 @@ def _rate(match: re.Match[str], scope: Scope) -> str | None:
         return None
     if by == "t" and not match["more"]:
         return f"{name}{chr(39) * order}{_left_over(match)}" if not name.isdigit() else None
+    along = order == 1 and not match["more"] and match[0].lstrip("(")[0] != "∂"
+    if along and _is_rate(match["name"], match["dots"], scope):
+        return f"(diff({name}, t)/{by}'){_left_over(match)}"
     inner = f"{name}"
     for _ in range(order):
         inner = f"diff({inner}, {by}{match['more']})"
     return inner + _left_over(match)
+
+
+def _is_rate(name: str, dots: str, scope: Scope) -> bool:
+    """Whether a name, or its derivative, is a velocity: `dv/dx` is then meant along the motion, v'/x'.
+
+    An energy depends on velocities too, by their squares, and its derivatives are partial ones.
+    """
+    spelled = scope.spelling("".join(GREEK.get(c, c) for c in name))
+    if dots:
+        return any(q.name == spelled for q in scope.slots.coordinates)
+    value = scope.scalar(spelled)
+    if value is None:
+        return False
+    present = [v for v in scope.slots.velocities if v in value.free_symbols]
+    return bool(present) and all(value.diff(v).free_symbols.isdisjoint(scope.slots.velocities) for v in present)
 
 
 def _left_over(match: re.Match[str]) -> str:
@@ -290,6 +343,10 @@ _L_PARTIAL = re.compile(
     r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<f>[A-Za-z]+|\\[A-Za-z]+)\s*\}"
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\}|\\dd)\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
 )
+_L_ALONG = re.compile(
+    r"\\[dt]?frac\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*\\dot\s*(?P<f>\{\s*\\?[A-Za-z]+\s*\}|\s[A-Za-z]|\\[A-Za-z]+)\s*\}"
+    r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
+)
 _L_POWER_GROUP = re.compile(r"\^\s*\(")
 _L_STARS = re.compile(r"\*\*")
 _L_NAMED = re.compile(
@@ -316,6 +373,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
         if not draft.apply(_physics(draft.text)):
             break
     draft.apply(_over(draft.text))
+    draft.replace(_L_ALONG, lambda m: None if m["x"] == "t" else rf"\frac{{\ddot{m['f']}}}{{\dot{{{m['x']}}}}}")
     draft.replace(_L_PARTIAL, lambda m: _total_as_partial(m, scope))
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(_power_groups(draft.text))
@@ -336,6 +394,8 @@ def _total_as_partial(match: re.Match[str], scope: Scope) -> str | None:
     r"""`\frac{dU}{dr}` as a partial derivative, where U is a function or a quantity and r is not the time."""
     if match["x"] == "t" or scope.role("d" + match["f"]) is not Role.UNDECLARED:
         return None
+    if _is_rate(match["f"].lstrip("\\"), "", scope):
+        return rf"\frac{{\frac{{d}}{{dt}}\left({match['f']}\right)}}{{\dot{{{match['x']}}}}}"
     return rf"\frac{{\partial {match['f']}}}{{\partial {match['x']}}}"
 
 

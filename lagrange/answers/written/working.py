@@ -63,6 +63,11 @@ _LONGEST_NAME = 60
 """Characters of a side that is searched for a single name: `\\cos\\left(\\theta_{\\text{max}}\\right)` has 33."""
 _UNIT_WORDS = re.compile(r"[^\W\d_]+[23]?")
 _NO_WORDS = re.compile(r"\\(?:mathrm|text|rm|frac|si|SI|unit|cdot|left|right|quad|,|;|:|!)")
+_RATE_OF = re.compile(
+    r"(?<![A-Za-z])d\s?([A-Za-z]{1,3})\s*(?:/|\}\s*\{)\s*d\s?[A-Za-z]|\\dot\s*\{?\s*([A-Za-z])(?![A-Za-z])"
+)
+"""The rate of a letter: `dv/dt`, `\\frac{dv}{dx}`, `\\dot v`."""
+_AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm", "star", "equilibrium"})
 _APPROXIMATE = re.compile(
     r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|<<", re.IGNORECASE
 )
@@ -137,7 +142,7 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
         return [_Line(fragment, fragment.text, reading=fragment.reading)]
     text = fragment.text.strip()
     if len(text) > MAX_ANSWER_CHARACTERS:  # its error, and nothing else of it
-        return [_Line(fragment, text, reading=Reading(text, error=_too_long(fragment)))]
+        return [_Line(fragment, text, reading=Reading(text, error=too_long(fragment)))]
     if _ALTERNATIVES.search(fragment.text):
         return [_Line(fragment, text, whole=True)]
     if has_matrix(text) and (in_rows := rows_of_matrices(fragment.text)):
@@ -173,7 +178,8 @@ def _without_braces(draft: Draft) -> None:
         draft.keep(start + 1, end - 1)
 
 
-def _too_long(fragment: Fragment) -> ProblemError:
+def too_long(fragment: Fragment) -> ProblemError:
+    """The error of a text with more characters than an answer may have."""
     length = len(fragment.text)
     message = f"an expression may have {MAX_ANSWER_CHARACTERS:,} characters, and this one has {length:,}"
     help_ = "write it shorter, or with abbreviations where there is a `let:`"
@@ -204,10 +210,13 @@ class _Sorting:
         self.defined: list[str] = []
         self.unknowns: list[sp.Symbol] = []
         self.rounded: dict[str, sp.Expr] = {}  # definitions with symbols for their decimals
+        self.moving: set[str] = set()  # parameters whose letters the answer uses for what changes in time
 
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
+        self.moving = {m[k] for line in plain for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
+        self.moving &= {*self.reference.parameters}
         for _ in range(3):
             before = len(self.defined)
             for line in plain:
@@ -335,8 +344,10 @@ class _Sorting:
             return False
         for side, other in (sides, sides[::-1]):
             name, applied = self._name_alone(side)
-            if not name or name in self.declared or name in RESERVED or name in self.defined:
+            if not name or name in self.declared - self.moving or name in RESERVED or name in self.defined:
                 continue
+            if not self.values_are_asides and self._marks_a_coordinate(line, name):
+                return False
             if applied not in ("", "^2") and self.scope.scalar(name) is not None:
                 continue
             try:
@@ -346,6 +357,8 @@ class _Sorting:
             if isinstance(value, Vector):
                 self.scope = replace(self.scope, vectors={**self.scope.vectors, name: value})
             else:
+                if name in self.declared and value.free_symbols.isdisjoint(self.scope.slots.velocities):
+                    continue
                 known = sp.Symbol(name)
                 if known in value.free_symbols and self.scope.scalar(name) == known:
                     continue
@@ -359,6 +372,18 @@ class _Sorting:
             self._note(line, f"`{line.text}` defines `{name}`, which is used from here on and not judged")
             return True
         return False
+
+    def _marks_a_coordinate(self, line: _Line, name: str) -> bool:
+        """Whether a name is that of a coordinate with an index for equilibrium, theta_0, and means the coordinate."""
+        coordinate, _, index = name.partition("_")
+        symbol = next((q for q in self.scope.slots.coordinates if q.name == coordinate), None)
+        if symbol is None or index not in _AT_EQUILIBRIUM:
+            return False
+        self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
+        message = f"`{name}` is taken as the value of `{coordinate}` at equilibrium"
+        span = line.fragment.span(0, len(line.fragment.text))
+        self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
+        return True
 
     def _find_unknowns(self, lines: list[_Line]) -> None:
         """Names that are neither declared nor defined, and occur in two equations or more: unknown forces."""

@@ -22,6 +22,7 @@ import sympy as sp
 from lagrange.algebra.exact.linear_algebra import NumberRow, RowSpace
 from lagrange.algebra.exact.zero_test import NoPointError, Point, UnsupportedError, agreed
 from lagrange.core.records import record
+from lagrange.core.symbols import symbols_in
 from lagrange.mechanics.constraints.constrained_system import is_pfaffian
 from lagrange.mechanics.constraints.kinematics import Configuration
 
@@ -117,7 +118,7 @@ def agreed_in_motion(
 
 def symbols_of(expressions: Iterable[sp.Expr]) -> tuple[sp.Symbol, ...]:
     """The symbols of several expressions, in a fixed order."""
-    return tuple(sorted(set().union(*(e.free_symbols for e in expressions)), key=lambda s: s.name))
+    return tuple(sorted(set().union(*(symbols_in(e) for e in expressions)), key=lambda s: s.name))
 
 
 def state(point: Point, configuration: Configuration, symbols: Iterable[sp.Symbol]) -> Point:

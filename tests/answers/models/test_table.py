@@ -13,7 +13,6 @@ for wrong in wrong_answers():
     ANSWERS.setdefault(wrong.problem, []).append(wrong)
 
 UNEXPLAINED = {
-    "sleigh: knife-edge put into T",
     "cylinder-in-cylinder: R for R - r",
     "swinging-yo-yo: offset r left out",
 }

@@ -43,3 +43,22 @@ def test_the_verdict_on_an_answer_to_a_question(name: str, question: str, answer
                                  f'ask: {{{question}: "{answer}"}}'), loaded(path))  # fmt: skip
     [judged] = examiner.check_answers(stated).others
     assert (judged.name, judged.verdict) == ("ask", verdict)
+
+
+@pytest.mark.parametrize(
+    ("name", "question", "answer", "said"),
+    [
+        ("weight-let-go-on-a-spring", "lowest", "x_max = m*g/k", "it is half as large as it should be"),
+        ("weight-let-go-on-a-spring", "time", "2*pi*sqrt(m/k)", "it is twice as large as it should be"),
+        ("over-the-top", "at_the_side", "sqrt(v^2 + 2*g*l)", "this is the answer for g with the opposite sign"),
+        ("over-the-top", "at_the_side", "sqrt(v^2 - g*l)", "this is the answer for g half as large"),
+        ("escape-from-a-planet", "escape_speed", "sqrt(K/R)", "a factor sqrt(2) is missing"),
+        ("escape-from-a-planet", "escape_speed", "K*R", ""),
+    ],
+)
+def test_what_is_said_of_a_wrong_value(name: str, question: str, answer: str, said: str) -> None:
+    path = PROBLEMS / "motion" / f"{name}.yaml"
+    stated = read_answers(Source("answers", f"ask: {{{question}: '{answer}'}}"), loaded(path))
+    [judged] = Examiner(loaded(path), reported(path).solution).check_answers(stated).others
+    [part] = judged.equations
+    assert (part.verdict, part.diagnosis) == (Verdict.WRONG, said)

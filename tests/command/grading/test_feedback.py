@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
 
 from lagrange.answers.equations import EquationVerdict, Verdict
+from lagrange.answers.points import PartScore, Score
 from lagrange.answers.submissions import Graded
+from lagrange.answers.verdicts import AnswerVerdict
 from lagsolve.grading.feedback import code, page, page_names, prose
 
 HOSTILE = "</code><script>alert(1)</script> ![x](http://x) [a](b) `code` ``more`` *b* # h | t"
@@ -27,6 +30,19 @@ def test_the_page_of_a_wrong_answer() -> None:
         "- · `0 = 0`: trivial\n  - it is an identity\n  - a remark\n\n"
         "## How it was read\n\n```text\nnote[x]: `a` read as b\n```\n"
     )
+
+
+def test_the_parts_of_an_answer_stand_below_it() -> None:
+    part = EquationVerdict("lowest: m*g/k", Verdict.WRONG, "it is half as large as it should be")
+    asked = AnswerVerdict(Verdict.WRONG, (part,), name="ask")
+    freedom = AnswerVerdict(Verdict.WRONG, name="degrees_of_freedom", diagnosis="a constraint is not subtracted")
+    score = Score((PartScore("ask", Fraction(0), Fraction(2), "wrong"),), weighed=True)
+    text = page("Spring", "a", Graded(Verdict.WRONG, "wrong: no", others=(asked, freedom), score=score))
+    assert "\n**Points: 0 of 2**\n" in text
+    assert (
+        "- ✗ ask: wrong\n  - ✗ `lowest: m*g/k`: wrong\n    - it is half as large as it should be\n"
+        "- ✗ degrees of freedom: wrong (a constraint is not subtracted)\n"
+    ) in text
 
 
 def test_nothing_that_was_handed_in_is_marked_up() -> None:

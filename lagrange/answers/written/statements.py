@@ -1,0 +1,146 @@
+r"""A statement about one quantity: its value, with a label on the left, and the definitions of what occurs in it.
+
+    x_max = 2 m g/k          v_\text{esc} = \sqrt{2K/R}          h = l (1 - cos(theta)) = v^2/(2 g)
+    m g/k (1 - cos(w t)), w = sqrt(k/m)
+
+A label is a name that stands alone on the left and that the problem does not declare: it says what is stated, and is
+left out. A name that is defined after a comma or `where` has that meaning in the statement. Of several sides the first
+and the last are compared.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from dataclasses import replace
+
+import sympy as sp
+
+from lagrange.answers.written.notations import cleaned
+from lagrange.answers.written.working import too_long, tried
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.records import record
+from lagrange.core.vectors import Vector
+from lagrange.expressions.characters import GREEK
+from lagrange.expressions.edits import Draft, cuts
+from lagrange.expressions.latex_layout import is_latex
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.reader import Scope, read_value, token_texts
+from lagrange.expressions.scope import RESERVED
+
+_EQUALS = re.compile(r"(?<![<>!=:])(?::=|==?)(?![=>])")
+_BEYOND = re.compile(
+    r"[,;]|\b(?:where|with|and|wobei|mit|und)\b|(?<![_^])\\(?:text|mbox)\s*\{[^{}]{0,20}\}|\\q?quad(?![A-Za-z])",
+    re.IGNORECASE,
+)
+_INDEX = r"(?:\{(?:[^{}]|\{[^{}]{0,20}\}){0,30}\}|\\(?:text|mathrm|rm)\s*\{[^{}]{0,20}\}|\\?\w{1,12}|\*)"
+_GREEK = "|".join(sorted(set(GREEK.values()), key=len, reverse=True))
+_MARKED = re.compile(rf"\\?(?P<name>[^\W\d_]|{_GREEK})_(?:\{{\s*)?(?:\\text\s*\{{)?(?P<index>\w{{1,12}})")
+_LABEL = re.compile(
+    rf"\s*\$?\s*(?:\\Delta\s*|Δ\s*)?(?P<name>[^\W\d_]|\\?(?:{_GREEK}))(?:[_^]{_INDEX}){{0,2}}\s*(?:\([^()=]{{0,12}}\))?\s*"
+    r"(?P<square>(?:\^\s*\{?\s*2\s*\}?|²)?)\s*\Z"
+)
+_MOST_DEFINITIONS = 5
+
+
+@record
+class Statement:
+    """What is stated: one side is a value, two are an equation.
+
+    scope   with the names that the statement defines
+    label   the letter of what was left out on the left, with `^2` if its square is stated; empty if nothing was
+    """
+
+    sides: tuple[Fragment, ...]
+    scope: Scope
+    label: str = ""
+
+
+def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), name: str = "") -> Statement:
+    """The sides of a statement without its label. A coordinate with an index, theta_1, is its value there.
+
+    declared  names that are never labels, if others are that the scope contains
+    name      what is stated, which may be its label
+
+    Raises ProblemError if the text is too long.
+    """
+    if len(fragment.text) > MAX_ANSWER_CHARACTERS:
+        raise too_long(fragment)
+    text = cleaned(fragment)
+    scope = _with_marked(text, scope)
+    parts = _parts(text)
+    beyond = parts[1:]
+    if not beyond or len(beyond) > _MOST_DEFINITIONS:
+        parts = [text]
+    else:
+        for _ in beyond:
+            for part in beyond:
+                scope = _with_definition(part, scope)
+        parts = parts[:1]
+    sides = [_cut(parts[0], *place) for place in cuts(parts[0].text, _EQUALS)]
+    label = ""
+    while len(sides) > 1 and (found := _label(sides[0], scope, declared, name)):
+        label, sides = label or found, sides[1:]
+    for side in sides[1:-1]:  # of a = b = c all must be readable
+        tried(side, scope, lambda f: read_value(f, scope, [], latex=True))
+    return Statement(tuple(sides if len(sides) < 3 else (sides[0], sides[-1])), scope, label)
+
+
+def _with_marked(text: Fragment, scope: Scope) -> Scope:
+    """The scope with coordinates that have an index which no name of the problem has: `theta_1`, `x_max`."""
+    coordinates = {q.name: q for q in scope.slots.coordinates}
+    marked = {}
+    for match in _MARKED.finditer(text.text):
+        symbol = coordinates.get(GREEK.get(match["name"], match["name"]))
+        name = f"{symbol}_{match['index']}"
+        if symbol is not None and scope.scalar(name) is None:
+            marked[name] = symbol
+    return replace(scope, scalars={**scope.scalars, **marked}) if marked else scope
+
+
+def _parts(text: Fragment) -> list[Fragment]:
+    """The statement, and the definitions after it, if all that is separated from it are definitions."""
+    places = [(a, b) for a, b in cuts(text.text, _BEYOND) if text.text[a:b].strip(" $.~")]
+    if not all(len(cuts(text.text[a:b], _EQUALS)) == 2 for a, b in places[1:]):
+        return [text]
+    return [_cut(text, *place) for place in places]
+
+
+def _cut(fragment: Fragment, start: int, end: int) -> Fragment:
+    if (start, end) == (0, len(fragment.text)):
+        return fragment
+    draft = Draft(fragment)
+    draft.keep(start, end)
+    return draft.finished(latex=is_latex(fragment))
+
+
+def _with_definition(part: Fragment, scope: Scope) -> Scope:
+    """The scope with a name that a part defines; the same if it defines none."""
+    left, right = (_cut(part, *place) for place in cuts(part.text, _EQUALS))
+    try:
+        names = tried(left, scope, lambda f: token_texts(f, scope))
+        squared = names[1:] == ["^", "2"]
+        names = names[:1] if squared else names
+        if len(names) != 1 or names[0] in RESERVED or scope.scalar(names[0]) is not None or not names[0][:1].isalpha():
+            return scope
+        value = tried(right, scope, lambda f: read_value(f, scope, [], latex=True))
+    except ProblemError:
+        return scope
+    if isinstance(value, Vector):
+        return scope
+    return replace(scope, scalars={**scope.scalars, names[0]: sp.sqrt(value) if squared else value})
+
+
+def _label(side: Fragment, scope: Scope, declared: Collection[str], name: str) -> str:
+    """The letter of a label; empty if the side is none."""
+    if name and side.text.strip(" $") == name and name not in scope.names():
+        return name
+    match = _LABEL.match(side.text)
+    if match is None:
+        return ""
+    letter = f"{match['name']}{'^2' if match['square'] else ''}"
+    try:
+        tried(side, scope, lambda f: read_value(f, scope, [], latex=True))
+    except ProblemError:
+        return letter
+    return letter if declared and match["name"] not in declared else ""
