@@ -94,7 +94,7 @@ def use_utf8() -> None:
             reconfigure(encoding="utf-8", errors=stream.errors)
 
 
-COMMANDS = ("solve", "check", "grade", "list", "show", "new", "schema", "completion")
+COMMANDS = ("solve", "check", "grade", "variant", "list", "show", "new", "schema", "completion")
 """In the order of the help page."""
 
 FLAGS = ("-h", "--help", "--version")

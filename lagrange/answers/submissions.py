@@ -220,14 +220,18 @@ def _lines(text: str) -> Iterator[tuple[int, int]]:
 class Submission:
     """A submission to be graded.
 
-    name   its name, which is safe to be shown
-    files  name and content of each file
-    notes  what was ignored in it
+    name     its name, which is safe to be shown
+    files    name and content of each file; none where nothing was handed in for this problem
+    notes    what was ignored in it
+    problem  which of the problems of an assignment it answers, from 0
+    seed     the seed of the student's variant of the problem; empty if the problem is the same for all
     """
 
     name: str
     files: tuple[tuple[str, bytes], ...]
     notes: tuple[str, ...] = ()
+    problem: int = 0
+    seed: str = ""
 
 
 @record
@@ -240,6 +244,8 @@ class Graded:
     messages   errors and notes with their places, for the author of the submission
     right      the number of independent equations that it has; None if that is not known
     required   the number asked for; None if equations are not what is counted
+    score      the points; None if a person has to look at it
+    out_of     the points of a complete answer
     """
 
     verdict: Verdict
@@ -250,6 +256,14 @@ class Graded:
     required: int | None = None
     seconds: float = 0.0
     others: tuple[AnswerVerdict, ...] = ()
+    score: float | None = None
+    out_of: float | None = None
+
+    def at_hint_level(self, level: int) -> Graded:
+        """The outcome with the diagnoses of a hint level: 1, 2 or 3, which is all of it."""
+        equations = tuple(e.at_hint_level(level) for e in self.equations)
+        others = self.others if level > 1 else tuple(replace(a, diagnosis="") for a in self.others)
+        return replace(self, equations=equations, others=others)
 
     @property
     def remark(self) -> str:
@@ -277,9 +291,31 @@ class Grader:
             return cls(examiner, None)
         return cls(examiner, check_equations(nothing, examiner.reference).missing)
 
+    @property
+    def out_of(self) -> float:
+        """The points of a complete answer: one for each independent equation, or one in all."""
+        return float(self.required or 1)
+
     def grade(self, submission: Submission) -> Graded:
+        """The verdict on a submission, with its points."""
+        graded = self._graded(submission)
+        return replace(graded, score=self._score(graded), out_of=self.out_of)
+
+    def _score(self, graded: Graded) -> float | None:
+        """The points: the right equations, or whether the whole is right; None if it could not be judged."""
+        if graded.verdict is Verdict.UNDECIDED:
+            return None
+        if graded.required is not None:
+            return None if graded.right is None else float(graded.right)
+        return self.out_of if graded.verdict is Verdict.EQUIVALENT else 0.0
+
+    def _graded(self, submission: Submission) -> Graded:
         """The verdict on a submission."""
         start = perf_counter()
+        if not submission.files:
+            verdict, nothing = Verdict.INCOMPLETE, "nothing was handed in for this problem"
+            right = None if self.required is None else 0
+            return Graded(verdict, f"{verdict.value}: {nothing}", (), submission.notes, right, self.required)
         try:
             judgement = self._checked(submission)
             if judgement is None:
@@ -292,7 +328,7 @@ class Grader:
         return Graded(
             judgement.verdict,
             judgement.headline,
-            tuple(replace(e, sides=(), hints=()) for e in judgement.each),
+            tuple(replace(e, sides=()) for e in judgement.each),
             (*(str(d) for d in judgement.messages), *submission.notes),
             self._right(judgement),
             None if judgement.statics else self.required,

@@ -57,6 +57,14 @@ class Parameter:
 
 
 @record
+class Varied:
+    """The values that a parameter has in variants of the problem, as texts: `0.2 m`."""
+
+    name: str
+    values: tuple[str, ...]
+
+
+@record
 class Coordinate:
     """One of the coordinates q; the ends of its range may contain parameters."""
 
@@ -439,6 +447,7 @@ class Problem:
     answers: Answers | None = None
     notes: tuple[Diagnostic, ...] = ()
     figure: Figure = Figure()
+    vary: tuple[Varied, ...] = ()
 
     def __repr__(self) -> str:
         """Title and names; all fields would fill pages with places in the file."""

@@ -31,7 +31,7 @@ from lagsolve.limits import MAX_JOURNAL_LINE, MOST_COUNTED
 def key(submission: Submission, *of_batch: object) -> str:
     """The hash of a submission and of what the whole batch has in common: problem, version, limits."""
     parts: Iterable[bytes] = (
-        repr((*of_batch, submission.name, submission.notes)).encode(),
+        repr((*of_batch, submission.name, submission.notes, submission.problem, submission.seed)).encode(),
         *(part for name, content in submission.files for part in (name.encode(), content)),
     )
     digest = hashlib.sha256()
@@ -126,11 +126,16 @@ def _entry(line: bytes) -> tuple[str, TableRow] | None:
 
 def _is_row(row: TableRow) -> bool:
     """Whether each value is one that a row can have."""
-    texts = (row.submission, row.remark, row.feedback, row.mistakes)
+    texts = (row.submission, row.remark, row.feedback, row.mistakes, row.problem)
     if not all(isinstance(t, str) and t == one_line(t) for t in texts) or type(row.seconds) not in (int, float):
         return False
     counts = (row.right, row.required, row.missing)
     if not all(c is None or (type(c) is int and 0 <= c <= MOST_COUNTED) for c in counts):
         return False
+    points = (row.score, row.out_of)
+    if not all(p is None or (type(p) in (int, float) and 0 <= p <= MOST_COUNTED) for p in points):
+        return False
+    if row.student or row.attempt is not None or row.submitted or row.late or row.counts:
+        return False  # known only when the batch is complete
     difference = None if row.right is None or row.required is None else row.required - row.right
     return 0 <= row.seconds < float("inf") and row.missing == difference and row.submission != ""

@@ -11,7 +11,7 @@ import io
 import re
 import textwrap
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import fields
 
 from rich import box
@@ -31,7 +31,7 @@ COLOURS = {Verdict.EQUIVALENT: "green", Verdict.WRONG: "red", Verdict.UNDECIDED:
 
 @record
 class TableRow:
-    """One submission; the fields are the columns of the CSV file. Unknown values are None."""
+    """One submission to one problem; the fields are the columns of the CSV file. Unknown values are None."""
 
     submission: str
     verdict: Verdict
@@ -42,23 +42,43 @@ class TableRow:
     seconds: float
     feedback: str = ""
     mistakes: str = ""
+    score: float | None = None
+    out_of: float | None = None
+    problem: str = ""
+    student: str = ""
+    attempt: int | None = None
+    counts: str = ""
+    submitted: str = ""
+    late: str = ""
 
     @classmethod
-    def of(cls, name: str, graded: Graded, feedback: str = "") -> TableRow:
-        """The row of a submission; `feedback` is the name of its page."""
+    def of(cls, name: str, graded: Graded, feedback: str = "", problem: str = "", hint: int = 3) -> TableRow:
+        """The row of a submission; `feedback` is the name of its page, `hint` says how much the remark may tell."""
         right, required = graded.right, graded.required
         missing = None if right is None or required is None else required - right
-        remark = visible(" ".join(graded.remark.split()))
+        remark = visible(" ".join(graded.at_hint_level(hint).remark.split()))
         if len(remark) > LONGEST_REMARK:
             remark = f"{remark[:LONGEST_REMARK]}..."
         causes = dict.fromkeys(visible(e.cause) for e in graded.equations if e.cause)
         mistakes, seconds = "; ".join(causes)[:LONGEST_REMARK], round(graded.seconds, 3)
-        return cls(visible(name), graded.verdict, right, required, missing, remark, seconds, feedback, mistakes)
+        verdict, score, out_of = graded.verdict, graded.score, graded.out_of
+        common = (remark, seconds, feedback, mistakes, score, out_of, visible(problem))
+        return cls(visible(name), verdict, right, required, missing, *common)
 
     @property
-    def score(self) -> str:
+    def counted(self) -> str:
         """`1/2`: one of two equations is right."""
         return "" if self.right is None or self.required is None else f"{self.right}/{self.required}"
+
+    @property
+    def points(self) -> str:
+        """`1.5/4`; empty where a person has to look at it."""
+        return "" if self.score is None or self.out_of is None else f"{number(self.score)}/{number(self.out_of)}"
+
+
+def number(value: float) -> str:
+    """A number of points, without zeros at its end and with two decimals at most."""
+    return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
 HEADER = b"submission,verdict,right,required,"
@@ -71,11 +91,14 @@ def csv_text(rows: Sequence[TableRow]) -> str:
     text = io.StringIO()
     writer = csv.writer(text)
     writer.writerow(names)
-    writer.writerows([_cell(getattr(row, name)) for name in names] for row in rows)
+    writer.writerows([cell(getattr(row, name)) for name in names] for row in rows)
     return text.getvalue()
 
 
-def _cell(value: object) -> str:
+def cell(value: object) -> str:
+    """A value as the text of a cell, which no spreadsheet takes for a formula."""
+    if isinstance(value, float):
+        return f"{value:.10g}"
     return harmless(value) if isinstance(value, str) else "" if value is None else str(value)
 
 
@@ -87,14 +110,20 @@ def harmless(text: str) -> str:
 def table_text(rows: Sequence[TableRow], width: int, on_terminal: bool) -> str:
     """The table for a terminal, and below it how many submissions have each verdict."""
     remarks = any(r.remark for r in rows)
+    further = {
+        name: shown for name, shown, wanted in _FURTHER if any(map(wanted, rows)) and len({*map(shown, rows)}) > 1
+    }
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     table.add_column("submission", overflow="fold", max_width=max(12, width // 3))
     table.add_column("verdict", no_wrap=True)
     table.add_column("right", no_wrap=True, justify="right")
+    for name in further:
+        table.add_column(name, overflow="fold")
     if remarks:
         table.add_column("remark", overflow="fold")
     for row in rows:
-        cells = [Text(row.submission), Text(row.verdict.value, COLOURS.get(row.verdict, "")), Text(row.score)]
+        cells = [Text(row.submission), Text(row.verdict.value, COLOURS.get(row.verdict, "")), Text(row.counted)]
+        cells += [Text(shown(row)) for shown in further.values()]
         table.add_row(*cells, *([Text(row.remark)] if remarks else []))
     file = io.StringIO()
     Console(file=file, width=width, height=len(rows), force_terminal=on_terminal or None).print(table)
@@ -103,17 +132,41 @@ def table_text(rows: Sequence[TableRow], width: int, on_terminal: bool) -> str:
     return "\n".join([*lines, "", *(textwrap.fill(line, width, subsequent_indent="  ") for line in below), ""])
 
 
+_FURTHER: tuple[tuple[str, Callable[[TableRow], str], Callable[[TableRow], object]], ...] = (
+    ("problem", lambda row: row.problem, lambda row: row.problem),
+    ("points", lambda row: row.points, lambda row: row.out_of is not None and row.out_of != row.required),
+    (
+        "attempt",
+        lambda row: f"{row.attempt}{' *' if row.counts else ''}" if row.attempt else "",
+        lambda row: row.attempt,
+    ),
+    ("late", lambda row: row.late, lambda row: row.late),
+)
+"""Columns of the terminal that are there only where they differ: name, text of a row, whether a row asks for it."""
+
+
 def _summary(rows: Sequence[TableRow]) -> str:
     count = Counter(row.verdict for row in rows)
     listed = ", ".join(f"{count[v]:,} {v.value}" for v in ORDER if count[v])
-    return f"{len(rows):,} submission{'s' if len(rows) != 1 else ''}: {listed}"
+    submissions, problems = len({row.submission for row in rows}), len({row.problem for row in rows})
+    to = f" to {problems} problems" if problems > 1 else ""
+    return f"{submissions:,} submission{'s' if submissions != 1 else ''}{to}: {listed}"
+
+
+def clusters(rows: Sequence[TableRow]) -> list[tuple[str, int]]:
+    """The mistakes that several made and how many, the most frequent first."""
+    count = Counter(mistake for row in rows for mistake in row.mistakes.split("; ") if mistake)
+    return [(mistake, n) for mistake, n in count.most_common(MOST_CLUSTERS) if n > 1]
 
 
 def _clusters(rows: Sequence[TableRow]) -> list[str]:
-    """The mistakes that several made, the most frequent first: `14 of 60: without the weight of `bob``."""
-    count = Counter(mistake for row in rows for mistake in row.mistakes.split("; ") if mistake)
-    common = [(mistake, n) for mistake, n in count.most_common(MOST_CLUSTERS) if n > 1]
-    return [f"{n:,} of {len(rows):,}: {mistake}" for mistake, n in common]
+    """`14 of 60: without the weight of `bob``; of several problems, how many answered the one it is about."""
+    lines = []
+    for problem in dict.fromkeys(row.problem for row in rows):
+        asked = [row for row in rows if row.problem == problem]
+        where = f"{problem}: " if len(asked) < len(rows) else ""
+        lines += [f"{where}{n:,} of {len(asked):,}: {mistake}" for mistake, n in clusters(asked)]
+    return lines
 
 
 ORDER = (
