@@ -10,7 +10,6 @@ import click
 from lagsolve.command_group import INTERRUPTED, OK, UNDECIDED, complete_files, complete_problems, write_stderr
 
 if TYPE_CHECKING:
-
     pass
 
 SECONDS = click.FloatRange(0, 86_400, min_open=True)
@@ -151,7 +150,7 @@ def variant(problem: str, seed: str, output: str | None) -> None:
     """Write the variant of a PROBLEM that a seed draws: the file, with the values that its `vary` allows.
 
     The same seed draws the same values on every machine and in every version. The variant is solved before it is
-    written: where it has no answer, it is refused. `lagsolve grade PROBLEM ANSWERS --variants` grades each student's own.
+    written: where it has no answer, it is refused. `lagsolve grade PROBLEM ANSWERS --variants` grades each student's.
 
     Exit status: 0 written; 2 the file has mistakes, or no `vary`, or the values leave no answer; 130 interrupted.
     """

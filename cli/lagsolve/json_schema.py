@@ -51,6 +51,12 @@ _INLINE: dict[str, Schema] = {
     "number": {
         "anyOf": [{"type": "integer", "minimum": 0, "maximum": 9999}, {"type": "string", "pattern": "^[0-9]{1,4}$"}]
     },
+    "decimal": {
+        "anyOf": [
+            {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 10000},
+            {"type": "string", "pattern": r"^[0-9]{1,4}(\.[0-9]{1,2})?$"},
+        ]
+    },
     "nothing": {"type": "null"},
 }
 

@@ -177,11 +177,12 @@ def check(
         examiner = Examiner.of(asked, on_stage)
         on_stage("comparing answers")
         result = checked(examiner)
+        score = examiner.score(result) if asked.points else None
     if hint is not None:
         result = result.at_hint_level(hint)
     for message in (*asked.notes, *result.messages):
         write_stderr(str(message))
-    write_verdict(result, format_, examiner.revealed(result) if reveal else ())
+    write_verdict(result, format_, examiner.revealed(result) if reveal else (), score)
     sys.exit(status_of_verdict(result.verdict))
 
 

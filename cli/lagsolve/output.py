@@ -17,6 +17,7 @@ from lagsolve.limits import NARROWEST, PIPED_WIDTH, WIDEST
 from lagsolve.progress_line import stage_shown
 
 if TYPE_CHECKING:
+    from lagrange.answers.points import Score
     from lagrange.answers.verdicts import Judgement
     from lagrange.core.diagnostics import ProblemError
     from lagrange.explain.report import Report
@@ -108,14 +109,16 @@ class Destination:
         return "\n".join(terminal.text(d, n, PIPED_WIDTH, detail) for d, n in solved)
 
 
-def write_verdict(answer: Judgement, format_: str, revealed: Sequence[Any] = ()) -> None:
-    """Prints the verdict on an answer to a problem, and the derived equations to be revealed."""
+def write_verdict(answer: Judgement, format_: str, revealed: Sequence[Any] = (), score: Score | None = None) -> None:
+    """Prints the verdict on an answer to a problem, the derived equations to be revealed, and the points."""
     if format_ == "json":
         from lagrange.core.printable import json_text
 
-        write_stdout(json_text(answer.as_json(revealed), indent=1) + "\n")
+        points = {"points": score.as_json()} if score is not None else {}
+        write_stdout(json_text({**answer.as_json(revealed), **points}, indent=1) + "\n")
     else:
-        write_stdout(answer.text(terminal_width(), revealed))
+        points = "\n" + "".join(f"{line}\n" for line in score.lines()) if score is not None else ""
+        write_stdout(answer.text(terminal_width(), revealed) + points)
 
 
 def write_rows(rows: Sequence[TableRow], as_csv: bool) -> None:

@@ -38,6 +38,7 @@ from lagrange.mechanics.solution import OnStage, silent, solve
 from lagrange.problem.model import Answers, Problem
 
 if TYPE_CHECKING:
+    from lagrange.answers.points import Score
     from lagrange.answers.written.working import Working
     from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest as Rest
     from lagrange.mechanics.equilibrium.friction.rolling import Rolling
@@ -300,6 +301,19 @@ class Examiner:
     def reference(self) -> Reference:
         """The equations of motion that answers are compared with. Raises ProblemError if there are none."""
         return reference_of_equations(self.problem) if self.solution is None else _reference_of(self.solution)
+
+    @cached_property
+    def required(self) -> int | None:
+        """How many independent equations of motion are asked for; None if the problem asks for no motion."""
+        if self.solution is not None and self.solution.own.motion is None:
+            return None
+        return check_equations((Fragment.of("0 = 0"),), self.reference).missing
+
+    def score(self, judgement: Judgement) -> Score:
+        """The points for an answer that was judged by this examiner."""
+        from lagrange.answers.points import score
+
+        return score(self.problem, judgement, self.required)
 
     def check(self, answer: tuple[Fragment, ...]) -> Judgement:
         """The verdict on equations. Raises ProblemError if there are none, or none to compare them with."""

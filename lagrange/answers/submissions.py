@@ -25,9 +25,9 @@ from dataclasses import replace
 from pathlib import PurePath
 from time import perf_counter
 
-from lagrange.answers.equations import check_equations
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
+from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.markup import text_of_html
@@ -240,12 +240,12 @@ class Graded:
 
     headline   the verdict in one sentence
     equations  the verdict on each equation
+    together   the verdict on the equations together
     others     the verdicts on answers to other questions, without their parts
     messages   errors and notes with their places, for the author of the submission
     right      the number of independent equations that it has; None if that is not known
     required   the number asked for; None if equations are not what is counted
-    score      the points; None if a person has to look at it
-    out_of     the points of a complete answer
+    score      the points, part by part; None if the submission could not be graded at all
     """
 
     verdict: Verdict
@@ -256,8 +256,8 @@ class Graded:
     required: int | None = None
     seconds: float = 0.0
     others: tuple[AnswerVerdict, ...] = ()
-    score: float | None = None
-    out_of: float | None = None
+    together: Verdict = Verdict.EQUIVALENT
+    score: Score | None = None
 
     def at_hint_level(self, level: int) -> Graded:
         """The outcome with the diagnoses of a hint level: 1, 2 or 3, which is all of it."""
@@ -266,13 +266,33 @@ class Graded:
         return replace(self, equations=equations, others=others)
 
     @property
+    def points(self) -> float | None:
+        """The points earned; None if a person has to look at it."""
+        return None if self.score is None or not self.score.settled else as_number(self.score.points)
+
+    @property
+    def possible(self) -> float | None:
+        """The points for a complete answer."""
+        return None if self.score is None else as_number(self.score.possible)
+
+    @property
     def remark(self) -> str:
-        """The most important remark: the first diagnosis, or else the first other remark."""
-        wrong = [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
+        """The most important remark: the parts that are not right, and the first diagnosis or else another remark."""
+        diagnoses = [a.diagnosis for a in self.others if a.diagnosis]
+        diagnoses += [e.diagnosis for e in self.equations if e.diagnosis and e.verdict is not Verdict.EQUIVALENT]
         remarks = [r for e in self.equations for r in e.remarks]
-        if wrong or self.verdict is Verdict.EQUIVALENT:
-            return next(iter([*wrong, *remarks]), "")
-        return self.headline.partition(": ")[2]
+        if self.verdict is Verdict.EQUIVALENT:
+            return next(iter([*diagnoses, *remarks]), "")
+        if parts := self._of_parts:
+            return "; ".join([parts, *diagnoses[:1]])
+        return next(iter(diagnoses), self.headline.partition(": ")[2])
+
+    @property
+    def _of_parts(self) -> str:
+        """`degrees of freedom wrong, equations right`; empty unless questions are answered beside the equations."""
+        parts = [(a.name.replace("_", " "), a.verdict) for a in self.others]
+        parts += [("equations", self.together)] if parts and self.equations else []
+        return ", ".join(f"{name} {'right' if v is Verdict.EQUIVALENT else v.value}" for name, v in parts)
 
 
 @record
@@ -285,37 +305,15 @@ class Grader:
     @classmethod
     def of(cls, examiner: Examiner) -> Grader:
         """A grader with the number of equations asked for. Raises ProblemError if there is nothing to compare with."""
-        nothing = (Fragment.of("0 = 0"),)
-        if examiner.solution is not None and examiner.solution.own.motion is None:
-            examiner.check(nothing)
-            return cls(examiner, None)
-        return cls(examiner, check_equations(nothing, examiner.reference).missing)
-
-    @property
-    def out_of(self) -> float:
-        """The points of a complete answer: one for each independent equation, or one in all."""
-        return float(self.required or 1)
+        if examiner.required is None:
+            examiner.check((Fragment.of("0 = 0"),))
+        return cls(examiner, examiner.required)
 
     def grade(self, submission: Submission) -> Graded:
-        """The verdict on a submission, with its points."""
-        graded = self._graded(submission)
-        return replace(graded, score=self._score(graded), out_of=self.out_of)
-
-    def _score(self, graded: Graded) -> float | None:
-        """The points: the right equations, or whether the whole is right; None if it could not be judged."""
-        if graded.verdict is Verdict.UNDECIDED:
-            return None
-        if graded.required is not None:
-            return None if graded.right is None else float(graded.right)
-        return self.out_of if graded.verdict is Verdict.EQUIVALENT else 0.0
-
-    def _graded(self, submission: Submission) -> Graded:
         """The verdict on a submission."""
         start = perf_counter()
         if not submission.files:
-            verdict, nothing = Verdict.INCOMPLETE, "nothing was handed in for this problem"
-            right = None if self.required is None else 0
-            return Graded(verdict, f"{verdict.value}: {nothing}", (), submission.notes, right, self.required)
+            return self._unread(Verdict.INCOMPLETE, "nothing was handed in for this problem", submission.notes)
         try:
             judgement = self._checked(submission)
             if judgement is None:
@@ -334,6 +332,8 @@ class Grader:
             None if judgement.statics else self.required,
             perf_counter() - start,
             tuple(AnswerVerdict(a.verdict, name=a.name, diagnosis=a.diagnosis) for a in judgement.others),
+            judgement.equations.verdict,
+            score(self.examiner.problem, judgement, self.required),
         )
 
     def _checked(self, submission: Submission) -> Judgement | None:
@@ -357,9 +357,15 @@ class Grader:
             return self.examiner.check_answers(answers, tuple(fragments))
         return self.examiner.check(tuple(fragments)) if fragments else None
 
+    def unread(self, reason: str) -> Graded:
+        """The outcome for a submission that cannot be read at all."""
+        return self._unread(Verdict.UNREADABLE, reason, ())
+
     def _unread(self, verdict: Verdict, reason: str, messages: Sequence[str]) -> Graded:
-        right = 0 if verdict is Verdict.UNREADABLE and self.required is not None else None
-        return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required)
+        judged = verdict in (Verdict.UNREADABLE, Verdict.INCOMPLETE)
+        right = 0 if judged and self.required is not None else None
+        points = unread_score(self.examiner.problem, verdict, self.required)
+        return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required, score=points)
 
     def _right(self, judgement: Judgement) -> int | None:
         """The number of independent equations that follow; None if some could not be judged."""

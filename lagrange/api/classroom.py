@@ -94,7 +94,7 @@ def grade_source(problem: Source, answer: str, hint: int = 1, seed: str = "", ki
 
 def grade_of(graded: Graded, hint: int) -> Grade:
     """The grade that the outcome of a submission stands for."""
-    return Grade(graded.verdict, graded.score, graded.out_of or 1.0, feedback_text(graded.at_hint_level(hint)))
+    return Grade(graded.verdict, graded.points, graded.possible or 1.0, feedback_text(graded.at_hint_level(hint)))
 
 
 @lru_cache(maxsize=8)

@@ -16,8 +16,9 @@ from enum import StrEnum
 
 from lagrange.core.records import record
 
-PRIMITIVE = ("text", "name", "argument", "expression", "equation", "number", "nothing")
-"""`number` is a natural number; `nothing` is an empty section, such as one whose entries are all commented out."""
+PRIMITIVE = ("text", "name", "argument", "expression", "equation", "number", "decimal", "nothing")
+"""`number` is a natural number, `decimal` a positive one with up to two decimals; `nothing` is an empty section, such
+as one whose entries are all commented out."""
 
 
 @record
@@ -455,6 +456,18 @@ VARY = Form(
         Key("step", "expression", "By how much the values differ.", required=True, example="0.1 m"),
     ),
 )
+_NAMED_PARTS = ("ask", "reactions")
+"""The parts of an answer whose statements can have points each, by their names."""
+
+
+def _points_for(part: str) -> Key:
+    what = "the equations of motion, shared by the independent ones" if part == "equations" else f"`{part}`"
+    if part in _NAMED_PARTS:
+        return Key(part, AnyOf(("decimal", Named("decimal", new=False))), f"For {what}; or for each, by its name.")
+    return Key(part, "decimal", f"For {what}.")
+
+
+POINTS = Form("points", tuple(_points_for(key.name) for key in ANSWERS.keys))
 
 _CHAINS = ListOf("path")
 
@@ -570,6 +583,7 @@ PROBLEM = Form(
             _or_nothing(Named(AnyOf((ListOf("expression", 1), VARY)), new=False)),
             "Values that `lagsolve variant` draws: {m: [1 kg, 2 kg], l: {from: 0.2 m, to: 1 m, step: 0.1 m}}.",
         ),
+        Key("points", _or_nothing(POINTS), "What each part of an answer is worth: {equations: 6, ask: {leaves: 3}}."),
         Key("figure", _or_nothing(FIGURE), "What the figure shows beside what the problem says by itself."),
     ),
 )
@@ -600,6 +614,6 @@ PARTS: dict[str, Kind] = {
 
 FORMS = (
     *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
-    *(*FORCES.values(), CHOICE, QUESTION, ANSWERS, VARY, FIGURE, CIRCLE, CURVE),
+    *(*FORCES.values(), CHOICE, QUESTION, ANSWERS, POINTS, VARY, FIGURE, CIRCLE, CURVE),
 )
 """All forms, in the order in which the documentation has them."""

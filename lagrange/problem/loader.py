@@ -128,6 +128,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         questions=questions,
         equations=answers.equations(root.section("equations"), "`equations`"),
         answers=answers.answers(root.section("answers")),
+        points=answers.points(root.section("points")),
         figure=read_figure(root, context, choices),
         vary=read_vary(root.section("vary"), parameters, diagnostics),
     )

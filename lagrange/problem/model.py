@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import field
+from fractions import Fraction
 
 import sympy as sp
 
@@ -392,6 +393,15 @@ class Question:
 
 
 @record
+class Weight:
+    """The points for a part of an answer, a key of `answers`, or for one statement of it by its name."""
+
+    part: str
+    name: str
+    points: Fraction
+
+
+@record
 class Answers:
     """The textbook's answers. Expressions stay text: they are read like anybody's answer."""
 
@@ -445,6 +455,7 @@ class Problem:
     equations: tuple[Fragment, ...] = ()
     find: tuple[Find, ...] = (Find.CONSTRAINTS,)
     answers: Answers | None = None
+    points: tuple[Weight, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
     figure: Figure = Figure()
     vary: tuple[Varied, ...] = ()

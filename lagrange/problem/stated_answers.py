@@ -12,9 +12,11 @@ mistakes (an unknown key, a list where a value belongs) are errors in both.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
+from fractions import Fraction
 from functools import partial
 from typing import Any, TypeVar
 
@@ -28,10 +30,10 @@ from lagrange.expressions.reader import Scope, read_equation, read_value
 from lagrange.expressions.relations import limit_of
 from lagrange.problem.declared_names import canonical
 from lagrange.problem.diagnostic_collector import Diagnostics, EnoughError
-from lagrange.problem.keys import ANSWERS, CLASSES
+from lagrange.problem.keys import ANSWERS, CLASSES, POINTS
 from lagrange.problem.limits import MOST_SIGNS
 from lagrange.problem.load_context import LoadContext, Reader
-from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question
+from lagrange.problem.model import Answers, Choice, Constraint, Problem, Question, Weight
 from lagrange.problem.questions import scope_of_questions
 from lagrange.problem.sections import Section, entries_of, items_of, mapping_of, scalar_of, wrong_kind
 from lagrange.problem.yaml.composer import parse
@@ -94,6 +96,43 @@ class AnswerReader:
             conserved=self._texts(section.get("conserved"), "`conserved`", '["m*r^2*phi\' = const"]'),
             virtual_displacements=self.equations(section.get("virtual_displacements"), "`virtual_displacements`"),
         )
+
+    def points(self, node: Node | None) -> tuple[Weight, ...]:
+        """The section `points`: a weight for each part, or for each statement of a part by its name."""
+        if node is None:
+            return ()
+        mapping = self.diagnostics.attempt(lambda: mapping_of(node, "`points`", EXAMPLE_OF_POINTS))
+        if mapping is None:
+            return ()
+        section = Section(mapping, "`points`", POINTS, self.diagnostics)
+        weights: list[Weight] = []
+        for part in POINTS.names:
+            value = section.get(part)
+            if isinstance(value, MappingNode) and part in ("ask", "reactions"):
+                weights += self._named_points(part, value)
+            elif value is not None:
+                points = self.diagnostics.attempt(partial(_points, value, f"`{part}`"))
+                weights += [Weight(part, "", points)] if points is not None else []
+        return tuple(weights)
+
+    def _named_points(self, part: str, node: MappingNode) -> Iterator[Weight]:
+        """The weights of questions, or of reactions; that of a vector equation is shared by its components."""
+        for key, value in node.entries:
+            names = self.diagnostics.attempt(
+                partial(self._constraints if part == "reactions" else self._questions, key)
+            )
+            points = self.diagnostics.attempt(partial(_points, value, f"`{key.text}`"))
+            if names and points is not None:
+                yield from (Weight(part, name, points / len(names)) for name in names)
+
+    def _questions(self, scalar: Scalar) -> list[str]:
+        """The question that a name means."""
+        name = canonical(scalar.text, self.questions)
+        if name not in self.questions:
+            message = f"`{scalar.text}` is not a question of this file"
+            help_ = suggestion(name, list(self.questions), "questions")
+            raise ProblemError(Diagnostic("unknown-name", message, scalar.span, help=help_))
+        return [name]
 
     def _one(self, node: Node | None, what: str) -> Fragment | None:
         """One text, which is read when it is judged."""
@@ -159,14 +198,10 @@ class AnswerReader:
         entries = self.diagnostics.attempt(lambda: entries_of(node, "`ask`", 'ask: {leaves: "cos(theta) = 2/3"}'))
         for key, value in entries or ():
             scalar = self.diagnostics.attempt(partial(scalar_of, value, "an answer"))
-            name = canonical(key.text, self.questions)
-            if name not in self.questions:
-                message = f"`{key.text}` is not a question of this file"
-                help_ = suggestion(name, list(self.questions), "questions")
-                self.diagnostics.report(Diagnostic("unknown-name", message, key.span, help=help_))
-            elif scalar is not None:
+            names = self.diagnostics.attempt(partial(self._questions, key))
+            if names and scalar is not None:
                 self._try_asked(scalar.fragment)
-                answers[name] = scalar.fragment
+                answers[names[0]] = scalar.fragment
         return answers
 
     def _try_asked(self, fragment: Fragment) -> None:
@@ -304,6 +339,16 @@ def _whole_number(node: Node) -> int:
     return int(scalar.text)
 
 
+def _points(node: Node, what: str) -> Fraction:
+    """A number of points: at most four digits and two decimals, and not zero."""
+    scalar = scalar_of(node, f"the points for {what}")
+    if not re.fullmatch(r"[0-9]{1,4}(?:\.[0-9]{1,2})?", scalar.text, re.ASCII) or not Fraction(scalar.text):
+        message = f"`{scalar.text}` is not a number of points"
+        help_ = "write a positive number below 10,000 with at most two decimals, such as `2` or `1.5`"
+        raise ProblemError(Diagnostic("not-a-number", message, scalar.span, help=help_))
+    return Fraction(scalar.text)
+
+
 def _class(node: Node) -> Scalar:
     scalar = scalar_of(node, "a class")
     if scalar.text not in CLASSES:
@@ -328,6 +373,7 @@ def _of_frequency(mistake: Diagnostic) -> Diagnostic:
     return replace(mistake, help=help_) if mistake.code == "not-real" else mistake
 
 
+EXAMPLE_OF_POINTS = "points: {equations: 6, degrees_of_freedom: 1}"
 EXAMPLE = "equations: [\"theta'' + g/l*sin(theta) = 0\"]"
 
 

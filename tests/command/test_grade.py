@@ -109,7 +109,8 @@ def test_csv_on_standard_output_is_nothing_but_csv(answers: Path) -> None:
     (answers / "a").write_text(RIGHT)
     result = run("grade", PENDULUM, "answers/a", "--csv", "-", "--jobs", "1")
     assert re.fullmatch(
-        r"submission,verdict,right,required,missing,remark,seconds,feedback,mistakes\na,equivalent,1,1,0,,[\d.]+,,\n",
+        r"submission,verdict,right,required,missing,remark,seconds,feedback,mistakes,points,possible\n"
+        r"a,equivalent,1,1,0,,[\d.]+,,,,\n",
         result.stdout.replace("\r\n", "\n"),
     )
 

@@ -11,6 +11,7 @@ import re
 import unicodedata
 from collections.abc import Iterable, Iterator
 
+from lagrange.answers.points import Score
 from lagrange.answers.submissions import Graded
 from lagrange.answers.verdicts import EquationVerdict, Verdict
 from lagrange.core.printable import visible
@@ -33,12 +34,14 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
     if graded.right is not None and graded.required is not None and graded.required > max(1, graded.right):
         verb = "is" if graded.right == 1 else "are"
         yield f"\n{graded.right} of the {graded.required} independent equations asked for {verb} right."
+    if graded.score is not None and graded.score.weighed:
+        yield "\n" + "\n".join(_of_points(graded.score))
     if graded.others:
         yield "\n## Question by question\n"
         for answer in graded.others:
-            diagnosis = f" ({answer.diagnosis})" if answer.diagnosis else ""
+            diagnosis = f" ({prose(answer.diagnosis)})" if answer.diagnosis else ""
             mark = MARKS.get(answer.verdict, "·")
-            yield f"- {mark} {prose(answer.name.replace('_', ' '))}: {answer.verdict.value}{prose(diagnosis)}"
+            yield f"- {mark} {prose(answer.name.replace('_', ' '))}: {answer.verdict.value}{diagnosis}"
     if graded.equations:
         yield "\n## Equation by equation\n"
         for equation in graded.equations:
@@ -48,6 +51,14 @@ def _lines(problem: str, name: str, graded: Graded) -> Iterator[str]:
         for message in graded.messages:
             yield f"\n{block(message)}"
     yield ""
+
+
+def _of_points(score: Score) -> Iterator[str]:
+    total, *parts = score.lines()
+    yield f"**{total.capitalize()}**"
+    if parts:
+        yield ""
+        yield from (f"- {prose(line)}" for line in parts)
 
 
 def _of_equation(equation: EquationVerdict) -> Iterator[str]:

@@ -132,8 +132,8 @@ def _is_row(row: TableRow) -> bool:
     counts = (row.right, row.required, row.missing)
     if not all(c is None or (type(c) is int and 0 <= c <= MOST_COUNTED) for c in counts):
         return False
-    points = (row.score, row.out_of)
-    if not all(p is None or (type(p) in (int, float) and 0 <= p <= MOST_COUNTED) for p in points):
+    amounts = (row.points, row.possible)
+    if not all(a is None or (type(a) in (int, float) and 0 <= a <= MOST_COUNTED) for a in amounts):
         return False
     if row.student or row.attempt is not None or row.submitted or row.late or row.counts:
         return False  # known only when the batch is complete

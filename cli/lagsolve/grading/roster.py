@@ -98,7 +98,7 @@ def read_roster(path: Path, due: datetime | None) -> Roster:
     lines = _lines(path, text)
     header = [cell.strip() for cell in lines[0]]
     if all(name in header for name in MOODLE):
-        return Roster("moodle", lines, _of_moodle(path, header, lines[1:], due))
+        return Roster("moodle", lines, _of_moodle(header, lines[1:], due))
     if all(name in header for name in CANVAS):
         return Roster("canvas", lines)
     return Roster("own", lines, _own(path, [cell.lower() for cell in header], lines[1:], due))
@@ -134,9 +134,7 @@ def _own(path: Path, header: Sequence[str], rows: Sequence[Sequence[str]], due: 
     return handed
 
 
-def _of_moodle(
-    path: Path, header: Sequence[str], rows: Sequence[Sequence[str]], due: datetime | None
-) -> dict[str, Handed]:
+def _of_moodle(header: Sequence[str], rows: Sequence[Sequence[str]], due: datetime | None) -> dict[str, Handed]:
     handed = {}
     for row in rows:
         cells = dict(zip(header, row, strict=False))

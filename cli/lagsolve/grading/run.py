@@ -14,7 +14,6 @@ from time import perf_counter
 from typing import Any
 
 from lagrange.answers.submissions import Graded, Submission
-from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.records import record
 from lagsolve.command_group import write_stderr
@@ -229,11 +228,8 @@ class Batch:
     def _note_unread(self, name: str, why: str) -> None:
         """The rows of a submission that is not graded: no points for any problem."""
         for n, source in enumerate(self._run.sources):
-            grades = grader(source)
-            right = None if len(self._asked) == 1 else 0
-            required = None if right is None else grades.required
-            unread = Graded(Verdict.UNREADABLE, f"unreadable: {why}", (), (), right if required else None, required)
-            self._note((name, n), replace(unread, score=0.0, out_of=grades.out_of), None)
+            unread = grader(source).unread(why)
+            self._note((name, n), unread if len(self._asked) > 1 else replace(unread, right=None, required=None), None)
 
     def _is_of(self, row: TableRow, name: str, problem: int) -> bool:
         return (row.submission, row.problem) == (name, self._asked[problem].label)
@@ -249,7 +245,9 @@ class Batch:
     def _note(self, part: Key, graded: Graded, under: str | None) -> None:
         feedback, asked, hint = self._run.feedback, self._asked[part[1]], self._run.hint
         page_name = self._pages[self._called(part)]
-        graded = self._with_points(graded, part[1])
+        if graded.score is None:  # a limit was exceeded: a person has to look at it
+            unjudged = grader(self._run.sources[part[1]]).unread("")
+            graded = replace(graded, score=unjudged.score.undecided if unjudged.score else None)
         if feedback is not None:
             write_file(feedback / page_name, page(asked.title, part[0], graded.at_hint_level(hint)), follow=False)
         row = TableRow.of(part[0], graded, page_name if feedback is not None else "", asked.label, hint)
@@ -261,12 +259,6 @@ class Batch:
                 self.journal.add(under, row)
             except OSError as error:
                 raise unwritable(str(self.journal.path), error) from None
-
-    def _with_points(self, graded: Graded, problem: int) -> Graded:
-        """The outcome with the points of a complete answer, where it was not judged."""
-        if graded.out_of is not None:
-            return graded
-        return replace(graded, out_of=grader(self._run.sources[problem]).out_of)
 
 
 def _lines(number: int) -> str:

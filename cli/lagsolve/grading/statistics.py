@@ -142,7 +142,7 @@ def _verdicts(rows: Sequence[TableRow]) -> Iterator[str]:
 
 def _bins(rows: Sequence[TableRow]) -> list[tuple[int, int, int]]:
     """How many have between 0 and 10 % of the points, ..., between 90 and 100 %: (from, to, number)."""
-    shares = [row.score / row.out_of for row in rows if row.score is not None and row.out_of]
+    shares = [row.points / row.possible for row in rows if row.points is not None and row.possible]
     places = Counter(min(_BINS - 1, int(share * _BINS + 1e-9)) for share in shares)
     step = 100 // _BINS
     return [(n * step, (n + 1) * step, places[n]) for n in range(_BINS)] if shares else []
@@ -153,7 +153,7 @@ def _points(rows: Sequence[TableRow]) -> Iterator[str]:
     bins = _bins(rows)
     if not bins:
         return
-    scores = [row.score / row.out_of for row in rows if row.score is not None and row.out_of]
+    scores = [row.points / row.possible for row in rows if row.points is not None and row.possible]
     mean, highest = sum(scores) / len(scores), max(n for _, _, n in bins)
     yield f"<h3>Points</h3><p>Mean {number(100 * mean)} % of the points.</p>"
     told = ", ".join(f"{n} with {low} to {high} %" for low, high, n in bins if n)

@@ -93,7 +93,7 @@ def _counting(rows: Sequence[TableRow], attempts: Attempts) -> int:
     """The place of the attempt that counts; of several that are equally good, the first."""
     if attempts is Attempts.LAST:
         return len(rows) - 1
-    return max(range(len(rows)), key=lambda n: (-1.0 if (score := rows[n].score) is None else score, -n))
+    return max(range(len(rows)), key=lambda n: (-1.0 if (points := rows[n].points) is None else points, -n))
 
 
 def counting(rows: Iterable[TableRow]) -> list[TableRow]:

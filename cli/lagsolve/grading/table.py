@@ -31,7 +31,11 @@ COLOURS = {Verdict.EQUIVALENT: "green", Verdict.WRONG: "red", Verdict.UNDECIDED:
 
 @record
 class TableRow:
-    """One submission to one problem; the fields are the columns of the CSV file. Unknown values are None."""
+    """One submission to one problem; the fields are the columns of the CSV file. Unknown values are None.
+
+    points, possible  by the weights of the problem file, or one for each independent equation; points are None where
+                      a person has to look at it
+    """
 
     submission: str
     verdict: Verdict
@@ -42,8 +46,8 @@ class TableRow:
     seconds: float
     feedback: str = ""
     mistakes: str = ""
-    score: float | None = None
-    out_of: float | None = None
+    points: float | None = None
+    possible: float | None = None
     problem: str = ""
     student: str = ""
     attempt: int | None = None
@@ -61,9 +65,10 @@ class TableRow:
             remark = f"{remark[:LONGEST_REMARK]}..."
         causes = dict.fromkeys(visible(e.cause) for e in graded.equations if e.cause)
         mistakes, seconds = "; ".join(causes)[:LONGEST_REMARK], round(graded.seconds, 3)
-        verdict, score, out_of = graded.verdict, graded.score, graded.out_of
-        common = (remark, seconds, feedback, mistakes, score, out_of, visible(problem))
-        return cls(visible(name), verdict, right, required, missing, *common)
+        counts, of_problem = (right, required, missing), visible(problem)
+        points, possible = graded.points, graded.possible
+        common = (remark, seconds, feedback, mistakes, points, possible, of_problem)
+        return cls(visible(name), graded.verdict, *counts, *common)
 
     @property
     def counted(self) -> str:
@@ -71,9 +76,17 @@ class TableRow:
         return "" if self.right is None or self.required is None else f"{self.right}/{self.required}"
 
     @property
-    def points(self) -> str:
-        """`1.5/4`; empty where a person has to look at it."""
-        return "" if self.score is None or self.out_of is None else f"{number(self.score)}/{number(self.out_of)}"
+    def is_weighed(self) -> bool:
+        """Whether the points are not simply the number of right equations."""
+        if self.possible is None:
+            return False
+        return self.possible != (self.required or 1) or (self.right is not None and self.points != self.right)
+
+    @property
+    def points_of(self) -> str:
+        """`7.5/10`, or `?/10` where something is undecided; empty where nothing is asked for."""
+        points = "?" if self.points is None else f"{self.points:g}"
+        return "" if self.possible is None else f"{points}/{self.possible:g}"
 
 
 def number(value: float) -> str:
@@ -110,9 +123,7 @@ def harmless(text: str) -> str:
 def table_text(rows: Sequence[TableRow], width: int, on_terminal: bool) -> str:
     """The table for a terminal, and below it how many submissions have each verdict."""
     remarks = any(r.remark for r in rows)
-    further = {
-        name: shown for name, shown, wanted in _FURTHER if any(map(wanted, rows)) and len({*map(shown, rows)}) > 1
-    }
+    further = _further(rows)
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, show_edge=False)
     table.add_column("submission", overflow="fold", max_width=max(12, width // 3))
     table.add_column("verdict", no_wrap=True)
@@ -132,17 +143,18 @@ def table_text(rows: Sequence[TableRow], width: int, on_terminal: bool) -> str:
     return "\n".join([*lines, "", *(textwrap.fill(line, width, subsequent_indent="  ") for line in below), ""])
 
 
-_FURTHER: tuple[tuple[str, Callable[[TableRow], str], Callable[[TableRow], object]], ...] = (
-    ("problem", lambda row: row.problem, lambda row: row.problem),
-    ("points", lambda row: row.points, lambda row: row.out_of is not None and row.out_of != row.required),
-    (
-        "attempt",
-        lambda row: f"{row.attempt}{' *' if row.counts else ''}" if row.attempt else "",
-        lambda row: row.attempt,
-    ),
-    ("late", lambda row: row.late, lambda row: row.late),
-)
-"""Columns of the terminal that are there only where they differ: name, text of a row, whether a row asks for it."""
+def _further(rows: Sequence[TableRow]) -> dict[str, Callable[[TableRow], str]]:
+    """name -> text: the columns that only some batches have."""
+    columns: dict[str, Callable[[TableRow], str]] = {}
+    if len({row.problem for row in rows}) > 1:
+        columns["problem"] = lambda row: row.problem
+    if any(row.is_weighed for row in rows):
+        columns["points"] = lambda row: row.points_of
+    if any(row.attempt for row in rows):
+        columns["attempt"] = lambda row: f"{row.attempt}{' *' if row.counts else ''}"
+    if any(row.late for row in rows):
+        columns["late"] = lambda row: row.late
+    return columns
 
 
 def _summary(rows: Sequence[TableRow]) -> str:

@@ -30,14 +30,14 @@ def results(
         {
             "name": f"{p.label}: {p.title}" if len(parts) > 1 else p.title,
             "number": str(n),
-            "score": p.graded.score or 0.0,
-            "max_score": p.graded.out_of or 1.0,
+            "score": p.graded.points or 0.0,
+            "max_score": p.graded.possible or 1.0,
             "output": feedback_text(p.graded),
             "visibility": "visible",
         }
         for n, p in enumerate(parts, start=1)
     ]
-    score = sum(p.graded.score or 0.0 for p in parts)
+    score = sum(p.graded.points or 0.0 for p in parts)
     late = next((row.late for row in rows if row.late), "")
     said = [f"Handed in {late} after it was due."] if late else []
     undecided = [p.label for p in parts if p.graded.verdict is Verdict.UNDECIDED]

@@ -59,13 +59,13 @@ def marks(rows: Sequence[TableRow]) -> dict[str, Mark]:
 
 
 def _worth(row: TableRow) -> float:
-    return -1.0 if row.score is None else row.score
+    return -1.0 if row.points is None else row.points
 
 
 def _mark(student: str, rows: Sequence[TableRow]) -> Mark:
-    scores = [row.score for row in rows]
+    scores = [row.points for row in rows]
     known = [s for s in scores if s is not None]
-    out_of = sum(row.out_of or 1.0 for row in rows)
+    out_of = sum(row.possible or 1.0 for row in rows)
     late = next((f"Handed in late ({row.late})." for row in rows if row.late), "")
     said = [_said(row, len(rows) > 1) for row in rows]
     comment = "\n".join(filter(None, (*said, late)))
@@ -75,7 +75,7 @@ def _mark(student: str, rows: Sequence[TableRow]) -> Mark:
 def _said(row: TableRow, several: bool) -> str:
     about = f"{row.problem}: " if several else ""
     remark = f" {row.remark[0].upper()}{row.remark[1:]}" if row.remark else ""
-    return f"{about}{row.points or 'to be looked at'}, {row.verdict.value}.{remark}"
+    return f"{about}{'to be looked at' if row.points is None else row.points_of}, {row.verdict.value}.{remark}"
 
 
 def moodle(rows: Sequence[TableRow], roster: Roster) -> str:

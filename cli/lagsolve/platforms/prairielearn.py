@@ -26,18 +26,18 @@ NOT_GRADABLE = (Verdict.UNREADABLE, Verdict.UNDECIDED)
 
 def results(parts: Sequence[Part], late: str = "") -> dict[str, Any]:
     """The object of `results.json` for one submission."""
-    out_of = sum(p.graded.out_of or 1.0 for p in parts)
+    out_of = sum(p.graded.possible or 1.0 for p in parts)
     unread = [p for p in parts if p.graded.verdict in NOT_GRADABLE]
     message = "\n".join(filter(None, (p.graded.headline if len(parts) == 1 else "" for p in parts)))
     found: dict[str, Any] = {
         "gradable": not unread,
-        "score": min(1.0, sum(p.graded.score or 0.0 for p in parts) / out_of),
+        "score": min(1.0, sum(p.graded.points or 0.0 for p in parts) / out_of),
         "message": "\n".join(filter(None, (message, f"Handed in {late} after it was due." if late else ""))),
         "tests": [
             {
                 "name": f"{p.label}: {p.title}" if len(parts) > 1 else p.title,
-                "points": p.graded.score or 0.0,
-                "max_points": p.graded.out_of or 1.0,
+                "points": p.graded.points or 0.0,
+                "max_points": p.graded.possible or 1.0,
                 "message": p.graded.headline,
                 "output": feedback_text(p.graded),
             }

@@ -82,8 +82,8 @@ fi
 _PL_SERVER = '''\
 """Instead of an external grader: where lagsolve is installed for the Python of PrairieLearn's questions.
 
-Set "gradingMethod": "Internal" in info.json, and take <pl-string-input answers-name="equations"> or another element that
-keeps a text, in place of the file editor.
+Set "gradingMethod": "Internal" in info.json, and take <pl-rich-text-editor>, <pl-string-input
+answers-name="equations"> or another element that keeps a text, instead of the file editor.
 """
 
 from pathlib import Path
@@ -132,9 +132,9 @@ def create_for(platform: str, file: str, source: Source) -> None:
 _PROBLEM = "problem.yaml"
 _PLACES = {"gradescope": "", "prairielearn": "tests/"}
 _NEXT = {
-    "gradescope": "{folder} is an autograder: put a wheel of lagsolve into it, and upload a zip file of what is inside\n"
+    "gradescope": "{folder} is an autograder: put a wheel of lagsolve into it, and upload a zip file of its files\n"
     "  (cd {folder} && zip ../autograder.zip *)",
-    "prairielearn": "{folder} is a question: build the image of its Dockerfile, name it in info.json, and sync the course",
+    "prairielearn": "{folder} is a question: build the image of its Dockerfile, name it in info.json, sync the course",
 }
 
 
