@@ -65,10 +65,8 @@ class TableRow:
             remark = f"{remark[:LONGEST_REMARK]}..."
         causes = dict.fromkeys(visible(e.cause) for e in graded.equations if e.cause)
         mistakes, seconds = "; ".join(causes)[:LONGEST_REMARK], round(graded.seconds, 3)
-        counts, of_problem = (right, required, missing), visible(problem)
-        points, possible = graded.points, graded.possible
-        common = (remark, seconds, feedback, mistakes, points, possible, of_problem)
-        return cls(visible(name), graded.verdict, *counts, *common)
+        common = visible(name), graded.verdict, right, required, missing, remark, seconds, feedback, mistakes
+        return cls(*common, graded.points, graded.possible, visible(problem))
 
     @property
     def counted(self) -> str:

@@ -25,7 +25,7 @@ from lagrange.explain.page.texts import set_text
 from lagrange.explain.report import Report, report
 from lagrange.problem.keys import Find
 from lagrange.problem.loader import read_problem
-from lagrange.problem.model import Problem
+from lagrange.problem.model import Coordinate, Parameter, Problem
 from lagrange.render.html import CSS
 from lagrange.render.svg import figure
 
@@ -150,15 +150,8 @@ def statement_of(problem: Problem, notation: Notation) -> Iterator[str]:
     write = Writer(LATEX, notation)
     if problem.description:
         yield f"<p>{_html(set_text(problem.description, problem), write)}</p>"
-    rows = []
-    for symbol in (*problem.coordinates, *problem.parameters):
-        value = getattr(symbol, "value", None)
-        if symbol.meaning or symbol.unit or value is not None:
-            called = rf"\({escape(write.plain(symbol.symbol))}\)"
-            measured = (
-                rf"\({escape(write.plain(value))}\) {escape(symbol.unit)}" if value is not None else escape(symbol.unit)
-            )
-            rows.append(f"<tr><td>{called}</td><td>{escape(_clean(symbol.meaning))}</td><td>{measured}</td></tr>")
+    symbols: list[Coordinate | Parameter] = [*problem.coordinates, *problem.parameters]
+    rows = [_row(s, write) for s in symbols if s.meaning or s.unit or getattr(s, "value", None) is not None]
     if rows:
         yield f"<table><tbody>{''.join(rows)}</tbody></table>"
     asked = [_ASKED[f] for f in problem.find if f in _ASKED]
@@ -171,6 +164,14 @@ def statement_of(problem: Problem, notation: Notation) -> Iterator[str]:
         f"<p>Write one equation a line. Coordinates are {names}; <code>{example}'</code> is a velocity, "
         f"<code>{example}''</code> an acceleration. LaTeX is understood too.</p>"
     )
+
+
+def _row(symbol: Coordinate | Parameter, write: Writer) -> str:
+    """The symbol, its meaning, and its value and unit."""
+    value = symbol.value if isinstance(symbol, Parameter) else None
+    number = rf"\({escape(write.plain(value))}\) " if value is not None else ""
+    cells = rf"\({escape(write.plain(symbol.symbol))}\)", escape(_clean(symbol.meaning)), number + escape(symbol.unit)
+    return f"<tr>{''.join(f'<td>{cell}</td>' for cell in cells)}</tr>"
 
 
 def _html(parts: Iterable[Part], write: Writer) -> str:
