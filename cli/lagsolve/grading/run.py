@@ -105,6 +105,9 @@ def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
     start = perf_counter()
     asked = tuple(Asked(label, _title(source), source) for label, source in run.problems)
     setup_seconds = 60 + 20 * (perf_counter() - start)
+    if run.seeded and not any(grader(source).examiner.problem.vary for source in run.sources):
+        help_ = "say what varies, as `vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}}`"
+        raise ProblemError(Diagnostic("nothing-varies", "none of the problems has `vary`", help=help_))
     _refuse_pages_among_answers(run)
     _refuse_overwrite(run.csv)
     unread = [one_entry(run.answers)] if run.together else entries(run.answers, run.own_files)
@@ -216,7 +219,8 @@ class Batch:
                 self._note_unread(entry.name, parts)
                 continue
             for part in parts:
-                submission = replace(part, seed=run.seed(entry.name))
+                varies = grader(run.sources[part.problem]).examiner.problem.vary
+                submission = replace(part, seed=run.seed(entry.name) if varies else "")
                 under = key(submission, self._version, run.sources[part.problem].text, run.limits, run.hint)
                 row = self.journal.row(under)
                 if row is not None and self._is_of(row, entry.name, part.problem) and self._has_page(row, part.problem):

@@ -56,8 +56,9 @@ def _varied(parameter: Parameter, node: Node, diagnostics: Diagnostics) -> Varie
         if not fragments:
             message = f"`{name}` has no values to be drawn"
             raise ProblemError(Diagnostic("empty-value", message, node.span, help=f"list some: `{_EXAMPLE}`"))
+        unit = _unit(fragments[0], parameter)
         for fragment in fragments:
-            _read(fragment, parameter)
+            _read(fragment, parameter, unit)
         return Varied(name, tuple(" ".join(f.text.split()) for f in fragments))
     if not isinstance(node, MappingNode):
         message = f"the values of `{name}` are a list, or a range with `from`, `to` and `step`"
@@ -71,8 +72,9 @@ def _varied(parameter: Parameter, node: Node, diagnostics: Diagnostics) -> Varie
 
 def _grid(parameter: Parameter, low: Fragment, high: Fragment, step: Fragment) -> tuple[str, ...]:
     """from, from + step, ..., as texts in the unit of `from`."""
-    first, last = _read(low, parameter), _read(high, parameter)
-    by = _read(step, parameter, as_value=False)
+    known = _unit(low, parameter)
+    first, last = _read(low, parameter, known), _read(high, parameter, known)
+    by = _read(step, parameter, known, as_value=False)
     parts = split_number(low.text)
     unit = parts[1] if parts else ""
     factor = _factor(unit or parameter.stated_unit)
@@ -97,11 +99,16 @@ def _factor(unit: str) -> sp.Expr:
     return sp.S.One if known is None else known.factor
 
 
-def _read(fragment: Fragment, parameter: Parameter, as_value: bool = True) -> ValueRead:
+def _unit(fragment: Fragment, parameter: Parameter) -> str:
+    """The unit whose dimension all values have: that of the parameter, or else that of the first value."""
+    parts = split_number(fragment.text)
+    return parameter.unit or (parts[1] if parts else "")
+
+
+def _read(fragment: Fragment, parameter: Parameter, unit: str, as_value: bool = True) -> ValueRead:
     """A value, checked as one of the parameter is; a step need only have its dimension."""
-    has_unit = split_number(fragment.text) is not None
-    unit = parameter.unit if has_unit else parameter.stated_unit
-    stated = Fragment(unit, fragment.whole) if unit and unit_of(unit) else None
+    stated_unit = unit if split_number(fragment.text) else parameter.stated_unit
+    stated = Fragment(stated_unit, fragment.whole) if stated_unit and unit_of(stated_unit) else None
     return read_number_with_unit(fragment, stated, parameter.symbol, parameter.assume if as_value else None)
 
 

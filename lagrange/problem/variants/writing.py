@@ -78,7 +78,7 @@ def _edits(root: MappingNode, text: str, values: Mapping[str, str]) -> list[_Edi
 
 def _removal(key: Scalar, node: Node, text: str) -> _Edit:
     """Takes `vary` out, with its lines if nothing else is on them, and with its comma in a mapping in braces."""
-    start, end = key.span.start, node.span.end
+    start, end = key.span.start, _end(node, text)
     begin = text.rfind("\n", 0, start) + 1
     line_end = text.find("\n", end)
     line_end = len(text) if line_end < 0 else line_end
@@ -93,6 +93,18 @@ def _removal(key: Scalar, node: Node, text: str) -> _Edit:
     return _Edit(before.start() if before else start, end, "")
 
 
+def _end(node: Node, text: str) -> int:
+    """Where a value ends; YAML lets one without brackets go on to the next key, over the comments before it."""
+    inside = (
+        node.items
+        if isinstance(node, ListNode)
+        else [v for _, v in node.entries]
+        if isinstance(node, MappingNode)
+        else ()
+    )
+    return node.span.end if not inside or text[node.span.start] in "{[" else _end(inside[-1], text)
+
+
 def _as_mapping(declared: ListNode, text: str, values: Mapping[str, str]) -> _Edit:
     """A list of names as a mapping in braces."""
     known = {name: name for name in values}
@@ -102,10 +114,8 @@ def _as_mapping(declared: ListNode, text: str, values: Mapping[str, str]) -> _Ed
         drawn = values.get(canonical(item.text, known))
         entries.append(f"{item.text}: {'positive' if drawn is None else f'{{value: {_scalar(drawn)}}}'}")
     written = f"{{{', '.join(entries)}}}"
-    start, end = declared.span.start, declared.span.end
+    start, end = declared.span.start, _end(declared, text)
     if not text.startswith("[", start):  # a list with dashes, one a line: the mapping needs an indentation
-        while end > start and text[end - 1].isspace():
-            end -= 1
         written = f"  {written}"
         start = text.rfind("\n", 0, start) + 1
     return _Edit(start, end, written)
