@@ -29,16 +29,16 @@ _SETUP = """\
 # Gradescope runs this once, when the image of the autograder is built.
 set -euo pipefail
 cd /autograder/source
-python=$(command -v python3.13 || command -v python3.12 || command -v python3.11 || true)
-if [ -z "$python" ]; then
-    apt-get update
-    apt-get install -y python3.11 python3.11-venv || apt-get install -y python3 python3-venv
-    python=$(command -v python3.11 || command -v python3)
-fi "$python" -c 'import sys; assert sys.version_info >= (3, 11), "lagsolve needs Python 3.11: choose a newer base
-image"' "$python" -m venv /autograder/venv || {{ apt-get update; apt-get install -y "$(basename "$python")-venv";
-"$python" -m venv /autograder/venv; }} # A wheel beside this file is taken if there is one (python -m build --wheel,
-in a clone of lagsolve). wheel=$(ls lagsolve-*.whl 2>/dev/null | tail -n 1 || true) /autograder/venv/bin/python -m pip
-install --quiet "${{wheel:-lagsolve=={version}}}" /autograder/venv/bin/lagsolve --version
+apt-get update
+# Ubuntu 22.04 has Python 3.11 as a package of its own; later releases have a newer one as python3.
+apt-get install -y python3.11 python3.11-venv || apt-get install -y python3 python3-venv
+python=$(command -v python3.11 || command -v python3)
+"$python" -c 'import sys; sys.exit(sys.version_info < (3, 11) and "lagsolve needs Python 3.11: choose a newer image")'
+"$python" -m venv /autograder/venv
+# A wheel beside this file is taken if there is one (python -m build --wheel, in a clone of lagsolve).
+wheel=$(ls lagsolve-*.whl 2>/dev/null | tail -n 1 || true)
+/autograder/venv/bin/python -m pip install --quiet "${{wheel:-lagsolve=={version}}}"
+/autograder/venv/bin/lagsolve --version
 """
 
 _RUN = """\

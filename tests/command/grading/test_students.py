@@ -56,8 +56,8 @@ def row(name: str, points: float | None, problem: str = "") -> TableRow:
     return TableRow(name, verdict, None, None, None, "", 0.0, points=points, possible=2.0, problem=problem)
 
 
-def counted(rows: list[TableRow], attempts: Attempts, roster: Roster = Roster()) -> list[str]:
-    return [r.submission for r in attributed(rows, roster, "", attempts) if r.counts]
+def counted(rows: list[TableRow], attempts: Attempts) -> list[str]:
+    return [r.submission for r in attributed(rows, Roster(), "", attempts) if r.counts]
 
 
 def test_the_best_attempt_counts_or_the_last() -> None:
