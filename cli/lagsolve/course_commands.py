@@ -78,6 +78,8 @@ def grade(
         raise click.UsageError("--assignment goes with --format canvas")
     if format_ in OF_ONE and (csv or feedback or statistics):
         raise click.UsageError(f"--format {format_} is about one submission: leave out --csv, --feedback, --statistics")
+    if statistics is not None and not statistics.lower().endswith((".html", ".htm")):
+        raise click.UsageError(f"--statistics {statistics}: the page about the class is a web page, such as class.html")
     from pathlib import Path
 
     from lagsolve.grading.assignments import labelled, sorted_out

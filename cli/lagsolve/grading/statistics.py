@@ -16,7 +16,6 @@ from html import escape
 from pathlib import Path
 
 from lagrange.answers.verdicts import Verdict
-from lagrange.core.diagnostics import Diagnostic, ProblemError
 from lagrange.core.printable import printable
 from lagsolve.grading.examine import grader
 from lagsolve.grading.run import GradingRun
@@ -49,11 +48,6 @@ Cluster = tuple[str, int]
 
 def write_statistics(path: Path, run: GradingRun, rows: Sequence[TableRow]) -> None:
     """Writes the page, and beside it the CSV file. Raises ProblemError."""
-    if path.suffix.lower() not in (".html", ".htm"):
-        message = f"{path} does not end in .html"
-        raise ProblemError(
-            Diagnostic("bad-extension", message, help="the page about the class is a web page: class.html")
-        )
     titles = {label: grader(source).examiner.problem.title for label, source in run.problems}
     counted = counting(rows)
     write_file(path, page(titles, counted))

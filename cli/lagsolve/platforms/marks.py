@@ -1,9 +1,9 @@
 """Tables of marks that Moodle and Canvas import.
 
 Moodle, "Upload grading worksheet": the columns `Identifier` (`Participant 12345`), `Grade` and `Last modified
-(grade)` must be there, `Feedback comments` may (https://docs.moodle.org/en/Offline_grading_worksheet is made and read
-by mod/assign/feedback/offline). Canvas, "Import" in the gradebook: `Student`, `ID`, `SIS User ID`, `SIS Login ID`,
-`Section`, then assignments; a second row with `Points Possible` (lib/gradebook_importer.rb).
+(grade)` must be there, `Feedback comments` may (mod/assign/feedback/offline/importgradeslib.php). Canvas, "Import" in
+the gradebook: `Student`, `ID`, `SIS User ID`, `SIS Login ID`, `Section`, then assignments; a second row with `Points
+Possible` (lib/gradebook_importer.rb).
 
 Where the platform's own table is given as a roster its rows and columns are kept, and the marks are scaled to the
 maximum that it states. A student with an answer that a person has to look at gets no mark, and keeps the one there
