@@ -10,7 +10,7 @@ import click
 from lagsolve.command_group import INTERRUPTED, OK, UNDECIDED, complete_files, complete_problems, write_stderr
 
 if TYPE_CHECKING:
-    pass
+    from collections.abc import Sequence
 
 SECONDS = click.FloatRange(0, 86_400, min_open=True)
 MEGABYTES = click.IntRange(256)
@@ -93,7 +93,10 @@ def grade(
     named, answers = sorted_out(problems)
     limit = None if due is None else time_of(due, "--due")
     table = Roster() if roster is None else read_roster(Path(roster), limit)
+    for file in (output, statistics):
+        _refuse_overwrite(file, (*named, *answers, *([roster] if roster else [])))
     written = [Path(f) for f in (output, statistics, roster) if f is not None]
+    written += [Path(statistics).with_suffix(".csv")] if statistics else []
     run = GradingRun(
         labelled(named),
         answers,
@@ -131,6 +134,18 @@ def grade(
     sys.exit(UNDECIDED if any(r.verdict == "undecided" for r in rows) else OK)
 
 
+def _refuse_overwrite(file: str | None, given: Sequence[str]) -> None:
+    """Raises a usage error where a file that is written is one of those that were given to be read."""
+    import os
+
+    if (
+        file is not None
+        and os.path.exists(file)
+        and any(os.path.exists(g) and os.path.samefile(file, g) for g in given)
+    ):
+        raise click.UsageError(f"{file} would be overwritten, and is read: name another file")
+
+
 def _write(text: str, output: str | None) -> None:
     from lagsolve.output import write_stdout
 
@@ -160,11 +175,7 @@ def variant(problem: str, seed: str, output: str | None) -> None:
     from lagsolve.inputs import problem_source
 
     source = problem_source(problem)
-    if output is not None:
-        import os
-
-        if os.path.exists(output) and os.path.exists(source.name) and os.path.samefile(output, source.name):
-            raise click.UsageError(f"-o {output} would overwrite the problem file")
+    _refuse_overwrite(output, (source.name,))
     _write(drawn(source, seed).text, output)
 
 

@@ -134,7 +134,8 @@ def test_a_variant_is_a_file_that_solves(here: Path) -> None:  # noqa: ARG001
     [
         (["variant", "ex11", "--seed", "a"], "has no `vary`"),
         (["variant", "varied.yaml"], "--seed"),
-        (["variant", "varied.yaml", "--seed", "a", "-o", "varied.yaml"], "overwrite"),
+        (["variant", "varied.yaml", "--seed", "a", "-o", "varied.yaml"], "would be overwritten"),
+        (["grade", "varied.yaml", "answers", "--format", "csv", "-o", "varied.yaml"], "would be overwritten"),
         (["variant", "varied.yaml", "--seed", "a", "-o", "nowhere/a.yaml"], "cannot be written"),
         (["grade", "ex11", "answers", "--variants"], "none of the problems has `vary`"),
         (["grade", "ex11", "answers", "-o", "x"], "--format"),

@@ -20,7 +20,7 @@ from lagrange.core.printable import printable
 from lagsolve.grading.examine import grader
 from lagsolve.grading.run import GradingRun
 from lagsolve.grading.students import counting
-from lagsolve.grading.table import ORDER, TableRow, cell, number
+from lagsolve.grading.table import ORDER, TableRow, cell
 from lagsolve.limits import FEWEST_NAMED, MOST_MISTAKES_LISTED
 from lagsolve.written_files import write_file
 
@@ -55,10 +55,10 @@ def write_statistics(path: Path, run: GradingRun, rows: Sequence[TableRow]) -> N
 
 
 def mistakes(rows: Sequence[TableRow]) -> tuple[list[Cluster], int]:
-    """The mistakes that several made, the most frequent first, and how many others there are."""
+    """The mistakes that several made, the most frequent first, and how many one person alone made."""
     count = Counter(mistake for row in rows for mistake in row.mistakes.split("; ") if mistake)
     named = [(mistake, n) for mistake, n in count.most_common() if n >= FEWEST_NAMED]
-    return named[:MOST_MISTAKES_LISTED], len(count) - len(named[:MOST_MISTAKES_LISTED])
+    return named[:MOST_MISTAKES_LISTED], len(count) - len(named)
 
 
 def table(titles: dict[str, str], rows: Sequence[TableRow]) -> str:
@@ -110,8 +110,8 @@ def _of_problem(rows: Sequence[TableRow]) -> Iterator[str]:
             yield f"<tr><td class=n>{n:,}</td><td class=n>{len(rows):,}</td><td>{_text(mistake)}</td></tr>"
         yield "</tbody></table>"
     if others:
-        verb = "mistake was" if others == 1 else "mistakes were"
-        yield f'<p class="quiet">{others:,} other {verb} made by one person each, or by few, and not listed.</p>'
+        verb, each = ("mistake was", "") if others == 1 else ("mistakes were", " each")
+        yield f'<p class="quiet">{others:,} other {verb} made by one person{each}, and not listed.</p>'
     if late := sum(bool(row.late) for row in rows):
         yield f"<p>{late:,} of {len(rows):,} were handed in late.</p>"
 
@@ -149,9 +149,9 @@ def _points(rows: Sequence[TableRow]) -> Iterator[str]:
         return
     scores = [row.points / row.possible for row in rows if row.points is not None and row.possible]
     mean, highest = sum(scores) / len(scores), max(n for _, _, n in bins)
-    yield f"<h3>Points</h3><p>Mean {number(100 * mean)} % of the points.</p>"
+    yield f"<h3>Points</h3><p>Mean {100 * mean:.0f} % of the points.</p>"
     told = ", ".join(f"{n} with {low} to {high} %" for low, high, n in bins if n)
-    yield f'<svg role="img" viewBox="0 0 640 190" width="640" height="190"><title>Points: {told}</title>'
+    yield f'<svg role="img" viewBox="-14 0 668 190" width="668" height="190"><title>Points: {told}</title>'
     for place, (_, _, n) in enumerate(bins):
         height = 140 * n / highest
         x = 10 + place * 62

@@ -61,7 +61,7 @@ def test_the_page_needs_nothing_else() -> None:
         ET.fromstring(picture)
     assert "5 people handed something in." in shown
     assert "1 of 5 were handed in late." in shown
-    assert "Mean 37.5 % of the points." in shown
+    assert "Mean 38 % of the points." in shown
 
 
 def test_the_table_has_the_same_numbers() -> None:
