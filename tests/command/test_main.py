@@ -452,7 +452,7 @@ def test_help(flag: str) -> None:
         page = run(command, flag).stdout
         assert page.startswith(f"Usage: lagsolve {command}")
         assert run("help", command).stdout == page
-        assert ("Exit status" in page) == (command in ("solve", "check", "grade"))
+        assert ("Exit status" in page) == (command in ("solve", "check", "grade", "variant"))
     assert run("help").stdout == run("help", "nonsense").stdout == result.stdout
 
 

@@ -18,6 +18,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 
+from lagrange.answers.limits import MAX_FILE_LINES
 from lagrange.answers.submissions import Submission
 from lagrange.answers.written.markup import text_of_html
 from lagrange.core.diagnostics import ProblemError, Source
@@ -85,6 +86,8 @@ def _pieces(name: str, content: bytes, asked: Sequence[Asked]) -> list[tuple[int
     ending = PurePath(name).suffix.lower()
     try:
         source = decode(content, name)
+        if source.text.count("\n") > MAX_FILE_LINES:
+            return [(n, (name, content)) for n in range(len(asked))]  # which is refused
         keyed = _by_key(source, asked) if ending in (".yaml", ".yml") else None
     except (ProblemError, EnoughError):
         return [(n, (name, content)) for n in range(len(asked))]  # the verdict on each says what is wrong with it

@@ -119,3 +119,11 @@ def test_nothing_that_is_handed_in_raises(content: bytes, name: str) -> None:
 def test_one_problem_takes_everything() -> None:
     submission = Submission("s", (("anna.txt", b"Problem 7\nx = 1"),))
     assert divided(submission, ASKED[:1]) == (submission,)
+
+
+def test_a_file_of_a_million_lines_is_not_looked_through() -> None:
+    """Each problem gets it whole, and refuses it, within the limits of a submission."""
+    content = b"Problem 1\n" * (1 << 16)
+    found = divided(Submission("s", (("a.txt", content),)), ASKED)
+    assert not isinstance(found, str)
+    assert [part.files for part in found] == [(("a.txt", content),)] * 2
