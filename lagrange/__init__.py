@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from lagrange.answers.verdicts import Judgement, Verdict
+    from lagrange.api.classroom import grade
     from lagrange.api.formulation import Formulation
     from lagrange.api.interface import check, load, loads, solve
     from lagrange.api.numerical import RightHandSide
@@ -38,6 +39,7 @@ __all__ = [
     "Verdict",
     "__version__",
     "check",
+    "grade",
     "load",
     "loads",
     "solve",
@@ -46,6 +48,7 @@ __all__ = [
 _HOMES = {
     "answers.verdicts": ("Judgement", "Verdict"),
     "core.diagnostics": ("NotCoveredError", "ProblemError", "UndecidedError"),
+    "api.classroom": ("grade",),
     "api.formulation": ("Formulation",),
     "api.interface": ("check", "load", "loads", "solve"),
     "api.numerical": ("RightHandSide",),

@@ -94,7 +94,7 @@ def use_utf8() -> None:
             reconfigure(encoding="utf-8", errors=stream.errors)
 
 
-COMMANDS = ("solve", "check", "grade", "simulate", "export", "list", "show", "new", "schema", "completion")
+COMMANDS = ("solve", "check", "grade", "simulate", "export", "variant", "list", "show", "new", "schema", "completion")
 """In the order of the help page."""
 
 FIRST_STEPS = """\

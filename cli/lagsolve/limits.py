@@ -30,6 +30,18 @@ CHECK_SECONDS, CHECK_MEGABYTES = 60.0, 1024
 MOST_FILES = 50
 """In the folder of one submission; whoever has more has named the wrong folder."""
 
+MOST_PROBLEMS = 16
+"""In one assignment: each is solved in every process, and kept there."""
+
+MOST_ROSTER_ROWS = 20_000
+"""Of a table of students; a large university has as many in a year."""
+
+FEWEST_NAMED = 2
+"""Who must have made a mistake for it to be on the page about the class: of one person it would tell who."""
+
+MOST_MISTAKES_LISTED = 40
+"""On the page about the class: nobody goes through more of them."""
+
 LONGEST_REMARK = 300
 """Characters of a remark in the table: four lines of a terminal."""
 

@@ -1,4 +1,4 @@
-"""The command `lagsolve`: solve (the default), check, grade; the rest in `program_commands`, `problem_commands`.
+"""The command `lagsolve`: solve (the default) and check; others are in `course_`, `program_` and `problem_commands`.
 
 The result goes to standard output and everything else to standard error. Exit status: 0 done, and every check held;
 1 an answer is not right; 2 something cannot be read, or contradicts itself; 3 undecided, not completed, a check failed.
@@ -15,15 +15,13 @@ from typing import TYPE_CHECKING
 import click
 
 from lagsolve.command_group import (
-    INTERRUPTED,
-    OK,
-    UNDECIDED,
     CommandLine,
     complete_files,
     complete_problems,
     status_of_verdict,
     write_stderr,
 )
+from lagsolve.course_commands import COURSE_COMMANDS, MEGABYTES, SECONDS
 from lagsolve.limits import CHECK_MEGABYTES, CHECK_SECONDS
 from lagsolve.problem_commands import COMMANDS
 from lagsolve.program_commands import COMMANDS as PROGRAMS
@@ -39,8 +37,6 @@ FORMATS = ("pretty", "latex", "markdown", "html", "json")
 METHODS = ("dalembert", "lagrange")
 READERS = ("github", "myst", "quarto")
 VECTORS = ("bold", "underlined", "arrow")
-SECONDS = click.FloatRange(0, 86_400, min_open=True)
-MEGABYTES = click.IntRange(256)
 DIGITS = click.IntRange(1, 14)
 
 
@@ -219,63 +215,5 @@ def _checking(problem: Problem, answer_file: str | None, equations: tuple[str, .
     return lambda examiner: examiner.check(fragments)
 
 
-@main.command(short_help="Grade a folder of submissions to one PROBLEM.")
-@click.argument("problem", metavar="PROBLEM", shell_complete=complete_problems)
-@click.argument("answers", nargs=-1, required=True, metavar="ANSWERS...", shell_complete=complete_files)
-@click.option("--csv", metavar="FILE", help="Write the table as CSV; `-` is standard output.")
-@click.option("--feedback", metavar="DIR", help="Write a page of Markdown for each submission.")
-@click.option("--jobs", type=click.IntRange(1), metavar="N", help="Processes on this machine. Default: one per core.")
-@click.option("--timeout", type=SECONDS, default=60.0, show_default=True, metavar="SECONDS", help="For one submission.")
-@click.option("--memory", type=MEGABYTES, default=1024, show_default=True, metavar="MB", help="For one submission.")
-@click.option("--dask", metavar="ADDRESS", help="Grade on the cluster of this scheduler, tcp://host:8786.")
-def grade(
-    problem: str,
-    answers: tuple[str, ...],
-    csv: str | None,
-    feedback: str | None,
-    jobs: int | None,
-    timeout: float,
-    memory: int,
-    dask: str | None,
-) -> None:
-    """Compare many submissions with the derived equations of one PROBLEM.
-
-    ANSWERS are files, or folders in which every file, and every folder with one student's files, is a submission. With
-    --csv or --feedback, a batch that was interrupted continues when the same command is given again.
-    Exit status: 0 every submission has its verdict; 2 the batch cannot begin; 3 some submissions need a look, because
-    they are undecided or exceed the limits; 130 interrupted by Ctrl-C.
-    """
-    if not timeout > 0:  # a NaN
-        raise click.UsageError(f"--timeout {timeout} is not a number of seconds")
-    if dask is not None and jobs is not None:
-        raise click.UsageError("--jobs is for this machine; the cluster of --dask has its own number of processes")
-    from pathlib import Path
-
-    from lagsolve.grading.pool import available_cores
-    from lagsolve.grading.run import GradingRun, InterruptedBatchError, graded
-    from lagsolve.grading.worker import Limits
-    from lagsolve.inputs import problem_source
-    from lagsolve.output import write_rows
-
-    source = problem_source(problem)
-    run = GradingRun(
-        source,
-        answers,
-        Limits(timeout, memory),
-        jobs or available_cores(),
-        dask,
-        Path(csv) if csv not in (None, "-") else None,
-        Path(feedback) if feedback else None,
-        Path(source.name),
-    )
-    try:
-        rows = graded(run)
-    except InterruptedBatchError as interrupted:
-        write_stderr(str(interrupted))
-        sys.exit(INTERRUPTED)
-    write_rows(rows, as_csv=csv == "-")
-    sys.exit(UNDECIDED if any(r.verdict == "undecided" for r in rows) else OK)
-
-
-for command in (*PROGRAMS, *COMMANDS):
+for command in (*PROGRAMS, *COMMANDS, *COURSE_COMMANDS):
     main.add_command(command)

@@ -98,6 +98,8 @@ generalized_coordinates:
 #initial: {theta: pi/2, theta': 0}
 #ask: {fall: {quantity: "theta''", when: theta = pi/2}}
 
+#vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}, m: [1, 2]}
+
 # What the figure shows beside what the problem says by itself: the position that
 # is drawn, the ground, strings and pulleys, angles, lengths.
 #figure: {at: {theta: 40 deg}, supports: [O], lengths: {l: [O, P]}}

@@ -204,8 +204,8 @@ def write_verdict(answer: Judgement, format_: str, revealed: Sequence[Any] = (),
     if format_ == "json":
         from lagrange.core.printable import json_text
 
-        points = {"points": score.as_json()} if score is not None else {}
-        write_stdout(json_text({**answer.as_json(revealed), **points}, indent=1) + "\n")
+        more = {"points": score.as_json()} if score is not None else {}
+        write_stdout(json_text({**answer.as_json(revealed), **more}, indent=1) + "\n")
     else:
         below = "\n" + "".join(f"{line}\n" for line in score.lines()) if score is not None else ""
         write_stdout(answer.text(terminal_width(), revealed) + below)

@@ -8,6 +8,9 @@ import click
 
 from lagsolve.command_group import complete_files, complete_names, write_stderr
 
+PLATFORMS = ("gradescope", "prairielearn", "moodle", "coderunner")
+"""For which `new --for` writes files."""
+
 
 @click.command("list", short_help="List the shipped problems, or those that have every WORD.")
 @click.argument("words", nargs=-1, metavar="[WORD]...")
@@ -52,11 +55,26 @@ def show(name: str) -> None:
 @click.command(short_help="Write a problem file to start from, with every key explained.")
 @click.argument("file", metavar="FILE", shell_complete=complete_files)
 @click.option("--from", "name", metavar="NAME", shell_complete=complete_names, help="A copy of this shipped problem.")
-def new(file: str, name: str | None) -> None:
+@click.option("--for", "platform", type=click.Choice(PLATFORMS), help="What a teaching platform needs to grade it.")
+def new(file: str, name: str | None, platform: str | None) -> None:
     """Write a problem file to start from: a template with every key explained, or a copy of a shipped problem.
 
     FILE gets the extension .yaml if it has none; `-` is standard output. An existing file is left alone.
+
+    \b
+    With --for, what a platform needs, for a problem of the library or a file of yours:
+    lagsolve new autograder --from ex11 --for gradescope       a folder to be zipped
+    lagsolve new pendulum --from ex11 --for prairielearn       a folder with a question
+    lagsolve new pendulum.xml --from mine.yaml --for moodle    a question for Moodle; coderunner likewise
     """
+    if platform is not None:
+        if name is None:
+            raise click.UsageError("--for needs a problem: --from NAME, of the library or a file")
+        from lagsolve.inputs import problem_source
+        from lagsolve.platforms.starters import create_for
+
+        create_for(platform, file, problem_source(name))
+        return
     from lagsolve.new_file import create
 
     create(file, name)

@@ -15,6 +15,7 @@ equilibria.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from fractions import Fraction
 
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
@@ -62,6 +63,11 @@ class Score:
     def settled(self) -> bool:
         """Whether no part is undecided."""
         return all(p.verdict != Verdict.UNDECIDED for p in self.parts)
+
+    @property
+    def undecided(self) -> Score:
+        """The same with every part undecided."""
+        return replace(self, parts=tuple(replace(p, verdict=Verdict.UNDECIDED.value) for p in self.parts))
 
     def as_json(self) -> dict[str, object]:
         """The points as a JSON object; `points` is null where a part is undecided."""

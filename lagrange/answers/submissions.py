@@ -27,7 +27,7 @@ from time import perf_counter
 
 from lagrange.answers.examiner import Examiner
 from lagrange.answers.limits import MAX_FILE_LINES, MAX_MARKS, MAX_SIGNS
-from lagrange.answers.points import Score, score, unread_score
+from lagrange.answers.points import Score, as_number, score, unread_score
 from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Judgement, Verdict
 from lagrange.answers.written.lines import equations_of_line, has_sign_of_equality, is_mathematics, joined
 from lagrange.answers.written.markup import text_of_html
@@ -242,14 +242,18 @@ def _lines(text: str) -> Iterator[tuple[int, int]]:
 class Submission:
     """A submission to be graded.
 
-    name   its name, which is safe to be shown
-    files  name and content of each file
-    notes  what was ignored in it
+    name     its name, which is safe to be shown
+    files    name and content of each file; none where nothing was handed in for this problem
+    notes    what was ignored in it
+    problem  which of the problems of an assignment it answers, from 0
+    seed     the seed of the student's variant of the problem; empty if the problem is the same for all
     """
 
     name: str
     files: tuple[tuple[str, bytes], ...]
     notes: tuple[str, ...] = ()
+    problem: int = 0
+    seed: str = ""
 
 
 @record
@@ -276,6 +280,22 @@ class Graded:
     others: tuple[AnswerVerdict, ...] = ()
     together: Verdict = Verdict.EQUIVALENT
     score: Score | None = None
+
+    def at_hint_level(self, level: int) -> Graded:
+        """The outcome with the diagnoses of a hint level: 1, 2 or 3, which is all of it."""
+        equations = tuple(e.at_hint_level(level) for e in self.equations)
+        others = self.others if level > 1 else tuple(replace(a, diagnosis="") for a in self.others)
+        return replace(self, equations=equations, others=others)
+
+    @property
+    def points(self) -> float | None:
+        """The points earned; None if a person has to look at it."""
+        return None if self.score is None or not self.score.settled else as_number(self.score.points)
+
+    @property
+    def possible(self) -> float | None:
+        """The points for a complete answer."""
+        return None if self.score is None else as_number(self.score.possible)
 
     @property
     def remark(self) -> str:
@@ -320,6 +340,8 @@ class Grader:
     def grade(self, submission: Submission) -> Graded:
         """The verdict on a submission."""
         start = perf_counter()
+        if not submission.files:
+            return self._unread(Verdict.INCOMPLETE, "nothing was handed in for this problem", submission.notes)
         try:
             judgement = self._checked(submission)
             if judgement is None:
@@ -366,8 +388,13 @@ class Grader:
             return self.examiner.check_answers(answers, tuple(fragments))
         return self.examiner.check(tuple(fragments)) if fragments else None
 
+    def unread(self, reason: str) -> Graded:
+        """The outcome for a submission that cannot be read at all."""
+        return self._unread(Verdict.UNREADABLE, reason, ())
+
     def _unread(self, verdict: Verdict, reason: str, messages: Sequence[str]) -> Graded:
-        right = 0 if verdict is Verdict.UNREADABLE and self.required is not None else None
+        judged = verdict in (Verdict.UNREADABLE, Verdict.INCOMPLETE)
+        right = 0 if judged and self.required is not None else None
         points = unread_score(self.examiner.problem, verdict, self.required)
         return Graded(verdict, f"{verdict.value}: {reason}", (), tuple(messages), right, self.required, score=points)
 

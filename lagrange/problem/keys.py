@@ -455,6 +455,14 @@ POINTS = Form(
     "points",
     tuple(Key(k, _EACH if k in ("ask", "reactions") else "decimal", f"For `{k}` in an answer.") for k in ANSWERS.names),
 )
+VARY = Form(
+    "a range of values",
+    (
+        Key("from", "expression", "The first value.", required=True, example="0.2 m"),
+        Key("to", "expression", "The last value, or a bound for it.", required=True, example="1 m"),
+        Key("step", "expression", "By how much the values differ.", required=True, example="0.1 m"),
+    ),
+)
 
 _CHAINS = ListOf("path")
 
@@ -567,6 +575,11 @@ PROBLEM = Form(
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
         Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
+        Key(
+            "vary",
+            _or_nothing(Named(AnyOf((ListOf("expression", 1), VARY)), new=False)),
+            "Values that `lagsolve variant` draws: {m: [1 kg, 2 kg], l: {from: 0.2 m, to: 1 m, step: 0.1 m}}.",
+        ),
         Key("points", _or_nothing(POINTS), "What each part of an answer is worth: {equations: 6, ask: {leaves: 3}}."),
         Key("figure", _or_nothing(FIGURE), "What the figure shows beside what the problem says by itself."),
     ),
@@ -599,6 +612,6 @@ PARTS: dict[str, Kind] = {
 
 FORMS = (
     *(PROBLEM, AXES, PARAMETER, COORDINATE, FRAME, PARTICLE, BODY, ORIENTATION, SHAPE, CONSTRAINT),
-    *(*FORCES.values(), CHOICE, QUESTION, IMPACT, *IMPULSES.values(), ANSWERS, POINTS, FIGURE, CIRCLE, CURVE),
+    *(*FORCES.values(), CHOICE, QUESTION, IMPACT, *IMPULSES.values(), ANSWERS, POINTS, VARY, FIGURE, CIRCLE, CURVE),
 )
 """All forms, in the order in which the documentation has them."""

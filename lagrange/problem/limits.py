@@ -4,6 +4,14 @@ The largest of the shipped files has, for comparison, 2.7 kB, 229 values on 6 le
 characters, and abbreviations that amount to 486 parts where they are used.
 """
 
+# -- variants ----------------------------------------------------------------------------------------------------------
+
+MOST_VARIED_VALUES = 10_000
+"""That a range of `vary` has; a course has fewer students."""
+
+LONGEST_SEED = 200
+"""Characters; a name and a number have fewer."""
+
 # -- the text ----------------------------------------------------------------------------------------------------------
 
 MAX_BYTES = 1 << 20

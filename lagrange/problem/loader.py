@@ -43,6 +43,7 @@ from lagrange.problem.sections import OTHER_QUESTIONS, RATE, Section, entries_of
 from lagrange.problem.sources import read_source
 from lagrange.problem.stated_answers import AnswerReader
 from lagrange.problem.values import check_dimensions, with_settings
+from lagrange.problem.variants.vary import read_vary
 from lagrange.problem.yaml.composer import parse
 from lagrange.problem.yaml.nodes import Node, Scalar
 
@@ -136,6 +137,7 @@ def _problem(source: Source, diagnostics: Diagnostics, settings: Sequence[Fragme
         answers=answers.answers(root.section("answers")),
         points=answers.points(root.section("points")),
         figure=read_figure(root, context, choices),
+        vary=read_vary(root.section("vary"), parameters, diagnostics),
     )
     _check_whole(problem, root, diagnostics)
     find = _find(root.get("find"), problem, diagnostics)

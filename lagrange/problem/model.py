@@ -59,6 +59,14 @@ class Parameter:
 
 
 @record
+class Varied:
+    """The values that a parameter has in variants of the problem, as texts: `0.2 m`."""
+
+    name: str
+    values: tuple[str, ...]
+
+
+@record
 class Coordinate:
     """One of the coordinates q; the ends of its range may contain parameters."""
 
@@ -481,6 +489,7 @@ class Problem:
     points: tuple[Weight, ...] = ()
     notes: tuple[Diagnostic, ...] = ()
     figure: Figure = Figure()
+    vary: tuple[Varied, ...] = ()
 
     in_html: ClassVar[Callable[[Problem], str] | None] = None
     """What shows a problem in a notebook; `lagrange.api`, which knows pictures and pages, sets it."""

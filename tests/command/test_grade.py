@@ -109,8 +109,9 @@ def test_csv_on_standard_output_is_nothing_but_csv(answers: Path) -> None:
     (answers / "a").write_text(RIGHT)
     result = run("grade", PENDULUM, "answers/a", "--csv", "-", "--jobs", "1")
     assert re.fullmatch(
-        r"submission,verdict,right,required,missing,remark,seconds,feedback,mistakes,points,possible\n"
-        r"a,equivalent,1,1,0,,[\d.]+,,,,\n",
+        r"submission,verdict,right,required,missing,remark,seconds,feedback,mistakes,points,possible,"
+        r"problem,student,attempt,counts,submitted,late\n"
+        r"a,equivalent,1,1,0,,[\d.]+,,,1,1,ex11-ideal-pendulum,a,,,,\n",
         result.stdout.replace("\r\n", "\n"),
     )
 
@@ -231,7 +232,7 @@ def test_an_executor_of_the_standard_library_will_do() -> None:
 
     done = 0
     with ThreadPoolExecutor(1) as executor:
-        for outcome in outcomes(one_by_one(), executor, examine, source, ahead=3):
+        for outcome in outcomes(one_by_one(), executor, examine, (source,), ahead=3):
             if outcome is not None:
                 submission, graded = outcome
                 assert graded.verdict == ("wrong" if int(submission.name) % 2 else "equivalent")

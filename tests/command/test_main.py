@@ -465,7 +465,8 @@ def test_help(flag: str) -> None:
         page = run(command, flag).stdout
         assert page.startswith(f"Usage: lagsolve {command}")
         assert run("help", command).stdout == page
-        assert ("Exit status" in page) == (command in ("solve", "check", "grade", "simulate", "export"))
+        with_status = ("solve", "check", "grade", "simulate", "export", "variant")
+        assert ("Exit status" in page) == (command in with_status)
     assert run("help").stdout == run("help", "nonsense").stdout == result.stdout
 
 

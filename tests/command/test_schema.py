@@ -143,6 +143,7 @@ POINT = BASE + "particles: {P: {mass: m, position: [x, y]}}\n"
 BODY = BASE + "bodies: {B: {inertia: %s, position: [x, y], %s}}\n"
 
 GOOD = [
+    BASE + "vary: {m: [1 kg, 2], n: {from: 0.2 m, to: 1 m, step: 0.1 m}}\n",
     "title: 42\ncoordinates: {x: 3, y: , z: {meaning: , unit: m}}\n",
     "title: null\ncoordinates: {}\n",
     "title: t\ncoordinates: [n, no, on, θ, x₁, 'x_2']\n",

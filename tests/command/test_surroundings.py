@@ -130,7 +130,7 @@ def batch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> GradingRun:
             yield (
                 executor,
                 lambda _, __: Graded(Verdict.EQUIVALENT, "equivalent", right=1, required=1),
-                (run.problem,),
+                (run.sources,),
                 1,
             )
 
@@ -141,7 +141,7 @@ def batch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> GradingRun:
         (answers / name).write_text("theta'' + g/l*sin(theta) = 0\n")
     problem = file_of("ex11-ideal-pendulum")
     source = Source(str(problem), problem.read_text(encoding="utf-8"))
-    return GradingRun(source, (str(answers),), Limits(60, 1024), 1, csv=tmp_path / "marks.csv")
+    return GradingRun((("ex11", source),), (str(answers),), Limits(60, 1024), 1, csv=tmp_path / "marks.csv")
 
 
 def test_the_journal_stays_until_the_table_is_written(batch: GradingRun, monkeypatch: pytest.MonkeyPatch) -> None:

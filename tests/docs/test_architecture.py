@@ -48,7 +48,8 @@ MOST_MODULES = 20
 ROOMS = {
     "click": {
         *("lagsolve.main", "lagsolve.command_group", "lagsolve.output", "lagsolve.problem_commands"),
-        *("lagsolve.new_file", "lagsolve.man_page", "lagsolve.program_commands"),
+        *("lagsolve.new_file", "lagsolve.man_page", "lagsolve.program_commands", "lagsolve.course_commands"),
+        *("lagsolve.grading.assignments", "lagsolve.platforms.starters"),
     },
     "rich": {"lagrange.render.terminal", "lagrange.render.terminal_layout", "lagsolve.grading.table"},
     "distributed": {"lagsolve.grading.pool"},

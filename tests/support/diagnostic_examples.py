@@ -343,6 +343,17 @@ EXAMPLES: dict[str, tuple[str, str | File | Command | None]] = {
     "feedback-among-answers": ("The pages need a folder of their own.",
         Command(("grade", "ex11", ".", "--feedback", "."))),
     "would-be-lost": ("`--csv` names a file that is not a table of grades.", None),
+    "several-submissions": ("Gradescope and PrairieLearn grade one submission at a time: name its folder.",
+        Command(("grade", "ex11", "a.txt", "b.txt", "--format", "gradescope"))),
+    "bad-roster": ("The table of `--roster` is your own CSV, or the one that a platform gives out.", Command(
+        ("grade", "ex11", ".", "--roster", "marks.csv"), "marks.csv")),
+    "bad-time": ("Times are ISO 8601; those that are compared have both a zone, or none.",
+        Command(("grade", "ex11", ".", "--due", "tomorrow"))),
+    "nothing-varies": ("A variant needs values to be drawn: the section `vary`.", Command(("variant", "ex11", "--seed", "anna"))),
+    "bad-seed": ("A seed is a short text: the name or the number of a student.", None),
+    "variant-without-answer": ("The values that a seed draws leave no answer: no equilibrium, a question without one, or a stated answer "
+        "that belongs to other values.", None),
+    "variant-not-written": ("The values of a variant could not be written into the text of the problem file.", None),
     "several-answer-files": ("A folder with the submission of one person has one file of answers in YAML.", None),
     "limits-too-low": ("The problem cannot be solved with the memory that a submission may use.", None),
     "no-cluster": ("The Dask cluster cannot be reached, or its workers cannot grade.", None),

@@ -73,7 +73,7 @@ def raise_what_cannot_be_sent() -> None:
     raise UnpicklableError("but its text can")
 
 
-def examine(submission: Submission, problem: Source) -> Graded:
+def examine(submission: Submission, problem: tuple[Source, ...]) -> Graded:
     """As the command does it, apart from submissions that say what is to happen."""
     from lagrange.answers.submissions import Submission
     from lagsolve.grading.examine import examine as real
@@ -88,7 +88,9 @@ def examine(submission: Submission, problem: Source) -> Graded:
     return real(submission, problem)
 
 
-def examine_within_limits(submission: Submission, problem: Source, limits: object, setup_seconds: float) -> Graded:
+def examine_within_limits(
+    submission: Submission, problem: tuple[Source, ...], limits: object, setup_seconds: float
+) -> Graded:
     """On a worker of a cluster: the same, with a note of which worker it is (in its current folder)."""
     from unittest.mock import patch
 

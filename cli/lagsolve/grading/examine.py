@@ -1,6 +1,6 @@
 """Grading the submissions of a batch: what a worker does, and how its executor is kept busy.
 
-A worker solves the problem once and then compares one submission after another with it. Submissions are handed to the
+A worker solves the problems once and then compares one submission after another with it. Submissions are handed to the
 executor, which is any of `concurrent.futures`, a few at a time, and outcomes come back as they are ready. Whatever
 happens to one submission is its outcome: a limit that it exceeds, an error of this program, or a process that was
 killed during it (which is tried once more, because it may not be its fault).
@@ -26,47 +26,54 @@ from lagrange.core.printable import visible
 from lagrange.core.records import record
 from lagrange.problem.loader import read_problem
 from lagsolve.grading.worker import CallFailedError, Limits, LostError, SetupError, StoppedError, Worker
-from lagsolve.limits import IDLE_SECONDS, MOST_KEPT_OUTCOMES, POLL_SECONDS, TRIES
+from lagsolve.limits import IDLE_SECONDS, MOST_KEPT_OUTCOMES, MOST_PROBLEMS, POLL_SECONDS, TRIES
 
 
-@lru_cache(maxsize=1)
-def grader(problem: Source) -> Grader:
-    """The grader of a problem, which is solved for it. Raises ProblemError."""
+@lru_cache(maxsize=MOST_PROBLEMS)
+def grader(problem: Source, seed: str = "") -> Grader:
+    """The grader of a problem, or of its variant with a seed, which is solved for it. Raises ProblemError."""
+    if seed:
+        from lagrange.problem.variants.writing import variant_source
+
+        problem = variant_source(problem, seed)
     return Grader.of(Examiner.of(read_problem(problem)))
 
 
-def prepare(problem: Source) -> None:
-    """Solves the problem, before submissions come."""
-    grader(problem)
+def prepare(problems: tuple[Source, ...]) -> None:
+    """Solves the problems, before submissions come."""
+    for problem in problems:
+        grader(problem)
 
 
-def examine(submission: Submission, problem: Source) -> Graded:
-    """The verdict on a submission."""
-    return grader(problem).grade(submission)
+def examine(submission: Submission, problems: tuple[Source, ...]) -> Graded:
+    """The verdict on a submission to one of the problems."""
+    return grader(problems[submission.problem], submission.seed).grade(submission)
 
 
 _of_thread = threading.local()
 
 
-def examine_within_limits(submission: Submission, problem: Source, limits: Limits, setup_seconds: float) -> Graded:
+def examine_within_limits(
+    submission: Submission, problems: tuple[Source, ...], limits: Limits, setup_seconds: float
+) -> Graded:
     """The same in a process of this thread alone: for a cluster, whose workers cannot stop a task.
 
     Raises StoppedError, or SetupError where the problem cannot be solved within the limits.
     """
     worker: Worker | None = getattr(_of_thread, "worker", None)
-    same = getattr(_of_thread, "batch", None) == (problem, limits)
+    same = getattr(_of_thread, "batch", None) == (problems, limits)
     if worker is None or not worker.is_fresh or not same:
         if worker is not None:
             worker.stop()
-        _of_thread.worker, _of_thread.batch = None, (problem, limits)
+        _of_thread.worker, _of_thread.batch = None, (problems, limits)
         worker = Worker(limits, IDLE_SECONDS)
         try:
-            worker.prepare(partial(prepare, problem), setup_seconds)
+            worker.prepare(partial(prepare, problems), setup_seconds)
         except BaseException:
             worker.stop()
             raise
         _of_thread.worker = worker
-    return worker.call(examine, submission, problem)
+    return worker.call(examine, submission, problems)
 
 
 @record
@@ -168,8 +175,8 @@ class _EqualSubmissions:
 
 
 def _key(submission: Submission) -> bytes:
-    """What submissions have in common whose outcomes are equal: contents and extensions of files, and notes."""
-    digest = hashlib.sha256()
+    """What submissions have in common whose outcomes are equal: problem, contents and extensions of files, notes."""
+    digest = hashlib.sha256(f"{submission.problem} {submission.seed}\0".encode(errors="surrogatepass"))
     for name, content in submission.files:
         digest.update(f"{PurePath(name).suffix.lower()} {len(content)} ".encode(errors="surrogatepass"))
         digest.update(content)

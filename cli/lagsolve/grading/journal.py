@@ -31,7 +31,7 @@ from lagsolve.limits import MAX_JOURNAL_LINE, MOST_COUNTED
 def key(submission: Submission, *of_batch: object) -> str:
     """The hash of a submission and of what the whole batch has in common: problem, version, limits."""
     parts: Iterable[bytes] = (
-        repr((*of_batch, submission.name, submission.notes)).encode(),
+        repr((*of_batch, submission.name, submission.notes, submission.problem, submission.seed)).encode(),
         *(part for name, content in submission.files for part in (name.encode(), content)),
     )
     digest = hashlib.sha256()
@@ -126,7 +126,7 @@ def _entry(line: bytes) -> tuple[str, TableRow] | None:
 
 def _is_row(row: TableRow) -> bool:
     """Whether each value is one that a row can have."""
-    texts = (row.submission, row.remark, row.feedback, row.mistakes)
+    texts = (row.submission, row.remark, row.feedback, row.mistakes, row.problem)
     if not all(isinstance(t, str) and t == one_line(t) for t in texts) or type(row.seconds) not in (int, float):
         return False
     counts = (row.right, row.required, row.missing)
@@ -135,5 +135,7 @@ def _is_row(row: TableRow) -> bool:
     amounts = (row.points, row.possible)
     if not all(a is None or (type(a) in (int, float) and 0 <= a <= MOST_COUNTED) for a in amounts):
         return False
+    if row.student or row.attempt is not None or row.submitted or row.late or row.counts:
+        return False  # known only when the batch is complete
     difference = None if row.right is None or row.required is None else row.required - row.right
     return 0 <= row.seconds < float("inf") and row.missing == difference and row.submission != ""

@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator, Sequence
 from concurrent.futures import BrokenExecutor, CancelledError
 from contextlib import closing, contextmanager
+from dataclasses import replace
 from functools import partial
 from importlib.metadata import version
 from pathlib import Path
@@ -13,16 +14,18 @@ from time import perf_counter
 from typing import Any
 
 from lagrange.answers.submissions import Graded, Submission
-from lagrange.answers.verdicts import Verdict
 from lagrange.core.diagnostics import Diagnostic, ProblemError, Source
 from lagrange.core.records import record
 from lagsolve.command_group import write_stderr
+from lagsolve.grading.division import Asked, divided
 from lagsolve.grading.examine import examine, examine_within_limits, grader, outcomes, prepare
 from lagsolve.grading.feedback import page, page_names
 from lagsolve.grading.journal import Journal, key
 from lagsolve.grading.pool import Pool
 from lagsolve.grading.progress import Progress
-from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, entries
+from lagsolve.grading.roster import Roster
+from lagsolve.grading.students import Attempts, attributed, identity
+from lagsolve.grading.submissions import UnreadSubmission, UnreadSubmissionError, entries, one_entry
 from lagsolve.grading.table import HEADER, TableRow, csv_text
 from lagsolve.grading.worker import Limits, SetupError
 from lagsolve.limits import AHEAD
@@ -31,16 +34,34 @@ from lagsolve.written_files import unwritable, write_file
 
 @record
 class GradingRun:
-    """The request of the command line. `csv` and `feedback` are None where they are not wanted."""
+    """The request of the command line. `csv` and `feedback` are None where they are not wanted.
 
-    problem: Source
+    problems  the problems of the assignment, each with its label
+    hint      how much pages and remarks reveal: 1, 2 or 3
+    together  whether everything that is named is one submission
+    seeded    whether each student has a variant of their own
+    own       further files that are no submissions
+    """
+
+    problems: tuple[tuple[str, Source], ...]
     answers: tuple[str, ...]
     limits: Limits
     jobs: int
     dask: str | None = None
     csv: Path | None = None
     feedback: Path | None = None
-    problem_file: Path | None = None
+    hint: int = 3
+    together: bool = False
+    seeded: bool = False
+    platform: str = ""
+    roster: Roster = Roster()
+    attempts: Attempts | None = None
+    own: tuple[Path, ...] = ()
+
+    @property
+    def sources(self) -> tuple[Source, ...]:
+        """The texts of the problems."""
+        return tuple(source for _, source in self.problems)
 
     @property
     def journal(self) -> Path | None:
@@ -52,7 +73,15 @@ class GradingRun:
     @property
     def own_files(self) -> list[Path]:
         """The files of the run itself, which are not submissions."""
-        return [p for p in (self.problem_file, self.csv, self.journal, self.feedback) if p is not None]
+        problems = (Path(source.name) for source in self.sources)
+        return [*problems, *self.own, *(p for p in (self.csv, self.journal, self.feedback) if p is not None)]
+
+    def seed(self, name: str) -> str:
+        """The seed of the student who handed something in: that of the roster, or who the student is."""
+        if not self.seeded:
+            return ""
+        who = identity(name, self.platform, self.attempts is not None).student
+        return self.roster.of(name, who).seed or who
 
 
 class InterruptedBatchError(KeyboardInterrupt):
@@ -64,24 +93,38 @@ def graded(run: GradingRun) -> list[TableRow]:
 
     Raises ProblemError where it cannot begin, InterruptedBatchError where it was interrupted.
     """
+    return results(run)[0]
+
+
+Outcome = tuple[str, int, Graded]
+"""The name of a submission, the problem it answers, and what came out."""
+
+
+def results(run: GradingRun) -> tuple[list[TableRow], list[Outcome]]:
+    """The same, with what came out of those that were graded now and not found in the journal."""
     start = perf_counter()
-    title = grader(run.problem).examiner.problem.title
+    asked = tuple(Asked(label, _title(source), source) for label, source in run.problems)
     setup_seconds = 60 + 20 * (perf_counter() - start)
+    if run.seeded and not any(grader(source).examiner.problem.vary for source in run.sources):
+        help_ = "say what varies, as `vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}}`"
+        raise ProblemError(Diagnostic("nothing-varies", "none of the problems has `vary`", help=help_))
     _refuse_pages_among_answers(run)
     _refuse_overwrite(run.csv)
-    unread = entries(run.answers, run.own_files)
+    unread = [one_entry(run.answers)] if run.together else entries(run.answers, run.own_files)
     _make_folder(run.feedback)
-    batch = Batch(run, title, unread)
+    batch = Batch(run, asked, unread)
     complete = False
     try:
         with _executor(run, setup_seconds) as (executor, function, common, processes):
             batch.run(executor, function, common, processes * AHEAD)
-        rows = [batch.rows[e.name] for e in unread]
+        ordered = [batch.rows[e.name, n] for e in unread for n in range(len(asked))]
+        rows = attributed(ordered, run.roster, run.platform, run.attempts)
         if run.csv is not None:
             write_file(run.csv, csv_text(rows))
         complete = True  # not before the table is written: if that fails, the work of the batch is in the journal
     except SetupError as error:
-        message = f"the problem cannot be solved within the limits of a submission: it {error}"
+        the = "the problem" if len(asked) == 1 else "one of the problems"
+        message = f"{the} cannot be solved within the limits of a submission: it {error}"
         raise ProblemError(Diagnostic("limits-too-low", message, help="raise --memory")) from None
     except (BrokenExecutor, CancelledError):
         message = f"the cluster at {run.dask} has gone: {batch.how_far}"
@@ -90,7 +133,12 @@ def graded(run: GradingRun) -> list[TableRow]:
         raise InterruptedBatchError(f"interrupted: {batch.how_far}") from None
     finally:
         batch.journal.close(complete)
-    return rows
+    return rows, batch.outcomes
+
+
+def _title(source: Source) -> str:
+    """The title of a problem, which is solved here for the first time. Raises ProblemError."""
+    return grader(source).examiner.problem.title
 
 
 @contextmanager
@@ -100,24 +148,29 @@ def _executor(run: GradingRun, setup_seconds: float) -> Iterator[tuple[Any, Any,
         from lagsolve.grading.pool import cluster
 
         with cluster(run.dask) as (executor, threads):
-            yield executor, examine_within_limits, (run.problem, run.limits, setup_seconds), threads
+            yield executor, examine_within_limits, (run.sources, run.limits, setup_seconds), threads
         return
-    pool = Pool(run.jobs, run.limits, partial(prepare, run.problem), setup_seconds)
+    pool = Pool(run.jobs, run.limits, partial(prepare, run.sources), setup_seconds)
     try:
-        yield pool, examine, (run.problem,), run.jobs
+        yield pool, examine, (run.sources,), run.jobs
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+Key = tuple[str, int]
+"""The name of a submission, and the problem it answers."""
 
 
 class Batch:
     """The rows of a batch as they come, each added to the journal once its page is written."""
 
-    def __init__(self, run: GradingRun, title: str, unread: Sequence[UnreadSubmission]) -> None:
-        self._run, self._title, self._entries = run, title, unread
-        self._pages = page_names(e.name for e in unread)
+    def __init__(self, run: GradingRun, asked: Sequence[Asked], unread: Sequence[UnreadSubmission]) -> None:
+        self._run, self._asked, self._entries = run, asked, unread
+        self._pages = page_names(self._called((e.name, n)) for e in unread for n in range(len(asked)))
         self._version = version("lagsolve")
-        self._keys: dict[str, str] = {}  # of submissions that are being graded
-        self.rows: dict[str, TableRow] = {}
+        self._keys: dict[Key, str] = {}  # of submissions that are being graded
+        self.rows: dict[Key, TableRow] = {}
+        self.outcomes: list[Outcome] = []
         try:
             self.journal = Journal(run.journal)
         except OSError as error:
@@ -127,23 +180,29 @@ class Batch:
             help_ = "what it says is not used, and those submissions are graded again"
             write_stderr(str(Diagnostic("journal-ignored", message, help=help_).as_note()))
 
+    def _called(self, key: Key) -> str:
+        """What a part of a submission is called: by its problem too, where there are several."""
+        name, problem = key
+        return name if len(self._asked) == 1 else f"{name} {self._asked[problem].label}"
+
     @property
     def how_far(self) -> str:
         """The message where a batch does not reach its end."""
-        done = f"{len(self.rows):,} of {len(self._entries):,} submissions are graded"
+        done = f"{len(self.rows) // len(self._asked):,} of {len(self._entries):,} submissions are graded"
         if self.journal.path is None:
             return f"{done}; with --csv or --feedback the same command would continue from here"
         return f"{done}; the same command continues from here"
 
     def run(self, executor: Any, function: Any, common: tuple[Any, ...], ahead: int) -> None:
         """Grades the submissions that are not in the journal."""
-        progress = Progress(len(self._entries))
+        progress = Progress(len(self._entries) * len(self._asked))
         with closing(outcomes(self._to_grade(), executor, function, *common, ahead=ahead)) as ready:
             try:
                 for outcome in ready:
                     if outcome is not None:
                         submission, graded = outcome
-                        self._note(submission.name, graded, self._keys.pop(submission.name))
+                        part = submission.name, submission.problem
+                        self._note(part, graded, self._keys.pop(part))
                     progress.step(len(self.rows), graded=outcome is not None)
             finally:
                 progress.end()
@@ -153,30 +212,52 @@ class Batch:
         run = self._run
         for entry in self._entries:
             try:
-                submission = entry.read()
+                parts = divided(entry.read(), self._asked)
             except UnreadSubmissionError as error:
-                self._note(entry.name, Graded(Verdict.UNREADABLE, f"unreadable: it {error}"), None)
+                parts = f"it {error}"
+            if isinstance(parts, str):
+                self._note_unread(entry.name, parts)
                 continue
-            under = key(submission, self._version, run.problem.text, run.limits)
-            row = self.journal.row(under)
-            if row is not None and row.submission == entry.name and self._has_page(row):
-                self.rows[entry.name] = row
-            else:
-                self._keys[entry.name] = under
-                yield submission
+            for part in parts:
+                varies = grader(run.sources[part.problem]).examiner.problem.vary
+                submission = replace(part, seed=run.seed(entry.name) if varies else "")
+                under = key(submission, self._version, run.sources[part.problem].text, run.limits, run.hint)
+                row = self.journal.row(under)
+                if row is not None and self._is_of(row, entry.name, part.problem) and self._has_page(row, part.problem):
+                    self.rows[entry.name, part.problem] = row
+                else:
+                    self._keys[entry.name, part.problem] = under
+                    yield submission
 
-    def _has_page(self, row: TableRow) -> bool:
+    def _note_unread(self, name: str, why: str) -> None:
+        """The rows of a submission that is not graded: no points for any problem."""
+        for n, source in enumerate(self._run.sources):
+            unread = grader(source).unread(why)
+            self._note((name, n), unread if len(self._asked) > 1 else replace(unread, right=None, required=None), None)
+
+    def _is_of(self, row: TableRow, name: str, problem: int) -> bool:
+        return (row.submission, row.problem) == (name, self._asked[problem].label)
+
+    def _has_page(self, row: TableRow, problem: int) -> bool:
         feedback = self._run.feedback
         if feedback is None:
             return not row.feedback
-        return row.feedback == self._pages[row.submission] and (feedback / row.feedback).is_file()
+        return (
+            row.feedback == self._pages[self._called((row.submission, problem))] and (feedback / row.feedback).is_file()
+        )
 
-    def _note(self, name: str, graded: Graded, under: str | None) -> None:
-        feedback = self._run.feedback
+    def _note(self, part: Key, graded: Graded, under: str | None) -> None:
+        feedback, asked, hint = self._run.feedback, self._asked[part[1]], self._run.hint
+        page_name = self._pages[self._called(part)]
+        if graded.score is None:  # a limit was exceeded: a person has to look at it
+            unjudged = grader(self._run.sources[part[1]]).unread("")
+            graded = replace(graded, score=unjudged.score.undecided if unjudged.score else None)
         if feedback is not None:
-            write_file(feedback / self._pages[name], page(self._title, name, graded), follow=False)
-        row = TableRow.of(name, graded, self._pages[name] if feedback is not None else "")
-        self.rows[name] = row
+            write_file(feedback / page_name, page(asked.title, part[0], graded.at_hint_level(hint)), follow=False)
+        row = TableRow.of(part[0], graded, page_name if feedback is not None else "", asked.label, hint)
+        self.rows[part] = row
+        if self._run.together:
+            self.outcomes.append((*part, graded.at_hint_level(hint)))
         if under is not None:
             try:
                 self.journal.add(under, row)

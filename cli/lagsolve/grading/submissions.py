@@ -22,7 +22,7 @@ from lagrange.core.records import record
 from lagrange.problem.limits import MAX_BYTES
 from lagsolve.limits import MOST_FILES
 
-EXTENSIONS = ("", ".txt", ".md", ".tex", ".yaml", ".yml")
+EXTENSIONS = ("", ".txt", ".md", ".tex", ".html", ".htm", ".yaml", ".yml")
 """Of the files in a student's folder that are an answer. A file of its own may have any extension."""
 
 KINDS = {
@@ -97,6 +97,19 @@ def entries(named: Sequence[str], excluded: Sequence[Path]) -> list[UnreadSubmis
     times = Counter(name for name, _ in names.values())
     listed = [UnreadSubmission(shown(n if times[n] == 1 else path), Path(place)) for place, (n, path) in names.items()]
     return sorted(listed, key=lambda e: e.name)
+
+
+def one_entry(named: Sequence[str]) -> UnreadSubmission:
+    """The file or folder that a command line names, as one submission. Raises ProblemError where there are several."""
+    if len(named) != 1:
+        message = f"{len(named)} files or folders are named, and this format is about one submission"
+        help_ = "name the folder with the files of one student"
+        raise ProblemError(Diagnostic("several-submissions", message, help=help_))
+    path = Path(named[0])
+    if not os.path.lexists(path):
+        message = f"{shown(named[0])} cannot be read: there is no such file or folder"
+        raise ProblemError(Diagnostic("unreadable-file", message, help="name the folder of the submission"))
+    return UnreadSubmission(shown(path.name or path.absolute().name), Path(_place(path)))
 
 
 def _place(path: Path) -> str:

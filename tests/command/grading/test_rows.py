@@ -68,16 +68,17 @@ def test_plain_cells_stay_as_they_are() -> None:
 def test_the_csv_file() -> None:
     text = csv_text([row("ä,1", 'a "b"'), row("b", right=None, required=None, missing=None)])
     assert text.split("\r\n") == [
-        "submission,verdict,right,required,missing,remark,seconds,feedback,mistakes,points,possible",
-        '"ä,1",wrong,1,2,1,"a ""b""",0.5,a.md,,,',
-        "b,wrong,,,,,0.5,a.md,,,",
+        "submission,verdict,right,required,missing,remark,seconds,feedback,mistakes,points,possible,"
+        "problem,student,attempt,counts,submitted,late",
+        '"ä,1",wrong,1,2,1,"a ""b""",0.5,a.md,,,,,,,,,',
+        "b,wrong,,,,,0.5,a.md,,,,,,,,,",
         "",
     ]
 
 
 def test_points_have_columns() -> None:
     rows = [row("a", points=2.5, possible=4), row("b", points=None, possible=4)]
-    assert [cells[-2:] for cells in csv.reader(io.StringIO(csv_text(rows)))] == [
+    assert [cells[9:11] for cells in csv.reader(io.StringIO(csv_text(rows)))] == [
         ["points", "possible"],
         ["2.5", "4"],
         ["", "4"],
