@@ -17,14 +17,9 @@ from lagrange.problem.keys import (
     PARTS,
     PROBLEM,
     WAYS_OF_TURNING,
-    AnyOf,
-    Form,
     FrameType,
-    Kind,
-    ListOf,
-    Named,
-    Words,
 )
+from lagrange.problem.yaml.kinds import AnyOf, Form, Kind, ListOf, Named, Words
 
 Schema = dict[str, Any]
 

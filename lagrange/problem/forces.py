@@ -16,7 +16,7 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, suggestion
 from lagrange.core.vectors import Vector
 from lagrange.expressions.reader import Scope
 from lagrange.problem.declared_names import Namespace, canonical, names_in
-from lagrange.problem.keys import FORCES, IMPULSES, SENSES, Form
+from lagrange.problem.keys import FORCES, IMPULSES, SENSES
 from lagrange.problem.load_context import LoadContext
 from lagrange.problem.model import (
     AppliedForce,
@@ -45,6 +45,7 @@ from lagrange.problem.sections import (
     mapping_of,
     scalar_of,
 )
+from lagrange.problem.yaml.kinds import Form
 from lagrange.problem.yaml.nodes import MappingNode, Node, Scalar
 
 _EXAMPLE = "forces: {push: {on: P, vector: F*i}}"

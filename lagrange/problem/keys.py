@@ -14,27 +14,7 @@ from __future__ import annotations
 
 from enum import StrEnum
 
-from lagrange.problem.yaml.kinds import PRIMITIVE as PRIMITIVE
-from lagrange.problem.yaml.kinds import AnyOf as AnyOf
-from lagrange.problem.yaml.kinds import Form as Form
-from lagrange.problem.yaml.kinds import Key as Key
-from lagrange.problem.yaml.kinds import Kind as Kind
-from lagrange.problem.yaml.kinds import ListOf as ListOf
-from lagrange.problem.yaml.kinds import Named as Named
-from lagrange.problem.yaml.kinds import Words as Words
-
-
-def _or_nothing(*kinds: Kind) -> AnyOf:
-    return AnyOf((*kinds, "nothing"))
-
-
-def _one_or_list(kind: Kind) -> AnyOf:
-    return AnyOf((kind, ListOf(kind)))
-
-
-def _three(kind: Kind) -> ListOf:
-    return ListOf(kind, 3, 3)
-
+from lagrange.problem.yaml.kinds import AnyOf, Form, Key, Kind, ListOf, Named, Words, one_or_list, or_nothing, three
 
 # -- words -------------------------------------------------------------------------------------------------------------
 
@@ -210,7 +190,7 @@ ORIENTATION = Form(
         Key("axes", Words(SEQUENCES), "About which axes, in their order: 313.", required=True, example="313"),
         Key(
             "angles",
-            _three("expression"),
+            three("expression"),
             "By which angles: [phi, theta, psi].",
             required=True,
             example="[phi, theta, psi]",
@@ -224,7 +204,7 @@ BODY = Form(
         Key("mass", "expression", "Its mass; 0 by default."),
         Key(
             "inertia",
-            AnyOf(("expression", _three("expression"))),
+            AnyOf(("expression", three("expression"))),
             "About the mass centre: one moment about k, or three principal moments [A, B, C].",
             required=True,
             example="I_G",
@@ -237,7 +217,7 @@ BODY = Form(
             "In space: three rotations about axes of the body.",
             example="{axes: 313, angles: [phi, theta, psi]}",
         ),
-        Key("axes", _three("vector"), "In space: the triad that the inertia refers to.", example="[e1, e2, e3]"),
+        Key("axes", three("vector"), "In space: the triad that the inertia refers to.", example="[e1, e2, e3]"),
         Key("angular_velocity", "vector", "With `axes`: the angular velocity, a vector.", example="theta'*k"),
         _SHAPE,
     ),
@@ -366,19 +346,19 @@ IMPACT = Form(
     (
         Key(
             "before",
-            _or_nothing(Named("expression", new=False)),
+            or_nothing(Named("expression", new=False)),
             "The state just before: velocities, and coordinates where the position is known: {x': v, theta: 0}. "
             "A velocity that is not given stays a symbol, x'_0.",
         ),
-        Key("impulses", _or_nothing(Named("impulse")), "Given blows."),
+        Key("impulses", or_nothing(Named("impulse")), "Given blows."),
         Key(
             "constraints",
-            _or_nothing(Named(AnyOf(("equation", "constraint")))),
+            or_nothing(Named(AnyOf(("equation", "constraint")))),
             "Constraints that begin to act; those of the file go on.",
         ),
         Key(
             "restitution",
-            _or_nothing(Named("expression", new=False)),
+            or_nothing(Named("expression", new=False)),
             "The coefficient of restitution of each of these constraints; 0 where none is given.",
         ),
     ),
@@ -404,7 +384,7 @@ QUESTION = Form(
     "a question",
     (
         Key("quantity", "expression", "What is asked for: an expression.", required=True, example="theta"),
-        Key("when", _one_or_list("equation"), "The state it is asked for: an equation, or a list of them."),
+        Key("when", one_or_list("equation"), "The state it is asked for: an equation, or a list of them."),
         Key("by", "name", "Instead: a coordinate, or t, of which it is wanted as a function."),
     ),
 )
@@ -413,16 +393,16 @@ ANSWERS = Form(
     "answers",
     (
         Key("degrees_of_freedom", "number", "How many there are."),
-        Key("classification", _one_or_list(Words(CLASSES)), "Such as [holonomic, scleronomic]."),
+        Key("classification", one_or_list(Words(CLASSES)), "Such as [holonomic, scleronomic]."),
         Key(
             "integrable",
             Named(Words(("true", "false")), new=False),
             "Which constraints are integrable: {rod: true}.",
         ),
-        Key("equations", _one_or_list("equation"), "The equations of motion."),
+        Key("equations", one_or_list("equation"), "The equations of motion."),
         Key("equilibrium", "alternatives", "A list is one system; lists in a list are alternatives."),
         Key("reactions", Named("expression", new=False), "Reactions by the names of their constraints."),
-        Key("rest", _one_or_list("text"), "With friction: the conditions under which it can be at rest."),
+        Key("rest", one_or_list("text"), "With friction: the conditions under which it can be at rest."),
         Key(
             "frequencies",
             "alternatives",
@@ -435,8 +415,8 @@ ANSWERS = Form(
         Key("steady", "alternatives", "Steady motions: a list is one; lists in a list are alternatives."),
         Key("kinetic_energy", "expression", "T, in the coordinates of the file or of a choice."),
         Key("generalized_forces", Named("expression", new=False), "Q_k of all applied forces, by coordinates."),
-        Key("conserved", _one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
-        Key("virtual_displacements", _one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
+        Key("conserved", one_or_list("expression"), "First integrals, such as m*r^2*phi' = const."),
+        Key("virtual_displacements", one_or_list("equation"), "Equations between delta(x), delta(y), ..."),
         Key(
             "response",
             Named(AnyOf(("expression", "equation")), new=False),
@@ -480,10 +460,10 @@ CURVE = Form(
     "a curve or surface of a figure",
     (
         Key("point", "vector", "A place that depends on one parameter, or on two.", required=True, example="x*i"),
-        Key("along", _one_or_list("name"), "That parameter, a coordinate or a new name; two of them for a surface.",
+        Key("along", one_or_list("name"), "That parameter, a coordinate or a new name; two of them for a surface.",
             required=True, example="x"),
-        Key("from", _one_or_list("expression"), "Where it begins.", required=True, example="0"),
-        Key("to", _one_or_list("expression"), "Where it ends.", required=True, example="2*pi"),
+        Key("from", one_or_list("expression"), "Where it begins.", required=True, example="0"),
+        Key("to", one_or_list("expression"), "Where it ends.", required=True, example="2*pi"),
         Key("as", Words(("ground", "curve", "rods", "strings", "lines", "outlines")),
             "What it is: ground is hatched on the right-hand side; a curve by default."),
     ),
@@ -525,12 +505,12 @@ PROBLEM = Form(
         Key("description", "text", "The system in words. Declared symbols, `...` and $...$ are set as mathematics."),
         Key(
             "axes",
-            _or_nothing(AXES),
+            or_nothing(AXES),
             "Words for the unit vectors, for the prose and the pictures: {i: right, j: up}.",
         ),
         Key(
             "parameters",
-            _or_nothing(ListOf("name"), Named("parameter")),
+            or_nothing(ListOf("name"), Named("parameter")),
             "Constants: a list of names, all positive, or each name with its assumption.",
         ),
         Key(
@@ -542,46 +522,46 @@ PROBLEM = Form(
         ),
         Key(
             "functions",
-            _or_nothing(Named(ListOf("argument", 1))),
+            or_nothing(Named(ListOf("argument", 1))),
             "Undefined functions with their arguments: {f: [X, Y]}. A function of [t] alone is a prescribed motion.",
         ),
-        Key("let", _or_nothing(Named("vector")), "Abbreviations, scalars or vectors."),
+        Key("let", or_nothing(Named("vector")), "Abbreviations, scalars or vectors."),
         Key("frame", "frame", "Unit vectors that turn: e_r, e_phi, ..., named after the coordinates."),
-        Key("particles", _or_nothing(Named("particle")), "Particles with mass and position."),
-        Key("bodies", _or_nothing(Named("body")), "Rigid bodies."),
+        Key("particles", or_nothing(Named("particle")), "Particles with mass and position."),
+        Key("bodies", or_nothing(Named("body")), "Rigid bodies."),
         Key(
             "constraints",
-            _or_nothing(Named(AnyOf(("equation", "constraint")))),
+            or_nothing(Named(AnyOf(("equation", "constraint")))),
             "Equations between coordinates, velocities and time. One with velocities is kinematic, one without is "
             "geometric. One-sided constraints have <= or >=.",
         ),
         Key("gravity", "vector", "The acceleration of gravity, a vector; it adds a weight to every mass."),
-        Key("forces", _or_nothing(Named("force")), "What else acts."),
-        Key("unknowns", _or_nothing(ListOf("name")), "Unknown forces, to be found as well."),
+        Key("forces", or_nothing(Named("force")), "What else acts."),
+        Key("unknowns", or_nothing(ListOf("name")), "Unknown forces, to be found as well."),
         Key(
             "speeds",
-            _or_nothing(Named("expression")),
+            or_nothing(Named("expression")),
             "Quasi-velocities in which the equations are given too: {u: \"x'*cos(theta) + y'*sin(theta)\"}.",
         ),
         Key(
             "generalized_coordinates",
-            _or_nothing(Named("choice")),
+            or_nothing(Named("choice")),
             "Choices of generalized coordinates, any number of them; each is verified.",
         ),
-        Key("initial", _or_nothing(Named("expression", new=False)), "The state at t = 0: {theta: 0, theta': 0}."),
-        Key("ask", _or_nothing(Named("question")), "Questions about the motion, by names of your own."),
+        Key("initial", or_nothing(Named("expression", new=False)), "The state at t = 0: {theta: 0, theta': 0}."),
+        Key("ask", or_nothing(Named("question")), "Questions about the motion, by names of your own."),
         Key("impact", IMPACT, "Blows, and constraints that begin to act in an instant."),
         Key("lagrangian", "expression", "The Lagrangian outright, instead of particles and bodies."),
         Key("equations", "equations", "A reference system, instead of masses, to check answers against."),
-        Key("find", _one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
+        Key("find", one_or_list(Words(tuple(f.value for f in Find))), "What is asked: one question or a list."),
         Key("answers", "answers", "What the textbook says; every run compares."),
         Key(
             "vary",
-            _or_nothing(Named(AnyOf((ListOf("expression", 1), VARY)), new=False)),
+            or_nothing(Named(AnyOf((ListOf("expression", 1), VARY)), new=False)),
             "Values that `lagsolve variant` draws: {m: [1 kg, 2 kg], l: {from: 0.2 m, to: 1 m, step: 0.1 m}}.",
         ),
-        Key("points", _or_nothing(POINTS), "What each part of an answer is worth: {equations: 6, ask: {leaves: 3}}."),
-        Key("figure", _or_nothing(FIGURE), "What the figure shows beside what the problem says by itself."),
+        Key("points", or_nothing(POINTS), "What each part of an answer is worth: {equations: 6, ask: {leaves: 3}}."),
+        Key("figure", or_nothing(FIGURE), "What the figure shows beside what the problem says by itself."),
     ),
 )
 
@@ -592,13 +572,13 @@ PARTS: dict[str, Kind] = {
     "shape": SHAPE,
     "circle": CIRCLE,
     "curve": CURVE,
-    "equations": _or_nothing(_one_or_list("equation")),
-    "alternatives": AnyOf((_one_or_list("expression"), ListOf(ListOf("expression")))),
+    "equations": or_nothing(one_or_list("equation")),
+    "alternatives": AnyOf((one_or_list("expression"), ListOf(ListOf("expression")))),
     "sense": Words(tuple(SENSES)),
     "slip": AnyOf((Words(tuple(SENSES)), "vector")),
-    "parameter": _or_nothing(Words(tuple(a.value for a in Assumption)), PARAMETER),
+    "parameter": or_nothing(Words(tuple(a.value for a in Assumption)), PARAMETER),
     "coordinate": AnyOf(("text", COORDINATE)),
-    "frame": _or_nothing(FRAME),
+    "frame": or_nothing(FRAME),
     "particle": PARTICLE,
     "body": BODY,
     "constraint": CONSTRAINT,
@@ -606,7 +586,7 @@ PARTS: dict[str, Kind] = {
     "impulse": AnyOf(tuple(IMPULSES.values())),
     "choice": CHOICE,
     "question": QUESTION,
-    "answers": _or_nothing(ANSWERS),
+    "answers": or_nothing(ANSWERS),
 }
 """Kinds with a name of their own."""
 

@@ -31,7 +31,8 @@ from lagrange.core.diagnostics import Diagnostic, ProblemError, Span, nearest, s
 from lagrange.core.records import record
 from lagrange.core.symbols import Slots, base, differential, t, variation
 from lagrange.problem.diagnostic_collector import Diagnostics
-from lagrange.problem.keys import Assumption, Form
+from lagrange.problem.keys import Assumption
+from lagrange.problem.yaml.kinds import Form
 from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 

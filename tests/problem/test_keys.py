@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from lagrange.problem.keys import FORMS, AnyOf, Form, Kind, ListOf, Named, Words
+from lagrange.problem.keys import FORMS
+from lagrange.problem.yaml.kinds import AnyOf, Form, Kind, ListOf, Named, Words
 from tests.support.paths import ROOT
 
 PAGE = (ROOT / "docs" / "problem-files.md").read_text(encoding="utf-8")

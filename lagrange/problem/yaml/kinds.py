@@ -83,3 +83,18 @@ class Form:
 
 
 Kind = str | Words | ListOf | Named | AnyOf | Form
+
+
+def or_nothing(*kinds: Kind) -> AnyOf:
+    """One of these kinds, or an empty section."""
+    return AnyOf((*kinds, "nothing"))
+
+
+def one_or_list(kind: Kind) -> AnyOf:
+    """A value, or a list of such values."""
+    return AnyOf((kind, ListOf(kind)))
+
+
+def three(kind: Kind) -> ListOf:
+    """A list of three values."""
+    return ListOf(kind, 3, 3)
