@@ -42,7 +42,7 @@ def variant_source(source: Source, seed: str) -> Source:
     problem = read_problem(source)
     if not problem.vary:
         help_ = "say what varies, as `vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}}`"
-        raise ProblemError(Diagnostic("nothing-varies", f"{source.name} has no `vary`", help=help_))
+        raise ProblemError(Diagnostic("nothing-varies", f"the problem “{problem.title}” has no `vary`", help=help_))
     if not seed.strip() or len(seed) > LONGEST_SEED:
         message = f"a seed is a text of 1 to {LONGEST_SEED} characters"
         raise ProblemError(Diagnostic("bad-seed", message, help="take the name or the number of a student"))
