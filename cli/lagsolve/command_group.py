@@ -117,7 +117,7 @@ class CommandLine(click.Group):
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """Prepends `solve` where no command is named; `help COMMAND` is `COMMAND --help`."""
-        if not args:
+        if not args and not ctx.resilient_parsing:  # a shell that completes has no arguments yet
             click.echo(FIRST_STEPS, nl=False)
             ctx.exit(OK)
         if args[:1] == ["help"]:
@@ -205,6 +205,12 @@ def complete_problems(context: click.Context, parameter: click.Parameter, incomp
 
     near = sorted(str(p) for pattern in ("*.yaml", "*.yml") for p in Path().glob(pattern))
     return [*(CompletionItem(f, help="a file") for f in near if f.startswith(incomplete)), *names]
+
+
+def complete_problem_first(context: click.Context, parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:
+    """A problem as the first of several arguments, then files."""
+    complete = complete_files if context.params.get(parameter.name or "") else complete_problems
+    return complete(context, parameter, incomplete)
 
 
 def complete_files(_context: click.Context, _parameter: click.Parameter, incomplete: str) -> list[CompletionItem]:

@@ -7,7 +7,15 @@ from typing import TYPE_CHECKING
 
 import click
 
-from lagsolve.command_group import INTERRUPTED, OK, UNDECIDED, complete_files, complete_problems, write_stderr
+from lagsolve.command_group import (
+    INTERRUPTED,
+    OK,
+    UNDECIDED,
+    complete_files,
+    complete_problem_first,
+    complete_problems,
+    write_stderr,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,7 +28,9 @@ OF_ONE = ("gradescope", "prairielearn")
 
 
 @click.command(short_help="Grade a folder of submissions to one PROBLEM or several.")
-@click.argument("problems", nargs=-1, required=True, metavar="PROBLEM... ANSWERS...", shell_complete=complete_problems)
+@click.argument(
+    "problems", nargs=-1, required=True, metavar="PROBLEM... ANSWERS...", shell_complete=complete_problem_first
+)
 @click.option("--csv", metavar="FILE", help="Write the table as CSV; `-` is standard output.")
 @click.option("--feedback", metavar="DIR", help="Write a page of Markdown for each submission.")
 @click.option("--format", "format_", type=click.Choice(FORMATS), help="What a platform reads, instead of the table.")

@@ -98,6 +98,9 @@ generalized_coordinates:
 #initial: {theta: pi/2, theta': 0}
 #ask: {fall: {quantity: "theta''", when: theta = pi/2}}
 
+# An instant in which velocities change: blows, constraints that begin to act.
+#impact: {before: {theta: 0, theta': 0}, impulses: {p: {on: P, vector: m*i}}}
+
 #vary: {l: {from: 0.2 m, to: 1 m, step: 0.1 m}, m: [1, 2]}
 
 # What the figure shows beside what the problem says by itself: the position that
@@ -108,8 +111,8 @@ generalized_coordinates:
 # small oscillations).
 find: motion
 
-# In place of masses and forces, `equations: [...]` gives equations outright, to
-# check answers against.
+# Instead of masses, `lagrangian: ...` gives a Lagrangian outright, and
+# `equations: [...]` equations, to check answers against.
 
 # It may be your own work too: what differs is named, as the equation here will
 # be when another force is added. Leave the section out if you know nothing.
@@ -122,6 +125,9 @@ answers:
   #reactions: {rod: "m*g*cos(theta) + m*l*theta'^2"}
   #equilibrium: [["theta = 0"], ["theta = pi"]]
   #frequencies: [["sqrt(g/l)"]]
+
+# What each part of an answer is worth.
+#points: {equations: 6, degrees_of_freedom: 1}
 """
 
 

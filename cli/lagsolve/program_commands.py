@@ -5,12 +5,12 @@ from __future__ import annotations
 import gc
 import os
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
 from lagsolve.command_group import OK, UNDECIDED, complete_files, complete_problems, write_stderr
+from lagsolve.course_commands import SECONDS
 
 if TYPE_CHECKING:
     from lagrange.mechanics.solution import OnStage
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 LANGUAGES = ("python", "c", "matlab", "julia")
 PLOTS = (".svg", ".png", ".pdf")
 PAGE = ".html"
-SECONDS = click.FloatRange(0, 86_400, min_open=True)
 
 
 @click.command(short_help="Integrate the motion of a PROBLEM: a table, a plot.")
@@ -124,6 +123,8 @@ def export(problem: str, target: str | None, settings: tuple[str, ...], choice: 
     target = target or {".py": "python", ".c": "c", ".m": "matlab", ".jl": "julia"}.get(ending)
     if target is None:
         raise click.UsageError("say which language: --to python, c, matlab or julia")
+    from pathlib import Path
+
     from lagsolve.progress_line import stage_shown
 
     with stage_shown() as on_stage:
@@ -156,6 +157,8 @@ def _ending(problem: str, output: str | None, known: tuple[str, ...]) -> str:
     """The extension of the file that is written. Raises a usage error where it means nothing, or is the problem's."""
     if output in (None, "-"):
         return ".csv" if ".csv" in known else ""
+    from pathlib import Path
+
     path = Path(str(output))
     if path.is_dir():
         raise click.UsageError(f"{path} is a folder; -o names a file")
@@ -190,6 +193,8 @@ def _prepared(
 
 
 def _write(result: Simulation, output: str, ending: str) -> None:
+    from pathlib import Path
+
     if ending in PLOTS:
         from lagrange.programs.plots import drawn
         from lagsolve.written_files import write_file

@@ -95,7 +95,12 @@ def _asked(document: Mapping[str, Any]) -> tuple[str, ...]:
         return (find,) if isinstance(find, str) else tuple(find)
     particles, bodies = (document.get(key) or {} for key in ("particles", "bodies"))
     masses = [thing.get("mass") for thing in (*particles.values(), *bodies.values())]
-    if any(mass not in (None, "0") for mass in masses) or bodies or document.get("equations"):
+    if (
+        any(mass not in (None, "0") for mass in masses)
+        or bodies
+        or document.get("equations")
+        or document.get("lagrangian")
+    ):
         return ("motion",)
     return ("equilibrium",) if document.get("forces") else ("constraints",)
 

@@ -40,6 +40,7 @@ from lagrange.answers.verdicts import (
 from lagrange.answers.written.decimals import as_written, remark_on
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import Decimal
+from lagrange.core.symbols import variation as virtual_displacement
 from lagrange.expressions.edits import Draft
 from lagrange.expressions.latex_layout import ALTERNATIVE, is_latex, piece
 from lagrange.mechanics.constraints.kinematics import Configuration
@@ -164,7 +165,12 @@ def _read(alternative: Sequence[Fragment], reference: Reference) -> tuple[tuple[
 
 def _without_unknowns(readings: Sequence[Reading], reference: Reference) -> tuple[Reading, ...]:
     """The equations without names that the problem does not know, unknown forces, each eliminated by one of them."""
-    known = {*reference.scope.names(), *(f"{q.name}'" for q in reference.scope.slots.coordinates)}
+    coordinates = reference.scope.slots.coordinates
+    known = {
+        *reference.scope.names(),
+        *(f"{q.name}'" for q in coordinates),
+        *(str(virtual_displacement(q)) for q in coordinates),
+    }
     present = {s for r in readings for e in r.components for s in e.free_symbols if type(s) is sp.Symbol}
     readings = tuple(readings)
     for unknown in sorted((s for s in present if s.name not in known and s == sp.Symbol(s.name, real=True)), key=str):

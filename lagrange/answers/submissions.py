@@ -320,7 +320,7 @@ class Graded:
 
 def _without_sides(equations: Sequence[EquationVerdict]) -> tuple[EquationVerdict, ...]:
     """The verdicts without expressions: what goes from one process to another is text."""
-    return tuple(replace(e, sides=(), hints=()) for e in equations)
+    return tuple(replace(e, sides=()) for e in equations)
 
 
 @record

@@ -120,7 +120,7 @@ OTHER_QUESTIONS = {
 }
 """What a textbook calls a question, and what a file calls it."""
 OTHER_KEYS = {
-    "masses": "particles", "points": "particles", "rigid_bodies": "bodies", "constants": "parameters",
+    "masses": "particles", "rigid_bodies": "bodies", "constants": "parameters",
     "params": "parameters", "variables": "coordinates", "choices": "generalized_coordinates",
     "generalised_coordinates": "generalized_coordinates", "name": "title", "springs": "forces", "dampers": "forces",
     "loads": "forces", "potential": "forces", "friction": "forces", "questions": "ask", "initial_conditions": "initial",

@@ -39,7 +39,7 @@ def test_gradescope(here: Path) -> None:
     assert sorted(p.name for p in Path("auto").iterdir()) == ["problem.yaml", "run_autograder", "setup.sh"]
     for name in ("setup.sh", "run_autograder"):
         assert os.access(Path("auto") / name, os.X_OK)
-        subprocess.run(["bash", "-n", f"auto/{name}"], check=True)
+        subprocess.run(["bash", "-n", f"auto/{name}"], check=True, timeout=60)
     root = here / "autograder"  # as https://gradescope-autograders.readthedocs.io/en/latest/specs/ has it
     (root / "submission").mkdir(parents=True)
     (root / "submission" / "answer.txt").write_text("theta'' + g/l*sin(theta) = 0\n")

@@ -100,11 +100,11 @@ def test_matrices_on_a_terminal() -> None:
     lines = printed(block, 60).splitlines()[-3:]
     assert [line.strip() for line in lines] == [
         "⎛  a   a b  0  ⎞        ⎛   a   ⎞",
-        "M = ⎜ a b   b   1  ⎟    f = ⎜   b   ⎟",
+        "𝐌 = ⎜ a b   b   1  ⎟    𝐟 = ⎜   b   ⎟",
         "⎝  0    1   −a ⎠        ⎝ a + b ⎠",
     ]
     narrow = printed(block, 34)
-    assert narrow.index("M = ") < narrow.index("f = ")
+    assert narrow.index("𝐌 = ") < narrow.index("𝐟 = ")
     assert all(cell_len(line) <= 34 for line in narrow.splitlines())
 
 
@@ -112,9 +112,9 @@ def test_a_matrix_that_is_too_wide_is_written_entry_by_entry() -> None:
     long = sp.Add(*sp.symbols("a1:9", real=True))
     block = Matrices(((VectorSymbol("M"), ((long, sp.S.Zero), (sp.S.Zero, long))),))
     text = printed(block, 60)
-    assert "M₁₁ = a₁" in text
-    assert "M₂₂ = a₁" in text
-    assert "The other entries of M are zero." in text.replace("\n", " ")
+    assert "𝐌₁₁ = a₁" in text
+    assert "𝐌₂₂ = a₁" in text
+    assert "The other entries of 𝐌 are zero." in text.replace("\n", " ")
     assert "⎛" not in text
     assert all(cell_len(line) <= 60 for line in text.splitlines())
     derivation = Derivation("T", "", (Step(Rule.EQUATIONS_OF_MOTION, "S", (block,)),))
@@ -140,7 +140,7 @@ def test_matrices_in_markdown_and_on_web_pages() -> None:
 
 def test_one_row_stands_in_round_brackets() -> None:
     a = sp.Symbol("a", real=True)
-    assert "M = ( a  0 )" in printed(Matrices(((VectorSymbol("M"), ((a, sp.S.Zero),)),)), 60)
+    assert "𝐌 = ( a  0 )" in printed(Matrices(((VectorSymbol("M"), ((a, sp.S.Zero),)),)), 60)
 
 
 def test_full_detail_shows_the_matrix_form() -> None:

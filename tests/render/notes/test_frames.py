@@ -23,7 +23,10 @@ def talk(*names: str) -> str:
 
 def has_beamer() -> bool:
     found = shutil.which("kpsewhich")
-    return found is not None and subprocess.run([found, "-q", "beamer.cls"], capture_output=True).returncode == 0
+    return (
+        found is not None
+        and subprocess.run([found, "-q", "beamer.cls"], capture_output=True, timeout=60).returncode == 0
+    )
 
 
 def test_every_step_is_a_frame() -> None:

@@ -164,6 +164,8 @@ def forced_equations(
                 raise NotCoveredError("forced oscillations whose forces have no closed form")
             terms.append(-value * law)
         forces.append(sp.Add(*terms))
+    if all(f == 0 for f in forces):  # of second order beside the motion: a parametric drive, or none of this coordinate
+        raise NotCoveredError("small oscillations under a prescribed motion that acts to second order only")
     return ForcedEquations(linear, number, tuple(forces))
 
 
