@@ -16,17 +16,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from itertools import chain
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.animation.elements import Elements
-from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still
-from lagrange.animation.javascript import UnprintableError, function, names_of
-from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS
-from lagrange.animation.samples import Samples, put, sampled, samples, surfaces
-from lagrange.animation.values import angles_in, coordinate_slider, initial_state, parameter_slider, slipping, spins
+from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still, UnmovableError
+from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS, MOST_ROWS
+from lagrange.animation.samples import UNDECLARED_GRAVITY, Samples, put, sampled, samples, surfaces
+from lagrange.animation.sliders import coordinate_slider, parameter_slider
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
@@ -35,31 +36,42 @@ from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.pictures.floats import NoValueError
+from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
-from lagrange.pictures.systems import SystemPicture, system_in_file, system_posed_in_choice
+from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Keeper
+from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value
+from lagrange.programs.languages import JAVASCRIPT, Argument, Function
+from lagrange.programs.starting import Start, start
+from lagrange.programs.state_equations import StateEquations, in_coordinates, state_equations
+
+if TYPE_CHECKING:
+    from lagrange.programs.simulation import Simulation
 
 
-def moving_figure(solution: Solution) -> MovingFigure | Still:
-    """The figure that moves, or why there is none."""
+def moving_figure(solution: Solution, simulation: Simulation | None = None) -> MovingFigure | Still:
+    """The figure that moves, or why there is none; with a simulation, in its coordinates and from its start."""
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
-    view = _best(solution)
     try:
-        return _Maker(solution, view).made()
-    except (UnprintableError, NoValueError) as error:
+        states = simulation.equations if simulation is not None else _states(solution)
+        return _Maker(solution, _view(solution, states), states, simulation).made()
+    except (UnmovableError, NoValueError) as error:
         return Still(str(error))
+    except ProblemError as error:
+        return Still(error.diagnostics[0].message)
 
 
-def _best(solution: Solution) -> InCoordinates:
-    """Free coordinates without square roots, otherwise those of the file."""
+def _states(solution: Solution) -> StateEquations | None:
+    """The equations of motion that `simulate` integrates; None where nothing moves."""
+    return state_equations(solution) if any(v.dynamics is not None for v in solution.views) else None
 
-    def rank(v: InCoordinates) -> tuple[bool, bool, int]:
-        done = v.dynamics is not None or v.equilibrium is not None
-        return (not done, bool(v.signs), len(v.configuration.rows))
 
-    return min(solution.views, key=rank)
+def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:
+    """The coordinates of the motion; of a rest free ones without square roots, otherwise those of the file."""
+    if states is not None:
+        return next(v for v in solution.views if v.name == states.name)
+    return min(solution.views, key=lambda v: (v.equilibrium is None, bool(v.signs), len(v.configuration.rows)))
 
 
 @dataclass
@@ -68,10 +80,13 @@ class _Maker:
 
     solution: Solution
     view: InCoordinates
+    states: StateEquations | None
+    simulation: Simulation | None
     functions: dict[str, str] = field(default_factory=dict)
     rule: dict[sp.Basic, sp.Basic] = field(default_factory=dict)
     drives: list[Slider] = field(default_factory=list)
     drive_symbols: list[sp.Symbol] = field(default_factory=list)
+    driven: list[tuple[sp.Symbol, sp.Expr]] = field(default_factory=list)
     samples: Samples = field(default_factory=dict)
     shape: dict[str, Any] = field(default_factory=dict)
     elements: Elements | None = None
@@ -92,10 +107,10 @@ class _Maker:
 
     def made(self) -> MovingFigure:
         view = self.view
-        self.samples = samples(self.solution)
-        system, pose = self._posed()
+        self.samples = samples(self.solution) | self._given()
+        system, pose = drawn_system(sampled(self.solution, self.samples), self.view)
         if system is None and view.dynamics is None:
-            raise UnprintableError("there is no drawing of this system")
+            raise UnmovableError("there is no drawing of this system")
         drawn = dict(system.pose.values) if system else {}
         slots = view.configuration.slots
         self._drive(slots, drawn)
@@ -108,52 +123,64 @@ class _Maker:
         self._refuse_unknown(symbols, signs)
         along = {s for _, names in (self.elements.curves if self.elements else ()) for s in names}
         parameters = [s for s in symbols if s not in along]
-        names = self._names(parameters)
-        return self._assembled(expressions, names, parameters, drawn, pose, system)
+        return self._assembled(expressions, parameters, drawn, pose, system)
 
     # What the page has to know
 
-    def _posed(self) -> tuple[SystemPicture | None, Pose | None]:
-        solution = sampled(self.solution, self.samples)
-        if self.view.is_own:
-            system = system_in_file(solution)
-            return system, None if system is None else system.pose
-        posed = system_posed_in_choice(solution, self.view.coordinates.configuration)
-        return posed if posed is not None else (system_in_file(solution), None)
+    def _given(self) -> Samples:
+        """The functions that the command line has given."""
+        given = self.states.given if self.states is not None else {}
+        declared = {f.name: f.arguments for f in self.solution.problem.functions}
+        return {n: (tuple(sp.Symbol(a, real=True) for a in declared[n]), e) for n, e in given.items() if n in declared}
 
     def _drive(self, slots: Slots, drawn: Mapping[sp.Symbol, float]) -> None:
         """Prescribed motions u(t) become u_0 + a sin(w t), each with its own mean, amplitude and circular frequency."""
+        given = self.states.given if self.states is not None else {}
         for u in slots.prescribed:
+            if u.name in given:
+                self._prescribe(u, given[u.name])
+                continue
             mean, size, rate = (sp.Dummy(f"{u.name}_{what}", real=True) for what in ("mean", "amplitude", "frequency"))
             motion = mean + size * sp.sin(rate * t)
-            for order in range(5):
-                self.rule[prime(u, order) if order else u] = motion.diff(t, order) if order else motion
-            start = drawn.get(u, 0.5)
-            for symbol, what, value, low, high in (
-                (mean, "mean of", start, -2 * abs(start) - 0.5, 2 * abs(start) + 0.5),
+            self._prescribe(u, motion)
+            self.driven.append((u, motion))
+            place = drawn.get(u, 0.5)
+            for symbol, what, number, low, high in (
+                (mean, "mean of", place, -2 * abs(place) - 0.5, 2 * abs(place) + 0.5),
                 (size, "amplitude of", 0.3, 0.0, 1.0),
                 (rate, "frequency of", 2.0, 0.0, 6.0),
             ):
                 self.drive_symbols.append(symbol)
-                self.drives.append(Slider(u, value, low, high, meaning=what))
+                self.drives.append(Slider(u, number, low, high, meaning=what))
+
+    def _prescribe(self, u: sp.Symbol, motion: sp.Expr) -> None:
+        for order in range(5):
+            self.rule[prime(u, order) if order else u] = motion.diff(t, order) if order else motion
 
     def _state_symbols(self) -> set[sp.Symbol]:
         view, own = self.view.configuration.slots, self.own.configuration.slots
         return {*view.coordinates, *view.velocities, *own.coordinates, *own.velocities, t}
 
-    def _names(self, parameters: Sequence[sp.Symbol]) -> dict[str, dict[sp.Symbol, str]]:
+    def _function(self, name: str, outputs: Sequence[sp.Expr], parameters: Sequence[sp.Symbol]) -> str:
+        """A method of JavaScript: of y or z and p, of the parameters of a curve too, or of p alone."""
         view, own = self.view.configuration.slots, self.own.configuration.slots
-        p = names_of("p", parameters)
-        y = names_of("y", (*view.coordinates, *view.velocities, t))
-        z = names_of("z", (*own.coordinates, *own.velocities, t, *(() if self.view.is_own else view.coordinates)))
-        return {"y": {**p, **y}, "z": {**p, **z}, "p": p}
+        of_page: Argument = ("y", (*view.coordinates, *view.velocities, t))
+        more = () if self.view.is_own else view.coordinates
+        in_file: Argument = ("z", (*own.coordinates, *own.velocities, t, *more))
+        arguments: list[Argument] = [("p", tuple(parameters))]
+        if name != "ini":
+            arguments.insert(0, in_file if name.startswith(("rea", "fig", "act", "tra", "cur")) else of_page)
+        if name.startswith("cur"):
+            assert self.elements is not None
+            arguments.append(("u", tuple(self.elements.curves[int(name[3:])][1])))
+        return " ".join(JAVASCRIPT.function(Function.of(name, arguments, outputs))).removeprefix("function ")
 
     def _refuse_unknown(self, symbols: Iterable[sp.Symbol], signs: Mapping[Sign, sp.Expr]) -> None:
         for s in symbols:
             if s in signs:
-                raise UnprintableError("the sense of a friction force depends on the motion")
+                raise UnmovableError("the sense of a friction force depends on the motion")
             if s.name.endswith("'"):
-                raise UnprintableError(f"the velocity {s.name} is not determined")
+                raise UnmovableError(f"the velocity {s.name} is not determined")
 
     def put(self, e: sp.Expr) -> sp.Expr:
         """An expression with the prescribed motions that the page takes."""
@@ -216,12 +243,9 @@ class _Maker:
 
     def _equations(self, view: InCoordinates, name: str) -> list[sp.Expr]:
         assert view.dynamics is not None
-        form = view.dynamics.matrices
-        unused = view.dynamics.equations.elimination.unused
-        used = [n for n in range(len(form.configuration.rows)) if n not in unused]
-        self.shape[name] = [len(form.force), len(used)]
-        rows = [e for n in used for e in form.constraint_matrix[n]]
-        parts = [*(e for row in form.mass for e in row), *form.force, *rows, *(form.constraint_vector[n] for n in used)]
+        form = in_coordinates(view.dynamics)
+        self.shape[name] = [len(form.force), len(form.bias)]
+        parts = [*chain.from_iterable(form.mass), *form.force, *chain.from_iterable(form.constraint_matrix), *form.bias]
         return [self.put(e) for e in parts]
 
     def _used(self, view: InCoordinates) -> list[int]:
@@ -353,7 +377,6 @@ class _Maker:
     def _assembled(
         self,
         expressions: Mapping[str, Sequence[sp.Expr]],
-        names: Mapping[str, Mapping[sp.Symbol, str]],
         parameters: Sequence[sp.Symbol],
         drawn: Mapping[sp.Symbol, float],
         pose: Pose | None,
@@ -363,45 +386,31 @@ class _Maker:
         slots = configuration.slots
         operations = sum(sp.count_ops(e) for group in expressions.values() for e in group)
         if operations > MOST_OPERATIONS:
-            raise UnprintableError("its equations are too long")
-        code = []
-        for name, group in expressions.items():
-            if name.startswith("cur"):
-                assert self.elements is not None
-                along = names_of("u", self.elements.curves[int(name[3:])][1])
-                code.append(f"{name}: {function('z, p, u', group, {**names['z'], **along})}")
-            elif name == "ini":
-                code.append(f"{name}: {function('p', group, names['p'])}")
-            elif name in ("rea", "fig", "act") or name.startswith("tra"):
-                code.append(f"{name}: {function('z, p', group, names['z'])}")
-            else:
-                code.append(f"{name}: {function('y, p', group, names['y'])}")
+            raise UnmovableError("its equations are too long")
+        code = [self._function(name, group, parameters) for name, group in expressions.items()]
         written = "{\n" + ",\n".join(code) + "\n}"
         if len(written) > LONGEST_PROGRAM:
-            raise UnprintableError("its equations are too long")
+            raise UnmovableError("its equations are too long")
         everything = [e for group in expressions.values() for e in group]
         angles = angles_in(everything)
         drives = dict(zip(self.drive_symbols, self.drives, strict=True))
-        knobs = [drives.get(s) or parameter_slider(s, problem, drawn, s in angles) for s in parameters]
-        numbers = {s: k.value for s, k in zip(parameters, knobs, strict=True)} | {t: 0.0}
-        start = {} if pose is None else {q: pose.values[q] for q in pose.coordinates if q in pose.values}
-        state = initial_state(problem, configuration, start, numbers, self.potential)
-        released = bool(self.begins or self.wanted)
-        if not released:
-            known = (
-                [e if kind else sp.Abs(e) for e, kind in zip(expressions["sli"], self.slips, strict=True)]
-                if self.slips
-                else []
-            )
-            state = slipping(state, slots.velocities, known, numbers)
+        begun = self._start(drawn, pose)
+        declared = {p.symbol: p for p in problem.parameters}
+
+        def number(s: sp.Symbol) -> float:
+            known = begun.values.get(s) if begun is not None else None
+            return parameter_value(s, declared.get(s), problem, drawn, s in angles) if known is None else known
+
+        knobs = [drives.get(s) or parameter_slider(s, problem, number(s), s in angles) for s in parameters]
+        state = self._state(begun, drawn if pose is None else {**drawn, **pose.values})
         sliders = tuple(coordinate_slider(q, problem, state[q], q in angles) for q in slots.coordinates)
         elements = self.elements
         planar = system.view if system else None
         data = {
             "n": len(slots.coordinates),
             "shape": self.shape,
-            "kept": self._kept(slots),
             "y": [state[s] for s in (*slots.coordinates, *slots.velocities)] + [0.0],
+            "motion": self._motion(),
             "p": [k.value for k in knobs],
             "angles": [int(s.angle) for s in sliders],
             "items": elements.items if elements else [],
@@ -445,9 +454,43 @@ class _Maker:
             equilibria=tuple(self.buttons),
             moves=self.view.dynamics is not None,
             rests=self.view.equilibrium is not None,
-            released=released,
+            released=bool(self.begins or self.wanted),
+            pushed=begun is not None and begun.pushed,
             assumed=self._assumed(),
         )
+
+    def _start(self, drawn: Mapping[sp.Symbol, float], pose: Pose | None) -> Start | None:
+        """Where the motion starts: that of the simulation, otherwise where `simulate` would start; None at rest."""
+        if self.simulation is not None:
+            return self.simulation.start
+        if self.states is None:
+            return None
+        numbers = {k: sp.Float(s.value, 17) for k, s in zip(self.drive_symbols, self.drives, strict=True)}
+        taken = {u.name: e.xreplace(numbers) for u, e in self.driven}
+        falls = {UNDECLARED_GRAVITY: sp.Float(GRAVITY, 17)}
+        taken |= {name: e.xreplace(falls) for name, (_, e) in self.samples.items()}
+        known = {**drawn, **pose.values} if pose is not None else drawn if self.view.is_own else None
+        return start(self.states.with_functions(taken), self.solution, drawn=known)
+
+    def _state(self, begun: Start | None, drawn: Mapping[sp.Symbol, float]) -> dict[sp.Symbol, float]:
+        """The coordinates and velocities at the start."""
+        slots = self.view.configuration.slots
+        if begun is None or self.states is None:
+            return {**{q: drawn.get(q, 0.5) for q in slots.coordinates}, **dict.fromkeys(slots.velocities, 0.0)}
+        e = self.states.equations
+        at = {**begun.values, t: 0.0, **dict(zip(e.state, begun.state, strict=True))}
+        rates = (value(self.put(rate), at) for rate in e.rates)
+        return {**{q: at[q] for q in slots.coordinates}, **dict(zip(slots.velocities, rates, strict=True))}
+
+    def _motion(self) -> list[list[float]]:
+        """The computed motion of a simulation: rows q, q', t."""
+        if self.simulation is None:
+            return []
+        found, e = self.simulation, self.simulation.equations.equations
+        places = [*found.states[: len(e.rates)], *(found.along(rate) for rate in e.rates)]
+        every = -(-len(found.times) // MOST_ROWS)
+        rows = zip(*(x.tolist()[::every] for x in (*places, found.times)), strict=True)
+        return [[float(f"{x:.9g}") for x in row] for row in rows]
 
     def _assumed(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """What is taken for functions and prescribed motions that the file leaves open."""
@@ -467,11 +510,6 @@ class _Maker:
         if elements is None:
             return []
         return [elements.at(p.position) for p in self.own.configuration.points if p.name not in elements.hidden]
-
-    def _kept(self, slots: Slots) -> int:
-        """The velocity that stays when the others are fitted to the constraints: that of a spin; -1 for none."""
-        turning = spins(self.view.configuration)
-        return slots.coordinates.index(turning[0]) if turning else -1
 
     @staticmethod
     def _kind(quantity: ConservedQuantity) -> int:

@@ -19,6 +19,8 @@ from lagrange.mechanics.results import Solution
 
 Samples = dict[str, tuple[tuple[sp.Symbol, ...], sp.Expr]]
 """By name of a function: its arguments and what is taken for it."""
+UNDECLARED_GRAVITY = sp.Symbol("g", positive=True)
+"""In samples of a problem that has no `g` of its own."""
 
 
 def samples(solution: Solution) -> Samples:
@@ -27,7 +29,7 @@ def samples(solution: Solution) -> Samples:
     relations = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
     bound = {f.name for r in relations for f in r.atoms(Unspecified)}
     out: Samples = {}
-    gravity = sp.Symbol("g", positive=True) if "g" not in solution.problem.scope.names() else sp.Integer(10)
+    gravity = UNDECLARED_GRAVITY if "g" not in solution.problem.scope.names() else sp.Integer(10)
     for declared in solution.problem.functions:
         names = tuple(sp.Symbol(a, real=True) for a in declared.arguments)
         squares = sp.Add(*(a**2 for a in names))

@@ -61,7 +61,7 @@ def prepared(
         raise GaveUpError(stage, why)
     states = state_equations(solution, choice).with_functions(settings.functions)
     states = replace(states, problem=replace(states.problem, questions=problem.questions, initial=problem.initial))
-    return Prepared(problem, solution, states, start(states, problem, settings.initial))
+    return Prepared(problem, solution, states, start(states, solution, settings.initial))
 
 
 def require_functions(states: StateEquations, given: Mapping[str, sp.Expr]) -> None:

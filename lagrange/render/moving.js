@@ -111,7 +111,7 @@ const lagsolveFigure = (() => {
       return y;
     }
     // The nearest state that satisfies the constraints; the coordinate `kept` does not change if that is possible.
-    function projected(y, p, kept, speed = -1) {
+    function projected(y, p, kept) {
       if (!m) return y;
       y = y.slice();
       for (const level of [0, 1]) for (let turn = 0; turn < 30; turn++) {
@@ -119,7 +119,7 @@ const lagsolveFigure = (() => {
         for (let i = 0; i < m; i++) if (level || finite[i]) rows.push(i);
         const off = rows.map(i => v[level * m + i]);
         if (off.every(x => Math.abs(x) < 1e-14) || !rows.length) break;
-        const a = rows.map(i => { const r = v.slice(3 * m + i * n, 3 * m + i * n + n); const still = level ? speed : kept; if (still >= 0) r[still] = 0; return r; });
+        const a = rows.map(i => { const r = v.slice(3 * m + i * n, 3 * m + i * n + n); if (!level && kept >= 0) r[kept] = 0; return r; });
         const gram = a.map((r, i) => [...a.map(s => r.reduce((t, x, k) => t + x * s[k], 0)), off[i]]);
         const w = solved(gram, rows.length).x;
         let size = 0;
@@ -177,9 +177,10 @@ const lagsolveFigure = (() => {
     const one = s => root.querySelector(s), all = s => [...root.querySelectorAll(s)];
     const stage = one("svg.stage"), lines = one("g.lines"), texts = all("g.labels text");
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
-    // The state at t = 0: what the file says of it, in its own coordinates or in these, and the page's values otherwise.
+    // The state at t = 0. For other parameters, what the file says of it in its own coordinates or in these is put in again.
     function begin() {
-      let s = data.y.slice();
+      const s = data.y.slice();
+      if (p.every((x, k) => x === data.p[k]) && M.violation(s, p) < 1e-9) return s;
       const stated = F.ini(p), given = stated.slice(data.begins.length);
       data.begins.forEach((k, i) => { s[k] = stated[i]; });
       if (data.wanted.length) for (const level of [0, 1]) for (let turn = 0; turn < 25; turn++) {
@@ -190,7 +191,7 @@ const lagsolveFigure = (() => {
         const w = solved(off.map((_, i) => [...off.map((_, j) => columns.reduce((t, c) => t + c[i] * c[j], 0)), off[i]]), off.length).x;
         for (let j = 0; j < n; j++) s[level * n + j] -= columns[j].reduce((t, x, i) => t + x * w[i], 0);
       }
-      return s.every(isFinite) ? M.projected(s, p, -1, data.begins.length ? -1 : data.kept) : M.projected(data.y.slice(), p, -1, data.kept);
+      return M.projected(s.every(isFinite) ? s : data.y.slice(), p, -1);
     }
     let p = data.p.slice(), y = begin(), touched = false, playing = false, speed = 1, message = "";
     let sense = [], side = [];
@@ -213,6 +214,25 @@ const lagsolveFigure = (() => {
       record();
     }
     const energy = data.conserved.indexOf(1);
+    // A motion that was computed before: its rows are what the page has recorded, and the reader is at its beginning.
+    function remember() {
+      for (const row of data.motion.slice(1)) { y = row; record(); }
+      if (data.motion.length) { y = data.y.slice(); shownAt = 0; trace = trace.slice(0, 1); }
+    }
+    // Goes on in what is recorded, integrating between two records.
+    function follow(seconds) {
+      const now = y[2 * n] + seconds;
+      while (shownAt + 1 < history.length && history[shownAt + 1].y[2 * n] <= now) shownAt++;
+      y = history[shownAt].y.slice();
+      if (shownAt + 1 == history.length) shownAt = -1; else y = M.advanced(y, p, now - y[2 * n]) ?? y;
+      leave();
+      return true;
+    }
+    function leave() {
+      const z = cells(y);
+      trace.push(data.points.map(k => three(z, k)));
+      if (trace.length > 900) trace.shift();
+    }
     function record() {
       const e = integrals(y);
       reference.size = Math.max(reference.size, Math.abs(e.T));
@@ -221,9 +241,7 @@ const lagsolveFigure = (() => {
       const r = data.bound.length ? M.forces(y, p).reactions.map(f => f.value) : [];
       history.push({ y: y.slice(), r, e: e.T + e.V });
       if (history.length > 6000) history.splice(0, 1500);
-      const z = cells(y);
-      trace.push(data.points.map(k => [z[k], z[k + 1], z[k + 2]]));
-      if (trace.length > 900) trace.shift();
+      leave();
     }
     const fails = s => M.broken(s, p, sense, side);
     const endings = {
@@ -582,7 +600,7 @@ const lagsolveFigure = (() => {
     function render() {
       out = []; labels = []; tags = [];
       const v = cells(y);
-      follow(v);
+      keepInView(v);
       for (const e of data.items) kinds[e.k](e, v);
       if (data.axes && data.shown.length > 1) {
         const o = page([0, 0, 0]);
@@ -601,7 +619,7 @@ const lagsolveFigure = (() => {
       readings();
     }
     // The picture follows a system that leaves it.
-    function follow(v) {
+    function keepInView(v) {
       const q = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite));
       if (!q.length) return;
       for (const [i, size] of [[0, width], [1, height]]) {
@@ -695,13 +713,14 @@ const lagsolveFigure = (() => {
     function graphs() {
       const shown = shownAt >= 0 ? history.slice(0, shownAt + 1) : history, now = y[2 * n];
       if (moving) {
-        const recent = shown.filter(h => h.y[2 * n] > now - 20), from = recent[0]?.y[2 * n] ?? 0, x = [from, Math.max(from + 8, now)], still = history.length < 2 && shownAt < 0;
-        const ahead = still ? preview.filter(h => h.y[2 * n] <= x[1]) : [];
+        const recent = shownAt >= 0 ? shown : shown.filter(h => h.y[2 * n] > now - 20), from = recent[0]?.y[2 * n] ?? 0;
+        const x = shownAt >= 0 ? [history[0].y[2 * n], history.at(-1).y[2 * n]] : [from, Math.max(from + 8, now)];
+        const ahead = shownAt >= 0 ? history.slice(shownAt) : history.length < 2 ? preview.filter(h => h.y[2 * n] <= x[1]) : [];
         const chosen = all("input[data-plot]").filter(b => b.checked).map(b => Number(b.dataset.plot));
-        graph(one("canvas.coordinates"), [...Array(n).keys()].map(k => chosen.includes(k) ? recent.map(h => [h.y[2 * n], h.y[k]]) : []), { x }, still ? [...Array(n).keys()].map(k => chosen.includes(k) ? ahead.map(h => [h.y[2 * n], h.y[k]]) : []) : []);
-        graph(one("canvas.reactions"), data.bound.map((_, k) => recent.map(h => [h.y[2 * n], h.r[k]])), { x }, still ? data.bound.map((_, k) => ahead.map(h => [h.y[2 * n], h.r[k]])) : []);
+        graph(one("canvas.coordinates"), [...Array(n).keys()].map(k => chosen.includes(k) ? recent.map(h => [h.y[2 * n], h.y[k]]) : []), { x }, [...Array(n).keys()].map(k => chosen.includes(k) ? ahead.map(h => [h.y[2 * n], h.y[k]]) : []));
+        graph(one("canvas.reactions"), data.bound.map((_, k) => recent.map(h => [h.y[2 * n], h.r[k]])), { x }, data.bound.map((_, k) => ahead.map(h => [h.y[2 * n], h.r[k]])));
         const k = Number(one("select.phase")?.value ?? 0);
-        graph(one("canvas.phase"), [shown.map(h => [h.y[k], h.y[n + k]])], null, still ? [preview.map(h => [h.y[k], h.y[n + k]])] : []);
+        graph(one("canvas.phase"), [shown.map(h => [h.y[k], h.y[n + k]])], null, [ahead.map(h => [h.y[k], h.y[n + k]])]);
       } else {
         const k = Number(one("select.phase")?.value ?? 0), input = one(`input[data-q="${k}"]`);
         if (!input || !F.sta) return;
@@ -722,13 +741,13 @@ const lagsolveFigure = (() => {
 
     // ---- What the reader does
 
-    let last = 0;
+    let last = 0, frames = 0;
     function frame(now) {
       if (!playing) return;
       const dt = Math.min(0.05, (now - last) / 1000 || 1 / 60) * speed; last = now;
-      if (!run(dt)) stop();
+      if (!(shownAt >= 0 ? follow(dt) : run(dt))) stop();
       render();
-      if (history.length % 3 == 0) graphs();
+      if (frames++ % 3 == 0) { graphs(); scrub(); }
       requestAnimationFrame(frame);
     }
     // A system that would stay at rest is pushed a little, which is said.
@@ -743,21 +762,20 @@ const lagsolveFigure = (() => {
     function stop() { playing = false; if (play) { play.setAttribute("aria-pressed", "false"); play.textContent = "▶ Play"; } show(); scrub(); }
     function start() {
       if (!moving) return;
-      if (shownAt >= 0) { y = history[shownAt].y.slice(); history.length = shownAt + 1; shownAt = -1; }
       message = "";
-      nudge();
-      if (calm.matches) { run(10); message ||= "10 s of motion, computed at once: the slider “time” goes through it."; stop(); return; }
+      if (shownAt < 0) nudge();
+      if (calm.matches) { if (shownAt >= 0) follow(Infinity); run(10); message ||= "10 s of motion, computed at once: the slider “time” goes through it."; stop(); return; }
       playing = true; last = performance.now(); play.setAttribute("aria-pressed", "true"); play.textContent = "❚❚ Pause";
       requestAnimationFrame(frame);
     }
     const time = one("input.time");
     function scrub() { if (time) { time.max = Math.max(1, history.length - 1); time.value = shownAt >= 0 ? shownAt : history.length - 1; time.disabled = playing || history.length < 2; } }
     play?.addEventListener("click", () => playing ? stop() : start());
-    one("button.step")?.addEventListener("click", () => { if (playing) stop(); run(0.02); show(); scrub(); });
+    one("button.step")?.addEventListener("click", () => { if (playing) stop(); shownAt >= 0 ? follow(0.02) : run(0.02); show(); scrub(); });
     one("button.reset")?.addEventListener("click", () => {
       playing = false; shownAt = -1; p = data.p.slice(); y = begin(); touched = false;
       all("input[data-p]").forEach(i => { i.value = p[Number(i.dataset.p)]; });
-      restart(); fit(); stop();
+      restart(); remember(); fit(); stop();
     });
     time?.addEventListener("input", () => { shownAt = Number(time.value); if (history[shownAt]) { y = history[shownAt].y.slice(); render(); graphs(); } });
     one("select.speed")?.addEventListener("change", e => { speed = Number(e.target.value); });
@@ -839,6 +857,7 @@ const lagsolveFigure = (() => {
     root.addEventListener("keydown", e => { if (e.target === stage && (e.key == " " || e.key == "Enter")) { e.preventDefault(); playing ? stop() : start(); } });
     // For tests and programs: runs at once, and leaves the numbers as attributes of the figure.
     root.addEventListener("lagsolve-run", e => {
+      if (shownAt >= 0) { history.length = shownAt + 1; shownAt = -1; }
       nudge(); const begun = performance.now(), done = run(e.detail.seconds);
       Object.assign(root.dataset, { state: JSON.stringify(y), parameters: JSON.stringify(p), drift: worst, error: wrong, done, milliseconds: (performance.now() - begun) / Math.max(1, e.detail.seconds * 60) });
       const drawn = performance.now(); show(); root.dataset.drawing = performance.now() - drawn; scrub();
@@ -849,6 +868,6 @@ const lagsolveFigure = (() => {
     new ResizeObserver(() => { const W = stage.clientWidth; if (W && Math.abs(W - width) > 2) requestAnimationFrame(() => { fit(); show(); }); }).observe(stage);
     const which = one("select.which");
     if (which && data.shape.con[1]) which.value = Math.max(0, [...Array(n).keys()].findIndex(k => { const d = virtual(k); return Math.hypot(...d) > 0.3; }));
-    restart(); fit(); if (data.rest) look(); show(); scrub();
+    restart(); remember(); fit(); if (data.rest) look(); show(); scrub();
   };
 })();
