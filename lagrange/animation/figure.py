@@ -65,6 +65,7 @@ class MovingFigure:
     released     whether the file says how the motion begins
     pushed       whether it begins a little beside an equilibrium
     assumed      what the page takes for functions that the file leaves open
+    driven       prescribed motions that the file leaves open, which oscillate
     """
 
     code: str
@@ -80,3 +81,4 @@ class MovingFigure:
     released: bool
     pushed: bool = False
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    driven: tuple[sp.Symbol, ...] = ()

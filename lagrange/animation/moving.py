@@ -457,6 +457,7 @@ class _Maker:
             released=bool(self.begins or self.wanted),
             pushed=begun is not None and begun.pushed,
             assumed=self._assumed(),
+            driven=tuple(u for u, _ in self.driven),
         )
 
     def _start(self, drawn: Mapping[sp.Symbol, float], pose: Pose | None) -> Start | None:
@@ -494,11 +495,12 @@ class _Maker:
 
     def _assumed(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
         """What is taken for functions and prescribed motions that the file leaves open."""
-        functions = (
-            (Unspecified.of(name, [a.name for a in names], *names), value)
-            for name, (names, value) in self.samples.items()
+        given = self.states.given if self.states is not None else {}
+        return tuple(
+            (Unspecified.of(name, [a.name for a in names], *names), taken)
+            for name, (names, taken) in self.samples.items()
+            if name not in given
         )
-        return tuple(functions)
 
     def _may_rest(self, expressions: Mapping[str, Sequence[sp.Expr]]) -> bool:
         """Whether the page looks for positions of rest itself: few free coordinates, forces without time."""

@@ -47,7 +47,7 @@ def test_a_page_begins_with_the_command_line(tmp_path: Path) -> None:
     page = path.read_text()
     [data] = re.findall(r'<script type="application/json">(.*?)</script>', page)
     found = json.loads(data)
-    assert found["y"][0] == math.pi / 3
+    assert found["y"][0] == pytest.approx(math.pi / 3, rel=1e-15)
     assert found["y"][2:] == [0, 0.5, 0]
     assert found["p"].count(0.7) == 1
     assert found["motion"][-1][-1] == 2
