@@ -40,7 +40,7 @@ from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Keeper
-from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value
+from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
 from lagrange.programs.languages import JAVASCRIPT, Argument, Function
 from lagrange.programs.starting import Start, start
 from lagrange.programs.state_equations import StateEquations, in_coordinates, state_equations
@@ -329,11 +329,10 @@ class _Maker:
         return [self.put(v) for v in values]
 
     def _slips(self) -> list[sp.Expr]:
-        """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
-        forces = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
-        self.slips = [2 if f.speed is None else 1 if f.sense.is_number else 0 for f in forces]
-        return [self.put(f.slip.dot(f.slip) if f.speed is None else f.speed * f.sense if f.sense.is_number else f.speed)
-                for f in forces]  # fmt: skip
+        """The speeds of what slips."""
+        found = slip_speeds(self.view.dynamics)
+        self.slips = [int(kind) for kind, _ in found]
+        return [self.put(e) for _, e in found]
 
     def _guards(self) -> list[int]:
         """For each reaction when the equations no longer hold: where λ has not this sign (1, -1), where the force is

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
+from enum import IntEnum
 from itertools import product
 
 import sympy as sp
@@ -19,6 +20,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from lagrange.core.symbols import Bounded, Sign
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.energies import potential_energy
+from lagrange.mechanics.dynamics.motion import Motion
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose, general_pose
@@ -100,6 +102,26 @@ def default_velocities(problem: Problem, configuration: Configuration) -> dict[s
         v: 0.0 if potential.has(q) else spin if q in turning else others
         for q, v in zip(slots.coordinates, slots.velocities, strict=True)
     }
+
+
+class Slip(IntEnum):
+    """What the sense of a slip is known to be: as the sign of the velocity, as stated, or only that it slips."""
+
+    UNKNOWN, STATED, ANY = range(3)
+
+
+def slip_speeds(dynamics: Motion | None) -> list[tuple[Slip, sp.Expr]]:
+    """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
+    forces = dynamics.friction_forces if dynamics is not None else ()
+    lines = [(f, f.speed) for f in forces]
+    return [
+        (Slip.ANY, f.slip.dot(f.slip))
+        if speed is None
+        else (Slip.STATED, speed * f.sense)
+        if f.sense.is_number
+        else (Slip.UNKNOWN, speed)
+        for f, speed in lines
+    ]
 
 
 def slipping(

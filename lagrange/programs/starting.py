@@ -23,9 +23,17 @@ from lagrange.mechanics.results import Solution
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.problem.model import InitialValue, Problem
 from lagrange.problem.values import read_number_with_unit
-from lagrange.programs.defaults import angles_in, default_velocities, drawn_position, parameter_value, slipping
+from lagrange.programs.defaults import (
+    Slip,
+    angles_in,
+    default_velocities,
+    drawn_position,
+    parameter_value,
+    slip_speeds,
+    slipping,
+)
 from lagrange.programs.limits import LARGEST_CONTRADICTION, PUSH
-from lagrange.programs.numerical_system import NumericalSystem, Values, indicators, solved_near
+from lagrange.programs.numerical_system import NumericalSystem, Values, solved_near
 from lagrange.programs.state_equations import StateEquations
 
 
@@ -194,8 +202,7 @@ def _guess(states: StateEquations, values: Values, drawn: Mapping[sp.Symbol, flo
         at |= default_velocities(states.problem, states.configuration)
         defined = {s.symbol: states.configuration.rewritten(s.definition) for s in states.problem.speeds}
         speeds = {s: _known(defined.get(s, s), at) for s in e.speeds}
-        others = [sp.Abs(x) for x in indicators(states)]
-        slips = [x for x in (*states.slips, *others) if x.free_symbols <= {*at, *speeds}]
+        slips = [sp.Abs(x) if kind is Slip.UNKNOWN else x for kind, x in slip_speeds(states.view.dynamics)]
         speeds = slipping({**at, **speeds}, e.speeds, slips, values)
     return [*(at[q] for q in e.slots.coordinates), *(speeds[s] for s in e.speeds)]
 
@@ -234,8 +241,8 @@ def _state(
     moving = (*e.speeds, *others.velocities)
     usual = [*guess[count:], *(0.0 for _ in others.velocities)]
     different = [1 + 0.1 * k for k in range(len(moving))]
-    # From rest, a constraint that is not linear in the velocities gives no direction.
-    for first in (different,) if nonlinear and not any(usual) else (usual, different):
+    # A constraint that is not linear in the velocities gives no direction at rest, and leads there from others.
+    for first in (different,) if nonlinear else (usual, different):
         found, error = solved_near(forms, moving, first, at)
         rates = found[: len(e.speeds)]
         if error < LARGEST_CONTRADICTION and _has_rate(states, values, [*positions, *rates]):

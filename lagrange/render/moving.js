@@ -878,8 +878,9 @@ const lagsolveFigure = (() => {
     root.addEventListener("keydown", e => { if (e.key == " " && !e.target.closest("button, select, [type=checkbox]") || e.key == "Enter" && e.target === stage) { e.preventDefault(); playing ? stop() : start(); } });
     // For tests and programs: runs at once, and leaves the numbers as attributes of the figure.
     root.addEventListener("lagsolve-run", e => {
-      if (shownAt >= 0) { history.length = shownAt + 1; shownAt = -1; }
-      nudge(); const begun = performance.now(), done = run(e.detail.seconds);
+      if (shownAt >= 0 && e.detail.seconds) { history.length = shownAt + 1; shownAt = -1; }
+      if (shownAt < 0) nudge();
+      const begun = performance.now(), done = run(e.detail.seconds);
       Object.assign(root.dataset, { state: JSON.stringify(y), parameters: JSON.stringify(p), drift: worst, error: wrong, done, milliseconds: (performance.now() - begun) / Math.max(1, e.detail.seconds * 60) });
       const drawn = performance.now(); show(); root.dataset.drawing = performance.now() - drawn; scrub();
     });
