@@ -14,6 +14,7 @@ from lagsolve.command_group import OK, UNDECIDED, complete_files, complete_probl
 
 if TYPE_CHECKING:
     from lagrange.mechanics.solution import OnStage
+    from lagrange.problem.model import Problem
     from lagrange.programs.prepared import Prepared
     from lagrange.programs.simulation import Simulation
     from lagrange.programs.starting import Settings
@@ -88,7 +89,7 @@ def simulate(
         if output is not None:
             on_stage("writing")
             if ending == PAGE:
-                _write_page(made, given, choice, result, output)
+                _write_page(made.problem, choice, result, output)
             else:
                 _write(result, output, ending)
     from lagsolve.output import write_stdout
@@ -208,18 +209,13 @@ def _write(result: Simulation, output: str, ending: str) -> None:
         write_file(Path(output), csv_text(result))
 
 
-def _write_page(made: Prepared, given: Settings, choice: str | None, result: Simulation, output: str) -> None:
+def _write_page(problem: Problem, choice: str | None, result: Simulation, output: str) -> None:
     """The page of the problem, on which the figure goes through the motion that was computed."""
-    from dataclasses import replace
-
     from lagrange.animation.moving import moving_figure
     from lagrange.explain.report import report
     from lagrange.render import html
     from lagsolve.written_files import write_file
 
-    given_again = {v.symbol for v in given.initial}
-    kept = (v for v in made.problem.initial if v.symbol not in given_again)
-    problem = replace(made.problem, initial=(*kept, *given.initial))
     solved = report(problem, choice or None, complete=False)
     moving = moving_figure(solved.solution, result)
     write_file(Path(output), html.render([(solved.derivation, solved.notation)], moving=[moving]))

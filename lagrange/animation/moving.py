@@ -25,7 +25,7 @@ from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.animation.elements import Elements
 from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still, UnmovableError
 from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS, MOST_ROWS
-from lagrange.animation.samples import UNDECLARED_GRAVITY, Samples, put, sampled, samples, surfaces
+from lagrange.animation.samples import UNDECLARED_GRAVITY, sampled, samples, surfaces
 from lagrange.animation.sliders import coordinate_slider, parameter_slider
 from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
@@ -34,7 +34,6 @@ from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
@@ -43,7 +42,7 @@ from lagrange.problem.model import Keeper
 from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
 from lagrange.programs.languages import JAVASCRIPT, Argument, Function
 from lagrange.programs.starting import Start, start
-from lagrange.programs.state_equations import StateEquations, in_coordinates, state_equations
+from lagrange.programs.state_equations import StateEquations, filled, in_coordinates, state_equations
 
 if TYPE_CHECKING:
     from lagrange.programs.simulation import Simulation
@@ -54,17 +53,13 @@ def moving_figure(solution: Solution, simulation: Simulation | None = None) -> M
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
     try:
-        states = simulation.equations if simulation is not None else _states(solution)
+        moves = any(v.dynamics is not None for v in solution.views)
+        states = simulation.equations if simulation is not None else state_equations(solution) if moves else None
         return _Maker(solution, _view(solution, states), states, simulation).made()
     except (UnmovableError, NoValueError) as error:
         return Still(str(error))
     except ProblemError as error:
         return Still(error.diagnostics[0].message)
-
-
-def _states(solution: Solution) -> StateEquations | None:
-    """The equations of motion that `simulate` integrates; None where nothing moves."""
-    return state_equations(solution) if any(v.dynamics is not None for v in solution.views) else None
 
 
 def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:
@@ -83,11 +78,8 @@ class _Maker:
     states: StateEquations | None
     simulation: Simulation | None
     functions: dict[str, str] = field(default_factory=dict)
-    rule: dict[sp.Basic, sp.Basic] = field(default_factory=dict)
-    drives: list[Slider] = field(default_factory=list)
-    drive_symbols: list[sp.Symbol] = field(default_factory=list)
-    driven: list[tuple[sp.Symbol, sp.Expr]] = field(default_factory=list)
-    samples: Samples = field(default_factory=dict)
+    drives: dict[sp.Symbol, Slider] = field(default_factory=dict)
+    taken: dict[str, sp.Expr] = field(default_factory=dict)
     shape: dict[str, Any] = field(default_factory=dict)
     elements: Elements | None = None
     integrals: list[Integral] = field(default_factory=list)
@@ -107,8 +99,8 @@ class _Maker:
 
     def made(self) -> MovingFigure:
         view = self.view
-        self.samples = samples(self.solution) | self._given()
-        system, pose = drawn_system(sampled(self.solution, self.samples), self.view)
+        self.taken = samples(self.solution) | self.given
+        system, pose = drawn_system(sampled(self.solution, self.taken), self.view)
         if system is None and view.dynamics is None:
             raise UnmovableError("there is no drawing of this system")
         drawn = dict(system.pose.values) if system else {}
@@ -127,35 +119,25 @@ class _Maker:
 
     # What the page has to know
 
-    def _given(self) -> Samples:
-        """The functions that the command line has given."""
-        given = self.states.given if self.states is not None else {}
-        declared = {f.name: f.arguments for f in self.solution.problem.functions}
-        return {n: (tuple(sp.Symbol(a, real=True) for a in declared[n]), e) for n, e in given.items() if n in declared}
+    @property
+    def given(self) -> Mapping[str, sp.Expr]:
+        """The functions and motions that the command line has given."""
+        return self.states.given if self.states is not None else {}
 
     def _drive(self, slots: Slots, drawn: Mapping[sp.Symbol, float]) -> None:
         """Prescribed motions u(t) become u_0 + a sin(w t), each with its own mean, amplitude and circular frequency."""
-        given = self.states.given if self.states is not None else {}
         for u in slots.prescribed:
-            if u.name in given:
-                self._prescribe(u, given[u.name])
+            if u.name in self.given:
                 continue
             mean, size, rate = (sp.Dummy(f"{u.name}_{what}", real=True) for what in ("mean", "amplitude", "frequency"))
-            motion = mean + size * sp.sin(rate * t)
-            self._prescribe(u, motion)
-            self.driven.append((u, motion))
+            self.taken[u.name] = mean + size * sp.sin(rate * t)
             place = drawn.get(u, 0.5)
             for symbol, what, number, low, high in (
                 (mean, "mean of", place, -2 * abs(place) - 0.5, 2 * abs(place) + 0.5),
                 (size, "amplitude of", 0.3, 0.0, 1.0),
                 (rate, "frequency of", 2.0, 0.0, 6.0),
             ):
-                self.drive_symbols.append(symbol)
-                self.drives.append(Slider(u, number, low, high, meaning=what))
-
-    def _prescribe(self, u: sp.Symbol, motion: sp.Expr) -> None:
-        for order in range(5):
-            self.rule[prime(u, order) if order else u] = motion.diff(t, order) if order else motion
+                self.drives[symbol] = Slider(u, number, low, high, meaning=what)
 
     def _state_symbols(self) -> set[sp.Symbol]:
         view, own = self.view.configuration.slots, self.own.configuration.slots
@@ -184,8 +166,7 @@ class _Maker:
 
     def put(self, e: sp.Expr) -> sp.Expr:
         """An expression with the prescribed motions that the page takes."""
-        e = put(sp.sympify(e, strict=True), self.samples)
-        return e.xreplace(self.rule) if self.rule else e
+        return filled(sp.sympify(e, strict=True), self.taken, self.view.configuration.slots, self.solution.problem)
 
     # Expressions of all functions, by name
 
@@ -216,7 +197,7 @@ class _Maker:
         out["act"] = self._acting()
         if self.elements is not None and system is not None:
             elements = self.elements
-            for point, along, shift in surfaces(system.configuration) if self.samples else ():
+            for point, along, shift in surfaces(system.configuration) if self.taken else ():
                 if not system.view.planar:
                     ends = (shift - 2, shift + 2, sp.Integer(-2), sp.Integer(2))
                     elements.surface(Vector(point), along, ends)
@@ -330,7 +311,7 @@ class _Maker:
 
     def _slips(self) -> list[sp.Expr]:
         """The speeds of what slips."""
-        found = slip_speeds(self.view.dynamics)
+        found = [*slip_speeds(self.view.dynamics)]
         self.slips = [int(kind) for kind, _ in found]
         return [self.put(e) for _, e in found]
 
@@ -350,11 +331,12 @@ class _Maker:
     def _equilibria(self) -> dict[str, list[sp.Expr]]:
         """The coordinates of each equilibrium in closed form, and the unknown forces there."""
         out: dict[str, list[sp.Expr]] = {}
-        equilibrium = self._equilibrium()
+        view = self.view
+        equilibrium = view.equilibrium or (view.linearization.equilibrium if view.linearization else None)
         if equilibrium is None:
             return out
-        coordinates = self.view.configuration.slots.coordinates
-        verdicts = self.view.stability.verdicts if self.view.stability is not None else ()
+        coordinates = view.configuration.slots.coordinates
+        verdicts = view.stability.verdicts if view.stability is not None else ()
         for n, b in enumerate(equilibrium.branches):
             values = _values(b.relations, (*coordinates, *equilibrium.forces))
             if not values or b.left:
@@ -366,10 +348,6 @@ class _Maker:
             relations = tuple((r.lhs, r.rhs) for r in b.relations if r.lhs.free_symbols & shown)
             self.buttons.append(EquilibriumButton(relations, stability))
         return out
-
-    def _equilibrium(self) -> Equilibrium | None:
-        view = self.view
-        return view.equilibrium or (view.linearization.equilibrium if view.linearization else None)
 
     # Everything together
 
@@ -392,7 +370,6 @@ class _Maker:
             raise UnmovableError("its equations are too long")
         everything = [e for group in expressions.values() for e in group]
         angles = angles_in(everything)
-        drives = dict(zip(self.drive_symbols, self.drives, strict=True))
         begun = self._start(drawn, pose)
         declared = {p.symbol: p for p in problem.parameters}
 
@@ -400,7 +377,7 @@ class _Maker:
             known = begun.values.get(s) if begun is not None else None
             return parameter_value(s, declared.get(s), problem, drawn, s in angles) if known is None else known
 
-        knobs = [drives.get(s) or parameter_slider(s, problem, number(s), s in angles) for s in parameters]
+        knobs = [self.drives.get(s) or parameter_slider(s, problem, number(s), s in angles) for s in parameters]
         state = self._state(begun, drawn if pose is None else {**drawn, **pose.values})
         sliders = tuple(coordinate_slider(q, problem, state[q], q in angles) for q in slots.coordinates)
         elements = self.elements
@@ -414,7 +391,6 @@ class _Maker:
             "angles": [int(s.angle) for s in sliders],
             "items": elements.items if elements else [],
             "rest": int(self.view.dynamics is not None and not self.buttons and self._may_rest(expressions)),
-            "along": [len(names_) for _, names_ in elements.curves] if elements else [],
             "traced": [
                 [self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced
             ]
@@ -433,7 +409,9 @@ class _Maker:
             "wanted": self.wanted,
             "sizes": len(self.own.configuration.slots.coordinates),
             "points": self._points(elements),
-            "conserved": [self._kind(i.quantity) for i in self.integrals],
+            "conserved": [
+                int(i.quantity in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI)) for i in self.integrals
+            ],
             "buttons": [
                 [slots.coordinates.index(s) if s in slots.coordinates else -1 - parameters.index(s) for s in values]
                 for values in self.button_parts
@@ -456,7 +434,7 @@ class _Maker:
             released=bool(self.begins or self.wanted),
             pushed=begun is not None and begun.pushed,
             assumed=self._assumed(),
-            driven=tuple(u for u, _ in self.driven),
+            driven=tuple(u for u in slots.prescribed if u.name not in self.given),
         )
 
     def _start(self, drawn: Mapping[sp.Symbol, float], pose: Pose | None) -> Start | None:
@@ -465,10 +443,10 @@ class _Maker:
             return self.simulation.start
         if self.states is None:
             return None
-        numbers = {k: sp.Float(s.value, 17) for k, s in zip(self.drive_symbols, self.drives, strict=True)}
-        taken = {u.name: e.xreplace(numbers) for u, e in self.driven}
-        falls = {UNDECLARED_GRAVITY: sp.Float(GRAVITY, 17)}
-        taken |= {name: e.xreplace(falls) for name, (_, e) in self.samples.items()}
+        numbers = {s: sp.Float(k.value, 17) for s, k in self.drives.items()} | {
+            UNDECLARED_GRAVITY: sp.Float(GRAVITY, 17)
+        }
+        taken = {name: e.xreplace(numbers) for name, e in self.taken.items()}
         known = {**drawn, **pose.values} if pose is not None else drawn if self.view.is_own else None
         return start(self.states.with_functions(taken), self.solution, drawn=known)
 
@@ -493,13 +471,10 @@ class _Maker:
         return [[float(f"{x:.9g}") for x in row] for row in rows]
 
     def _assumed(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-        """What is taken for functions and prescribed motions that the file leaves open."""
-        given = self.states.given if self.states is not None else {}
-        return tuple(
-            (Unspecified.of(name, [a.name for a in names], *names), taken)
-            for name, (names, taken) in self.samples.items()
-            if name not in given
-        )
+        """What is taken for functions that the file leaves open."""
+        functions = (f for f in self.solution.problem.functions if f.name not in self.given)
+        formal = ((f.name, [sp.Symbol(a, real=True) for a in f.arguments], f.arguments) for f in functions)
+        return tuple((Unspecified.of(n, names, *places), self.taken[n]) for n, places, names in formal)
 
     def _may_rest(self, expressions: Mapping[str, Sequence[sp.Expr]]) -> bool:
         """Whether the page looks for positions of rest itself: few free coordinates, forces without time."""
@@ -511,10 +486,6 @@ class _Maker:
         if elements is None:
             return []
         return [elements.at(p.position) for p in self.own.configuration.points if p.name not in elements.hidden]
-
-    @staticmethod
-    def _kind(quantity: ConservedQuantity) -> int:
-        return int(quantity in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI))
 
 
 def _force(reaction: Reaction) -> sp.Symbol:

@@ -10,7 +10,7 @@ to slip slips.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from enum import IntEnum
 from itertools import product
 
@@ -110,18 +110,15 @@ class Slip(IntEnum):
     UNKNOWN, STATED, ANY = range(3)
 
 
-def slip_speeds(dynamics: Motion | None) -> list[tuple[Slip, sp.Expr]]:
+def slip_speeds(dynamics: Motion | None) -> Iterator[tuple[Slip, sp.Expr]]:
     """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
-    forces = dynamics.friction_forces if dynamics is not None else ()
-    lines = [(f, f.speed) for f in forces]
-    return [
-        (Slip.ANY, f.slip.dot(f.slip))
-        if speed is None
-        else (Slip.STATED, speed * f.sense)
-        if f.sense.is_number
-        else (Slip.UNKNOWN, speed)
-        for f, speed in lines
-    ]
+    for f in dynamics.friction_forces if dynamics is not None else ():
+        if f.speed is None:
+            yield Slip.ANY, f.slip.dot(f.slip)
+        elif f.sense.is_number:
+            yield Slip.STATED, f.speed * f.sense
+        else:
+            yield Slip.UNKNOWN, f.speed
 
 
 def slipping(

@@ -207,7 +207,7 @@ const lagsolveFigure = (() => {
     }
     function restart() {
       const e = integrals(y);
-      reference = { ...e, size: Math.max(Math.abs(e.T), Math.abs(e.T + e.V), Math.abs(e.I[energy] ?? 0), 1e-12), parts: e.I.map(x => Math.abs(x)) };
+      reference = { ...e, size: Math.max(Math.abs(e.T), Math.abs(e.T + e.V), Math.abs(e.I[energy] ?? 0), 1e-12) };
       sense = data.slips.length ? F.sli(y, p).map(Math.sign) : [];
       side = data.guards.includes(3) ? M.forces(y, p).reactions.map(f => Math.sign(f.value)) : [];
       worst = 0; wrong = M.violation(y, p); history = []; trace = []; message = "";
@@ -239,7 +239,7 @@ const lagsolveFigure = (() => {
       if (energy >= 0) worst = Math.max(worst, Math.abs(e.I[energy] - reference.I[energy]) / reference.size);
       wrong = Math.max(wrong, M.violation(y, p));
       const r = data.bound.length ? M.forces(y, p).reactions.map(f => f.value) : [];
-      history.push({ y: y.slice(), r, e: e.T + e.V });
+      history.push({ y: y.slice(), r });
       if (history.length > 6000) history.splice(0, 1500);
       leave();
     }
