@@ -99,7 +99,7 @@ class _Maker:
 
     def made(self) -> MovingFigure:
         view = self.view
-        self.taken = samples(self.solution) | self.given
+        self.taken = {**samples(self.solution), **self.given}
         system, pose = drawn_system(sampled(self.solution, self.taken), self.view)
         if system is None and view.dynamics is None:
             raise UnmovableError("there is no drawing of this system")
