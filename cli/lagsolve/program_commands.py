@@ -14,6 +14,7 @@ from lagsolve.course_commands import SECONDS
 
 if TYPE_CHECKING:
     from lagrange.mechanics.solution import OnStage
+    from lagrange.problem.model import Problem
     from lagrange.programs.prepared import Prepared
     from lagrange.programs.simulation import Simulation
     from lagrange.programs.starting import Settings
@@ -87,7 +88,7 @@ def simulate(
         if output is not None:
             on_stage("writing")
             if ending == PAGE:
-                _write_page(made, given, choice, output)
+                _write_page(made.problem, choice, result, output)
             else:
                 _write(result, output, ending)
     from lagsolve.output import write_stdout
@@ -213,17 +214,16 @@ def _write(result: Simulation, output: str, ending: str) -> None:
         write_file(Path(output), csv_text(result))
 
 
-def _write_page(made: Prepared, given: Settings, choice: str | None, output: str) -> None:
-    """The page of the problem with the values and the initial state of the command line."""
-    from dataclasses import replace
-
+def _write_page(problem: Problem, choice: str | None, result: Simulation, output: str) -> None:
+    """The page of the problem, on which the figure goes through the motion that was computed."""
+    from lagrange.animation.moving import moving_figure
     from lagrange.explain.report import report
-    from lagsolve.output import Destination
+    from lagrange.render import html
+    from lagsolve.written_files import write_file
 
-    given_again = {v.symbol for v in given.initial}
-    kept = (v for v in made.problem.initial if v.symbol not in given_again)
-    problem = replace(made.problem, initial=(*kept, *given.initial))
-    Destination.of("html", output, False, "steps").write([report(problem, choice or None, complete=False)])
+    solved = report(problem, choice or None, complete=False)
+    moving = moving_figure(solved.solution, result)
+    write_file(Path(output), html.render([(solved.derivation, solved.notation)], moving=[moving]))
 
 
 def _failed(made: Prepared) -> str:

@@ -30,6 +30,10 @@ class Slider:
     step: float = 0.0
 
 
+class UnmovableError(ValueError):
+    """A figure cannot move; the message says why, in words for a reader."""
+
+
 @record
 class Still:
     """Why a page does not move."""
@@ -59,7 +63,9 @@ class MovingFigure:
     moves        whether there are equations of motion
     rests        whether there are generalized forces that vanish at rest
     released     whether the file says how the motion begins
+    pushed       whether it begins a little beside an equilibrium
     assumed      what the page takes for functions that the file leaves open
+    driven       prescribed motions that the file leaves open, which oscillate
     """
 
     code: str
@@ -73,4 +79,6 @@ class MovingFigure:
     moves: bool
     rests: bool
     released: bool
+    pushed: bool = False
     assumed: tuple[tuple[sp.Expr, sp.Expr], ...] = ()
+    driven: tuple[sp.Symbol, ...] = ()

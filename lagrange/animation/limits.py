@@ -7,3 +7,5 @@ MOST_OPERATIONS = 60_000
 LONGEST_PROGRAM = 400_000
 """Characters of JavaScript, so that a page stays below a megabyte. The pages of all shipped problems have less than
 300,000 characters, the derivation included."""
+MOST_ROWS = 600
+"""Of a computed motion on a page, which interpolates between them."""

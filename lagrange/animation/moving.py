@@ -16,50 +16,57 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from itertools import chain
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.animation.elements import Elements
-from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still
-from lagrange.animation.javascript import UnprintableError, function, names_of
-from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS
-from lagrange.animation.samples import Samples, put, sampled, samples, surfaces
-from lagrange.animation.values import angles_in, coordinate_slider, initial_state, parameter_slider, slipping, spins
+from lagrange.animation.figure import EquilibriumButton, MovingFigure, Slider, Still, UnmovableError
+from lagrange.animation.limits import LONGEST_PROGRAM, MOST_COORDINATES, MOST_OPERATIONS, MOST_ROWS
+from lagrange.animation.samples import UNDECLARED_GRAVITY, sampled, samples, surfaces
+from lagrange.animation.sliders import coordinate_slider, parameter_slider
+from lagrange.core.diagnostics import ProblemError
 from lagrange.core.symbols import Sign, Slots, Unspecified, prime, t
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.dynamics.conservation import ConservedQuantity, Integral
 from lagrange.mechanics.dynamics.energies import potential_energy
 from lagrange.mechanics.dynamics.lagrangian import kinetic_energy
 from lagrange.mechanics.dynamics.newton import Reaction
-from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.results import InCoordinates, Solution
-from lagrange.pictures.floats import NoValueError
+from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
-from lagrange.pictures.systems import SystemPicture, system_in_file, system_posed_in_choice
+from lagrange.pictures.systems import SystemPicture
 from lagrange.problem.model import Keeper
+from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
+from lagrange.programs.languages import JAVASCRIPT, Argument, Function
+from lagrange.programs.starting import Start, start
+from lagrange.programs.state_equations import StateEquations, filled, in_coordinates, state_equations
+
+if TYPE_CHECKING:
+    from lagrange.programs.simulation import Simulation
 
 
-def moving_figure(solution: Solution) -> MovingFigure | Still:
-    """The figure that moves, or why there is none."""
+def moving_figure(solution: Solution, simulation: Simulation | None = None) -> MovingFigure | Still:
+    """The figure that moves, or why there is none; with a simulation, in its coordinates and from its start."""
     if len(solution.own.configuration.slots.coordinates) > MOST_COORDINATES:
         return Still("the system has too many coordinates")
-    view = _best(solution)
     try:
-        return _Maker(solution, view).made()
-    except (UnprintableError, NoValueError) as error:
+        moves = any(v.dynamics is not None for v in solution.views)
+        states = simulation.equations if simulation is not None else state_equations(solution) if moves else None
+        return _Maker(solution, _view(solution, states), states, simulation).made()
+    except (UnmovableError, NoValueError) as error:
         return Still(str(error))
+    except ProblemError as error:
+        return Still(error.diagnostics[0].message)
 
 
-def _best(solution: Solution) -> InCoordinates:
-    """Free coordinates without square roots, otherwise those of the file."""
-
-    def rank(v: InCoordinates) -> tuple[bool, bool, int]:
-        done = v.dynamics is not None or v.equilibrium is not None
-        return (not done, bool(v.signs), len(v.configuration.rows))
-
-    return min(solution.views, key=rank)
+def _view(solution: Solution, states: StateEquations | None) -> InCoordinates:
+    """The coordinates of the motion; of a rest free ones without square roots, otherwise those of the file."""
+    if states is not None:
+        return next(v for v in solution.views if v.name == states.name)
+    return min(solution.views, key=lambda v: (v.equilibrium is None, bool(v.signs), len(v.configuration.rows)))
 
 
 @dataclass
@@ -68,11 +75,11 @@ class _Maker:
 
     solution: Solution
     view: InCoordinates
+    states: StateEquations | None
+    simulation: Simulation | None
     functions: dict[str, str] = field(default_factory=dict)
-    rule: dict[sp.Basic, sp.Basic] = field(default_factory=dict)
-    drives: list[Slider] = field(default_factory=list)
-    drive_symbols: list[sp.Symbol] = field(default_factory=list)
-    samples: Samples = field(default_factory=dict)
+    drives: dict[sp.Symbol, Slider] = field(default_factory=dict)
+    taken: dict[str, sp.Expr] = field(default_factory=dict)
     shape: dict[str, Any] = field(default_factory=dict)
     elements: Elements | None = None
     integrals: list[Integral] = field(default_factory=list)
@@ -92,10 +99,10 @@ class _Maker:
 
     def made(self) -> MovingFigure:
         view = self.view
-        self.samples = samples(self.solution)
-        system, pose = self._posed()
+        self.taken = {**samples(self.solution), **self.given}
+        system, pose = drawn_system(sampled(self.solution, self.taken), self.view)
         if system is None and view.dynamics is None:
-            raise UnprintableError("there is no drawing of this system")
+            raise UnmovableError("there is no drawing of this system")
         drawn = dict(system.pose.values) if system else {}
         slots = view.configuration.slots
         self._drive(slots, drawn)
@@ -108,57 +115,58 @@ class _Maker:
         self._refuse_unknown(symbols, signs)
         along = {s for _, names in (self.elements.curves if self.elements else ()) for s in names}
         parameters = [s for s in symbols if s not in along]
-        names = self._names(parameters)
-        return self._assembled(expressions, names, parameters, drawn, pose, system)
+        return self._assembled(expressions, parameters, drawn, pose, system)
 
     # What the page has to know
 
-    def _posed(self) -> tuple[SystemPicture | None, Pose | None]:
-        solution = sampled(self.solution, self.samples)
-        if self.view.is_own:
-            system = system_in_file(solution)
-            return system, None if system is None else system.pose
-        posed = system_posed_in_choice(solution, self.view.coordinates.configuration)
-        return posed if posed is not None else (system_in_file(solution), None)
+    @property
+    def given(self) -> Mapping[str, sp.Expr]:
+        """The functions and motions that the command line has given."""
+        return self.states.given if self.states is not None else {}
 
     def _drive(self, slots: Slots, drawn: Mapping[sp.Symbol, float]) -> None:
         """Prescribed motions u(t) become u_0 + a sin(w t), each with its own mean, amplitude and circular frequency."""
         for u in slots.prescribed:
+            if u.name in self.given:
+                continue
             mean, size, rate = (sp.Dummy(f"{u.name}_{what}", real=True) for what in ("mean", "amplitude", "frequency"))
-            motion = mean + size * sp.sin(rate * t)
-            for order in range(5):
-                self.rule[prime(u, order) if order else u] = motion.diff(t, order) if order else motion
-            start = drawn.get(u, 0.5)
-            for symbol, what, value, low, high in (
-                (mean, "mean of", start, -2 * abs(start) - 0.5, 2 * abs(start) + 0.5),
+            self.taken[u.name] = mean + size * sp.sin(rate * t)
+            place = drawn.get(u, 0.5)
+            for symbol, what, number, low, high in (
+                (mean, "mean of", place, -2 * abs(place) - 0.5, 2 * abs(place) + 0.5),
                 (size, "amplitude of", 0.3, 0.0, 1.0),
                 (rate, "frequency of", 2.0, 0.0, 6.0),
             ):
-                self.drive_symbols.append(symbol)
-                self.drives.append(Slider(u, value, low, high, meaning=what))
+                self.drives[symbol] = Slider(u, number, low, high, meaning=what)
 
     def _state_symbols(self) -> set[sp.Symbol]:
         view, own = self.view.configuration.slots, self.own.configuration.slots
         return {*view.coordinates, *view.velocities, *own.coordinates, *own.velocities, t}
 
-    def _names(self, parameters: Sequence[sp.Symbol]) -> dict[str, dict[sp.Symbol, str]]:
+    def _function(self, name: str, outputs: Sequence[sp.Expr], parameters: Sequence[sp.Symbol]) -> str:
+        """A method of JavaScript: of y or z and p, of the parameters of a curve too, or of p alone."""
         view, own = self.view.configuration.slots, self.own.configuration.slots
-        p = names_of("p", parameters)
-        y = names_of("y", (*view.coordinates, *view.velocities, t))
-        z = names_of("z", (*own.coordinates, *own.velocities, t, *(() if self.view.is_own else view.coordinates)))
-        return {"y": {**p, **y}, "z": {**p, **z}, "p": p}
+        of_page: Argument = ("y", (*view.coordinates, *view.velocities, t))
+        more = () if self.view.is_own else view.coordinates
+        in_file: Argument = ("z", (*own.coordinates, *own.velocities, t, *more))
+        arguments: list[Argument] = [("p", tuple(parameters))]
+        if name != "ini":
+            arguments.insert(0, in_file if name.startswith(("rea", "fig", "act", "tra", "cur")) else of_page)
+        if name.startswith("cur"):
+            assert self.elements is not None
+            arguments.append(("u", tuple(self.elements.curves[int(name[3:])][1])))
+        return " ".join(JAVASCRIPT.function(Function.of(name, arguments, outputs))).removeprefix("function ")
 
     def _refuse_unknown(self, symbols: Iterable[sp.Symbol], signs: Mapping[Sign, sp.Expr]) -> None:
         for s in symbols:
             if s in signs:
-                raise UnprintableError("the sense of a friction force depends on the motion")
+                raise UnmovableError("the sense of a friction force depends on the motion")
             if s.name.endswith("'"):
-                raise UnprintableError(f"the velocity {s.name} is not determined")
+                raise UnmovableError(f"the velocity {s.name} is not determined")
 
     def put(self, e: sp.Expr) -> sp.Expr:
         """An expression with the prescribed motions that the page takes."""
-        e = put(sp.sympify(e, strict=True), self.samples)
-        return e.xreplace(self.rule) if self.rule else e
+        return filled(sp.sympify(e, strict=True), self.taken, self.view.configuration.slots, self.solution.problem)
 
     # Expressions of all functions, by name
 
@@ -189,7 +197,7 @@ class _Maker:
         out["act"] = self._acting()
         if self.elements is not None and system is not None:
             elements = self.elements
-            for point, along, shift in surfaces(system.configuration) if self.samples else ():
+            for point, along, shift in surfaces(system.configuration) if self.taken else ():
                 if not system.view.planar:
                     ends = (shift - 2, shift + 2, sp.Integer(-2), sp.Integer(2))
                     elements.surface(Vector(point), along, ends)
@@ -216,12 +224,9 @@ class _Maker:
 
     def _equations(self, view: InCoordinates, name: str) -> list[sp.Expr]:
         assert view.dynamics is not None
-        form = view.dynamics.matrices
-        unused = view.dynamics.equations.elimination.unused
-        used = [n for n in range(len(form.configuration.rows)) if n not in unused]
-        self.shape[name] = [len(form.force), len(used)]
-        rows = [e for n in used for e in form.constraint_matrix[n]]
-        parts = [*(e for row in form.mass for e in row), *form.force, *rows, *(form.constraint_vector[n] for n in used)]
+        form = in_coordinates(view.dynamics)
+        self.shape[name] = [len(form.force), len(form.bias)]
+        parts = [*chain.from_iterable(form.mass), *form.force, *chain.from_iterable(form.constraint_matrix), *form.bias]
         return [self.put(e) for e in parts]
 
     def _used(self, view: InCoordinates) -> list[int]:
@@ -305,11 +310,10 @@ class _Maker:
         return [self.put(v) for v in values]
 
     def _slips(self) -> list[sp.Expr]:
-        """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
-        forces = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
-        self.slips = [2 if f.speed is None else 1 if f.sense.is_number else 0 for f in forces]
-        return [self.put(f.slip.dot(f.slip) if f.speed is None else f.speed * f.sense if f.sense.is_number else f.speed)
-                for f in forces]  # fmt: skip
+        """The speeds of what slips."""
+        found = [*slip_speeds(self.view.dynamics)]
+        self.slips = [int(kind) for kind, _ in found]
+        return [self.put(e) for _, e in found]
 
     def _guards(self) -> list[int]:
         """For each reaction when the equations no longer hold: where λ has not this sign (1, -1), where the force is
@@ -327,11 +331,12 @@ class _Maker:
     def _equilibria(self) -> dict[str, list[sp.Expr]]:
         """The coordinates of each equilibrium in closed form, and the unknown forces there."""
         out: dict[str, list[sp.Expr]] = {}
-        equilibrium = self._equilibrium()
+        view = self.view
+        equilibrium = view.equilibrium or (view.linearization.equilibrium if view.linearization else None)
         if equilibrium is None:
             return out
-        coordinates = self.view.configuration.slots.coordinates
-        verdicts = self.view.stability.verdicts if self.view.stability is not None else ()
+        coordinates = view.configuration.slots.coordinates
+        verdicts = view.stability.verdicts if view.stability is not None else ()
         for n, b in enumerate(equilibrium.branches):
             values = _values(b.relations, (*coordinates, *equilibrium.forces))
             if not values or b.left:
@@ -344,16 +349,11 @@ class _Maker:
             self.buttons.append(EquilibriumButton(relations, stability))
         return out
 
-    def _equilibrium(self) -> Equilibrium | None:
-        view = self.view
-        return view.equilibrium or (view.linearization.equilibrium if view.linearization else None)
-
     # Everything together
 
     def _assembled(
         self,
         expressions: Mapping[str, Sequence[sp.Expr]],
-        names: Mapping[str, Mapping[sp.Symbol, str]],
         parameters: Sequence[sp.Symbol],
         drawn: Mapping[sp.Symbol, float],
         pose: Pose | None,
@@ -363,50 +363,34 @@ class _Maker:
         slots = configuration.slots
         operations = sum(sp.count_ops(e) for group in expressions.values() for e in group)
         if operations > MOST_OPERATIONS:
-            raise UnprintableError("its equations are too long")
-        code = []
-        for name, group in expressions.items():
-            if name.startswith("cur"):
-                assert self.elements is not None
-                along = names_of("u", self.elements.curves[int(name[3:])][1])
-                code.append(f"{name}: {function('z, p, u', group, {**names['z'], **along})}")
-            elif name == "ini":
-                code.append(f"{name}: {function('p', group, names['p'])}")
-            elif name in ("rea", "fig", "act") or name.startswith("tra"):
-                code.append(f"{name}: {function('z, p', group, names['z'])}")
-            else:
-                code.append(f"{name}: {function('y, p', group, names['y'])}")
+            raise UnmovableError("its equations are too long")
+        code = [self._function(name, group, parameters) for name, group in expressions.items()]
         written = "{\n" + ",\n".join(code) + "\n}"
         if len(written) > LONGEST_PROGRAM:
-            raise UnprintableError("its equations are too long")
+            raise UnmovableError("its equations are too long")
         everything = [e for group in expressions.values() for e in group]
         angles = angles_in(everything)
-        drives = dict(zip(self.drive_symbols, self.drives, strict=True))
-        knobs = [drives.get(s) or parameter_slider(s, problem, drawn, s in angles) for s in parameters]
-        numbers = {s: k.value for s, k in zip(parameters, knobs, strict=True)} | {t: 0.0}
-        start = {} if pose is None else {q: pose.values[q] for q in pose.coordinates if q in pose.values}
-        state = initial_state(problem, configuration, start, numbers, self.potential)
-        released = bool(self.begins or self.wanted)
-        if not released:
-            known = (
-                [e if kind else sp.Abs(e) for e, kind in zip(expressions["sli"], self.slips, strict=True)]
-                if self.slips
-                else []
-            )
-            state = slipping(state, slots.velocities, known, numbers)
+        begun = self._start(drawn, pose)
+        declared = {p.symbol: p for p in problem.parameters}
+
+        def number(s: sp.Symbol) -> float:
+            known = begun.values.get(s) if begun is not None else None
+            return parameter_value(s, declared.get(s), problem, drawn, s in angles) if known is None else known
+
+        knobs = [self.drives.get(s) or parameter_slider(s, problem, number(s), s in angles) for s in parameters]
+        state = self._state(begun, drawn if pose is None else {**drawn, **pose.values})
         sliders = tuple(coordinate_slider(q, problem, state[q], q in angles) for q in slots.coordinates)
         elements = self.elements
         planar = system.view if system else None
         data = {
             "n": len(slots.coordinates),
             "shape": self.shape,
-            "kept": self._kept(slots),
             "y": [state[s] for s in (*slots.coordinates, *slots.velocities)] + [0.0],
+            "motion": self._motion(),
             "p": [k.value for k in knobs],
             "angles": [int(s.angle) for s in sliders],
             "items": elements.items if elements else [],
             "rest": int(self.view.dynamics is not None and not self.buttons and self._may_rest(expressions)),
-            "along": [len(names_) for _, names_ in elements.curves] if elements else [],
             "traced": [
                 [self.own.configuration.slots.coordinates.index(q) for q in own] for _, own, _ in elements.traced
             ]
@@ -425,7 +409,9 @@ class _Maker:
             "wanted": self.wanted,
             "sizes": len(self.own.configuration.slots.coordinates),
             "points": self._points(elements),
-            "conserved": [self._kind(i.quantity) for i in self.integrals],
+            "conserved": [
+                int(i.quantity in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI)) for i in self.integrals
+            ],
             "buttons": [
                 [slots.coordinates.index(s) if s in slots.coordinates else -1 - parameters.index(s) for s in values]
                 for values in self.button_parts
@@ -445,17 +431,50 @@ class _Maker:
             equilibria=tuple(self.buttons),
             moves=self.view.dynamics is not None,
             rests=self.view.equilibrium is not None,
-            released=released,
+            released=bool(self.begins or self.wanted),
+            pushed=begun is not None and begun.pushed,
             assumed=self._assumed(),
+            driven=tuple(u for u in slots.prescribed if u.name not in self.given),
         )
 
+    def _start(self, drawn: Mapping[sp.Symbol, float], pose: Pose | None) -> Start | None:
+        """Where the motion starts: that of the simulation, otherwise where `simulate` would start; None at rest."""
+        if self.simulation is not None:
+            return self.simulation.start
+        if self.states is None:
+            return None
+        numbers = {s: sp.Float(k.value, 17) for s, k in self.drives.items()} | {
+            UNDECLARED_GRAVITY: sp.Float(GRAVITY, 17)
+        }
+        taken = {name: e.xreplace(numbers) for name, e in self.taken.items()}
+        known = {**drawn, **pose.values} if pose is not None else drawn if self.view.is_own else None
+        return start(self.states.with_functions(taken), self.solution, drawn=known)
+
+    def _state(self, begun: Start | None, drawn: Mapping[sp.Symbol, float]) -> dict[sp.Symbol, float]:
+        """The coordinates and velocities at the start."""
+        slots = self.view.configuration.slots
+        if begun is None or self.states is None:
+            return {**{q: drawn.get(q, 0.5) for q in slots.coordinates}, **dict.fromkeys(slots.velocities, 0.0)}
+        e = self.states.equations
+        at = {**begun.values, t: 0.0, **dict(zip(e.state, begun.state, strict=True))}
+        rates = (value(self.put(rate), at) for rate in e.rates)
+        return {**{q: at[q] for q in slots.coordinates}, **dict(zip(slots.velocities, rates, strict=True))}
+
+    def _motion(self) -> list[list[float]]:
+        """The computed motion of a simulation: rows q, q', t."""
+        if self.simulation is None:
+            return []
+        found, e = self.simulation, self.simulation.equations.equations
+        places = [*found.states[: len(e.rates)], *(found.along(rate) for rate in e.rates)]
+        every = -(-len(found.times) // MOST_ROWS)
+        rows = zip(*(x.tolist()[::every] for x in (*places, found.times)), strict=True)
+        return [[float(f"{x:.9g}") for x in row] for row in rows]
+
     def _assumed(self) -> tuple[tuple[sp.Expr, sp.Expr], ...]:
-        """What is taken for functions and prescribed motions that the file leaves open."""
-        functions = (
-            (Unspecified.of(name, [a.name for a in names], *names), value)
-            for name, (names, value) in self.samples.items()
-        )
-        return tuple(functions)
+        """What is taken for functions that the file leaves open."""
+        functions = (f for f in self.solution.problem.functions if f.name not in self.given)
+        formal = ((f.name, [sp.Symbol(a, real=True) for a in f.arguments], f.arguments) for f in functions)
+        return tuple((Unspecified.of(n, names, *places), self.taken[n]) for n, places, names in formal)
 
     def _may_rest(self, expressions: Mapping[str, Sequence[sp.Expr]]) -> bool:
         """Whether the page looks for positions of rest itself: few free coordinates, forces without time."""
@@ -467,15 +486,6 @@ class _Maker:
         if elements is None:
             return []
         return [elements.at(p.position) for p in self.own.configuration.points if p.name not in elements.hidden]
-
-    def _kept(self, slots: Slots) -> int:
-        """The velocity that stays when the others are fitted to the constraints: that of a spin; -1 for none."""
-        turning = spins(self.view.configuration)
-        return slots.coordinates.index(turning[0]) if turning else -1
-
-    @staticmethod
-    def _kind(quantity: ConservedQuantity) -> int:
-        return int(quantity in (ConservedQuantity.ENERGY, ConservedQuantity.JACOBI))
 
 
 def _force(reaction: Reaction) -> sp.Symbol:

@@ -13,12 +13,15 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.core.symbols import Unspecified
-from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem, Row
+from lagrange.mechanics.constraints.constrained_system import ConstrainedSystem
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.results import Solution
+from lagrange.programs.state_equations import filled
 
-Samples = dict[str, tuple[tuple[sp.Symbol, ...], sp.Expr]]
-"""By name of a function: its arguments and what is taken for it."""
+Samples = dict[str, sp.Expr]
+"""By name of a function: what is taken for it, in the names of its arguments."""
+UNDECLARED_GRAVITY = sp.Symbol("g", positive=True)
+"""In samples of a problem that has no `g` of its own."""
 
 
 def samples(solution: Solution) -> Samples:
@@ -27,7 +30,7 @@ def samples(solution: Solution) -> Samples:
     relations = [sp.sympify(f, strict=True) for f in configuration.finite_constraints]
     bound = {f.name for r in relations for f in r.atoms(Unspecified)}
     out: Samples = {}
-    gravity = sp.Symbol("g", positive=True) if "g" not in solution.problem.scope.names() else sp.Integer(10)
+    gravity = UNDECLARED_GRAVITY if "g" not in solution.problem.scope.names() else sp.Integer(10)
     for declared in solution.problem.functions:
         names = tuple(sp.Symbol(a, real=True) for a in declared.arguments)
         squares = sp.Add(*(a**2 for a in names))
@@ -41,7 +44,7 @@ def samples(solution: Solution) -> Samples:
         else:
             part = _component(configuration, declared.name)
             taken = -gravity * part if part is not None and bound else sp.S.Zero
-        out[declared.name] = (names, sp.sympify(taken, strict=True))
+        out[declared.name] = sp.sympify(taken, strict=True)
     return out
 
 
@@ -62,42 +65,27 @@ def _component(configuration: Configuration, name: str) -> sp.Expr | None:
     return None
 
 
-def put(e: sp.Expr, taken: Samples) -> sp.Expr:
-    """An expression with the samples in place of the functions and their derivatives."""
-    if not taken or not e.has(Unspecified):
-        return e
-
-    def value(f: Unspecified) -> sp.Expr:
-        if f.name not in taken:
-            return f
-        names, sample = taken[f.name]
-        for name, order in zip(names, f.orders, strict=True):
-            sample = sample.diff(name, order) if order else sample
-        return sample.xreplace(dict(zip(names, (put(a, taken) for a in f.arguments), strict=True)))
-
-    return e.replace(lambda a: isinstance(a, Unspecified), value)
-
-
 def sampled(solution: Solution, taken: Samples) -> Solution:
     """The solution with the samples in the constraints of its configurations, for the figure."""
     if not taken:
         return solution
 
-    def configured(c: Configuration) -> Configuration:
-        rows = tuple(_row(r, taken) for r in c.rows)
-        return replace(c, constrained=ConstrainedSystem(c.slots, rows))
+    own = solution.own.configuration
 
-    own = replace(solution.own, configuration=configured(solution.own.configuration))
-    return replace(solution, own=own)
+    def put(e: sp.Expr) -> sp.Expr:
+        return filled(sp.sympify(e, strict=True), taken, own.slots, solution.problem)
 
-
-def _row(row: Row, taken: Samples) -> Row:
-    return replace(
-        row,
-        coefficients=tuple(put(a, taken) for a in row.coefficients),
-        drift=put(row.drift, taken),
-        finite=None if row.finite is None else put(sp.sympify(row.finite, strict=True), taken),
+    rows = tuple(
+        replace(
+            row,
+            coefficients=tuple(map(put, row.coefficients)),
+            drift=put(row.drift),
+            finite=None if row.finite is None else put(row.finite),
+        )
+        for row in own.rows
     )
+    drawn = replace(own, constrained=ConstrainedSystem(own.slots, rows))
+    return replace(solution, own=replace(solution.own, configuration=drawn))
 
 
 def surfaces(configuration: Configuration) -> Iterator[tuple[tuple[sp.Expr, ...], tuple[sp.Symbol, ...], sp.Expr]]:

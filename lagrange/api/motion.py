@@ -177,7 +177,7 @@ def simulated_motion(
             if name not in allowed:
                 raise ValueError(f"there is no `{name}`; {suggestion(name, list(allowed), what)}")
     at_start = [_initial(str(n), float(v)) for n, v in initial.items()]
-    begun = start(states, problem, at_start, {str(n): float(v) for n, v in values.items()})
+    begun = start(states, solution, at_start, {str(n): float(v) for n, v in values.items()})
     end = longest_time(states, begun) if until is None else float(until)
     made = simulated(states, begun, end, questions=problem.questions, samples=samples)
     return SimulatedMotion(made, solution)

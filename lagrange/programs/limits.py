@@ -35,3 +35,6 @@ NARROW = 1e-12
 DEFAULT_TIME = 10.0
 # Operations of a conserved quantity that is multiplied out, so that its terms can be weighed.
 LONGEST_EXPANDED = 200
+# Speeds that are tried for a state in which everything slips that is to slip, and the slowest slip, in m/s.
+MOST_TRIED = 3
+SLOWEST_SLIP = 0.1

@@ -239,11 +239,11 @@ def solved_near(
     values: Values,
 ) -> tuple[list[float], float]:
     """Values near a guess for which residuals vanish, by the shortest steps of Gauss and Newton, and the error left."""
-    import numpy
-
     x = [float(g) for g in guess]
     if not residuals:
         return x, 0.0
+    import numpy
+
     f = compiled(unknowns, list(residuals), values)
     slopes = compiled(unknowns, [partial(e, s) for e in residuals for s in unknowns], values)
     error = math.inf

@@ -34,7 +34,7 @@ def require(*libraries: str) -> None:
 class Prepared:
     """A problem, its equations of motion alone, and where the motion starts.
 
-    problem  as the file has it, with the values of the command line
+    problem  as the file has it, with the values and the initial state of the command line
     """
 
     problem: Problem
@@ -60,8 +60,10 @@ def prepared(
         stage, _, why = solution.given_up.rpartition(", ")
         raise GaveUpError(stage, why)
     states = state_equations(solution, choice).with_functions(settings.functions)
+    initial = {v.symbol: v for v in (*problem.initial, *settings.initial)}
+    problem = replace(problem, initial=tuple(initial.values()))
     states = replace(states, problem=replace(states.problem, questions=problem.questions, initial=problem.initial))
-    return Prepared(problem, solution, states, start(states, problem, settings.initial))
+    return Prepared(problem, solution, states, start(states, solution))
 
 
 def require_functions(states: StateEquations, given: Mapping[str, sp.Expr]) -> None:

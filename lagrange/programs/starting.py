@@ -2,9 +2,8 @@
 
 What the file or the user gives is taken: `value:`, `initial:`, `--set`. Initial values may be those of any coordinates,
 the file's or a choice's; the state is the one nearest to the position of the figure that has them and satisfies the
-constraints, with the smallest speeds that do. Whatever nobody gave is assumed, and reported as assumed: a length as the
-figure draws it, g = 9.81 m/s², 1 for the rest. A system that would stay at rest in equilibrium is started a little
-beside it.
+constraints, with the smallest speeds that do. Whatever nobody gave is assumed (`defaults.py`), and reported as
+assumed. A system that would stay at rest in equilibrium is started a little beside it.
 """
 
 from __future__ import annotations
@@ -17,18 +16,25 @@ import sympy as sp
 
 from lagrange.core.diagnostics import Diagnostic, Fragment, NotCoveredError, ProblemError, Span, suggestion
 from lagrange.core.records import record
-from lagrange.core.symbols import Sign, Slots, base, prime, t
+from lagrange.core.symbols import Slots, base, prime, t
 from lagrange.core.units import split_number
 from lagrange.expressions.reader import canonical_name, read_scalar
-from lagrange.pictures.poses import general_pose
-from lagrange.problem.keys import Assumption
-from lagrange.problem.model import InitialValue, Parameter, Problem
+from lagrange.mechanics.results import Solution
+from lagrange.pictures.floats import NoValueError, value
+from lagrange.problem.model import InitialValue, Problem
 from lagrange.problem.values import read_number_with_unit
+from lagrange.programs.defaults import (
+    Slip,
+    angles_in,
+    default_velocities,
+    drawn_position,
+    parameter_value,
+    slip_speeds,
+    slipping,
+)
 from lagrange.programs.limits import LARGEST_CONTRADICTION, PUSH
 from lagrange.programs.numerical_system import NumericalSystem, Values, solved_near
 from lagrange.programs.state_equations import StateEquations
-
-GRAVITY = 9.81
 
 
 @record
@@ -140,24 +146,27 @@ def _check_symbols(e: sp.Expr, allowed: set[sp.Symbol], part: Fragment, what: st
 
 def start(
     states: StateEquations,
-    problem: Problem,
+    solution: Solution,
     initial: Iterable[InitialValue] = (),
     given: Mapping[str, float] | None = None,
+    drawn: Mapping[sp.Symbol, float] | None = None,
 ) -> Start:
     """The numbers and the state with which a simulation starts.
 
     initial  values that replace or complete those of the file
     given    numbers for parameters, by name, that replace those of the file
+    drawn    the numbers of the position that the figure shows, where they are known already
 
     Raises ProblemError where initial values contradict each other or the constraints.
     """
+    problem = states.problem
     assumed: dict[str, float] = {}
-    pose = _pose(states, problem)
-    values = _numbers(states, problem, given or {}, pose, assumed)
+    drawn = drawn_position(solution, states.view, states.configuration) if drawn is None else drawn
+    values = _numbers(states, given or {}, drawn, assumed)
     wanted = {v.symbol: v for v in (*problem.initial, *initial)}
-    guess = [pose.get(q, 0.5) for q in states.equations.slots.coordinates]
+    guess = _guess(states, values, drawn, stated=bool(wanted))
     if states.functions or find_spec("numpy") is None:  # nothing can be brought to the constraints then
-        return Start(values, (*guess, *(0.0 for _ in states.equations.speeds)), assumed | _zeros(states, guess))
+        return Start(values, tuple(guess), assumed | {s.name: x for s, x in zip(states.state, guess, strict=True)})
     state, named = _state(states, values, list(wanted.values()), guess)
     assumed |= {s.name: x for s, x in zip(states.state, state, strict=True) if s.name not in named}
     pushed = _rests(states, values, state)
@@ -167,49 +176,42 @@ def start(
     return Start(values, tuple(state), assumed, pushed)
 
 
-def _zeros(states: StateEquations, guess: Sequence[float]) -> dict[str, float]:
-    return {s.name: x for s, x in zip(states.state, [*guess, *(0.0 for _ in states.equations.speeds)], strict=True)}
-
-
-def _pose(states: StateEquations, problem: Problem) -> dict[sp.Symbol, float]:
-    """The numbers of the position that the figure shows; none where there is no figure."""
-    found = general_pose(problem, states.configuration)
-    return {} if found is None else {s: float(v) for s, v in found.values.items()}
-
-
 def _numbers(
-    states: StateEquations,
-    problem: Problem,
-    given: Mapping[str, float],
-    pose: Mapping[sp.Symbol, float],
-    assumed: dict[str, float],
+    states: StateEquations, given: Mapping[str, float], drawn: Mapping[sp.Symbol, float], assumed: dict[str, float]
 ) -> dict[sp.Symbol, float]:
-    falls = problem.gravity.fixed().components if problem.gravity is not None else ()
-    turned = {s for c in falls for f in c.atoms(sp.Function) for s in f.free_symbols}
-    heavy = {s for c in falls for s in c.free_symbols} - turned
+    problem, angles = states.problem, angles_in(states.expressions)
     values: dict[sp.Symbol, float] = {}
-    declared = {p.symbol: p for p in (*problem.parameters, *states.parameters)}
-    for symbol, p in declared.items():
+    used = {p.symbol for p in states.parameters}
+    for symbol, p in {p.symbol: p for p in (*problem.parameters, *states.parameters)}.items():
         if symbol.name in given:
             values[symbol] = float(given[symbol.name])
-        elif p.value is not None:
-            values[symbol] = float(p.value)
-        else:
-            values[symbol] = _assumed(p, heavy, pose)
-            if p in states.parameters or symbol in {q.symbol for q in states.parameters}:
-                assumed[symbol.name] = values[symbol]
+            continue
+        unknown = symbol in problem.unknowns
+        values[symbol] = 0.0 if unknown else parameter_value(symbol, p, problem, drawn, symbol in angles)
+        if p.value is None and symbol in used:
+            assumed[symbol.name] = values[symbol]
     return values
 
 
-def _assumed(p: Parameter, heavy: set[sp.Symbol], pose: Mapping[sp.Symbol, float]) -> float:
-    """A sensible number for a parameter that has none."""
-    if p.symbol in heavy or (p.symbol.name == "g" and p.assume is Assumption.POSITIVE):
-        return GRAVITY
-    if p.assume is Assumption.SIGN or isinstance(p.symbol, Sign):
-        return 1.0
-    if p.meaning == "a force" and p.assume is Assumption.REAL:
+def _guess(states: StateEquations, values: Values, drawn: Mapping[sp.Symbol, float], *, stated: bool) -> list[float]:
+    """The state that nobody has given: the position of the figure, at rest where anything is `stated`."""
+    e = states.equations
+    at: dict[sp.Symbol, float] = {**values, t: 0.0, **{q: drawn.get(q, 0.5) for q in e.slots.coordinates}}
+    speeds = dict.fromkeys(e.speeds, 0.0)
+    if not stated:
+        at |= default_velocities(states.problem, states.configuration)
+        defined = {s.symbol: states.configuration.rewritten(s.definition) for s in states.problem.speeds}
+        speeds = {s: _known(defined.get(s, s), at) for s in e.speeds}
+        slips = [sp.Abs(x) if kind is Slip.UNKNOWN else x for kind, x in slip_speeds(states.view.dynamics)]
+        speeds = slipping({**at, **speeds}, e.speeds, slips, values)
+    return [*(at[q] for q in e.slots.coordinates), *(speeds[s] for s in e.speeds)]
+
+
+def _known(e: sp.Expr, at: Mapping[sp.Symbol, float]) -> float:
+    try:
+        return value(e, at)
+    except NoValueError:
         return 0.0
-    return float(f"{pose.get(p.symbol, 1.0):.2g}")
 
 
 def _state(
@@ -225,19 +227,23 @@ def _state(
     others = _Others.of(states, wanted)
     places, speeds = _conditions(states, wanted, others)
     unknown = (*slots.coordinates, *others.coordinates)
-    guessed = [*guess, *(0.5 for _ in others.coordinates)]
+    count = len(slots.coordinates)
+    guessed = [*guess[:count], *(0.5 for _ in others.coordinates)]
     start = [_value(direct[q].value, values) if q in direct else g for q, g in zip(unknown, guessed, strict=True)]
     start = others.placed(start, unknown, values)
     found, error = solved_near([*e.finite, *others.places, *(c for c, _ in places)], unknown, start, numbers)
     _refuse(error, found, wanted, [v for _, v in places])
     at = {**numbers, **dict(zip(unknown, found, strict=True))}
-    positions = found[: len(slots.coordinates)]
+    positions = found[:count]
     forms = [*e.velocity_forms, *others.speeds, *(c for c, _ in speeds)]
     velocities = {*e.speeds}
     nonlinear = any(not a.free_symbols.isdisjoint(velocities) for row in e.constraint_matrix for a in row)
     moving = (*e.speeds, *others.velocities)
-    for first in (1.0,) if nonlinear else (0.0, 1.0):  # from rest such a constraint gives no direction
-        found, error = solved_near(forms, moving, [first * (1 + 0.1 * k) for k in range(len(moving))], at)
+    usual = [*guess[count:], *(0.0 for _ in others.velocities)]
+    different = [1 + 0.1 * k for k in range(len(moving))]
+    # A constraint that is not linear in the velocities gives no direction at rest, and leads there from others.
+    for first in (different,) if nonlinear else (usual, different):
+        found, error = solved_near(forms, moving, first, at)
         rates = found[: len(e.speeds)]
         if error < LARGEST_CONTRADICTION and _has_rate(states, values, [*positions, *rates]):
             break

@@ -139,7 +139,7 @@ def in_speeds(equations: QuasiEquations) -> FirstOrder:
 class StateEquations:
     """A motion as first-order equations, with what can be calculated along it.
 
-    name        of the choice of coordinates; empty for the file's own
+    view        the coordinates, the file's own or those of a choice
     equations   in symbols
     parameters  those that occur, signs that the derivation leaves open among them
     functions   names of the undefined functions and prescribed motions that occur: they must be given
@@ -154,7 +154,7 @@ class StateEquations:
     """
 
     problem: Problem
-    name: str
+    view: InCoordinates
     configuration: Configuration
     equations: FirstOrder
     energy: sp.Expr | None = None
@@ -165,6 +165,11 @@ class StateEquations:
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     branches: tuple[Sign, ...] = ()
     given: Mapping[str, sp.Expr] = field(default_factory=dict)
+
+    @property
+    def name(self) -> str:
+        """The name of the choice of coordinates; empty for the file's own."""
+        return self.view.name
 
     @property
     def state(self) -> tuple[sp.Symbol, ...]:
@@ -304,7 +309,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
     contacts = dynamics.reactions.contacts if dynamics.reactions is not None else {}
     states = StateEquations(
         problem=problem,
-        name=view.name,
+        view=view,
         configuration=dynamics.equations.configuration,
         equations=equations,
         energy=_energy(found, here),

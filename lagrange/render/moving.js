@@ -111,7 +111,7 @@ const lagsolveFigure = (() => {
       return y;
     }
     // The nearest state that satisfies the constraints; the coordinate `kept` does not change if that is possible.
-    function projected(y, p, kept, speed = -1) {
+    function projected(y, p, kept) {
       if (!m) return y;
       y = y.slice();
       for (const level of [0, 1]) for (let turn = 0; turn < 30; turn++) {
@@ -119,7 +119,7 @@ const lagsolveFigure = (() => {
         for (let i = 0; i < m; i++) if (level || finite[i]) rows.push(i);
         const off = rows.map(i => v[level * m + i]);
         if (off.every(x => Math.abs(x) < 1e-14) || !rows.length) break;
-        const a = rows.map(i => { const r = v.slice(3 * m + i * n, 3 * m + i * n + n); const still = level ? speed : kept; if (still >= 0) r[still] = 0; return r; });
+        const a = rows.map(i => { const r = v.slice(3 * m + i * n, 3 * m + i * n + n); if (!level && kept >= 0) r[kept] = 0; return r; });
         const gram = a.map((r, i) => [...a.map(s => r.reduce((t, x, k) => t + x * s[k], 0)), off[i]]);
         const w = solved(gram, rows.length).x;
         let size = 0;
@@ -177,9 +177,10 @@ const lagsolveFigure = (() => {
     const one = s => root.querySelector(s), all = s => [...root.querySelectorAll(s)];
     const stage = one("svg.stage"), lines = one("g.lines"), texts = all("g.labels text");
     const calm = matchMedia("(prefers-reduced-motion: reduce)");
-    // The state at t = 0: what the file says of it, in its own coordinates or in these, and the page's values otherwise.
+    // The state at t = 0. For other parameters, what the file says of it in its own coordinates or in these is put in again.
     function begin() {
-      let s = data.y.slice();
+      const s = data.y.slice();
+      if (p.every((x, k) => x === data.p[k]) && M.violation(s, p) < 1e-9) return s;
       const stated = F.ini(p), given = stated.slice(data.begins.length);
       data.begins.forEach((k, i) => { s[k] = stated[i]; });
       if (data.wanted.length) for (const level of [0, 1]) for (let turn = 0; turn < 25; turn++) {
@@ -190,7 +191,7 @@ const lagsolveFigure = (() => {
         const w = solved(off.map((_, i) => [...off.map((_, j) => columns.reduce((t, c) => t + c[i] * c[j], 0)), off[i]]), off.length).x;
         for (let j = 0; j < n; j++) s[level * n + j] -= columns[j].reduce((t, x, i) => t + x * w[i], 0);
       }
-      return s.every(isFinite) ? M.projected(s, p, -1, data.begins.length ? -1 : data.kept) : M.projected(data.y.slice(), p, -1, data.kept);
+      return M.projected(s.every(isFinite) ? s : data.y.slice(), p, -1);
     }
     let p = data.p.slice(), y = begin(), touched = false, playing = false, speed = 1, message = "";
     let sense = [], side = [];
@@ -206,24 +207,41 @@ const lagsolveFigure = (() => {
     }
     function restart() {
       const e = integrals(y);
-      reference = { ...e, size: Math.max(Math.abs(e.T), Math.abs(e.T + e.V), Math.abs(e.I[energy] ?? 0), 1e-12), parts: e.I.map(x => Math.abs(x)) };
+      reference = { ...e, size: Math.max(Math.abs(e.T), Math.abs(e.T + e.V), Math.abs(e.I[energy] ?? 0), 1e-12) };
       sense = data.slips.length ? F.sli(y, p).map(Math.sign) : [];
       side = data.guards.includes(3) ? M.forces(y, p).reactions.map(f => Math.sign(f.value)) : [];
       worst = 0; wrong = M.violation(y, p); history = []; trace = []; message = "";
       record();
     }
     const energy = data.conserved.indexOf(1);
+    // A motion that was computed before: its rows are what the page has recorded, and the reader is at its beginning.
+    function remember() {
+      for (const row of data.motion.slice(1)) { y = row; record(); }
+      if (data.motion.length) { y = data.y.slice(); shownAt = 0; trace = trace.slice(0, 1); }
+    }
+    // Goes on in what is recorded, integrating between two records.
+    function follow(seconds) {
+      const now = y[2 * n] + seconds;
+      while (shownAt + 1 < history.length && history[shownAt + 1].y[2 * n] <= now) shownAt++;
+      y = history[shownAt].y.slice();
+      if (shownAt + 1 == history.length) shownAt = -1; else y = M.advanced(y, p, now - y[2 * n]) ?? y;
+      leave();
+      return true;
+    }
+    function leave() {
+      const z = cells(y);
+      trace.push(data.points.map(k => three(z, k)));
+      if (trace.length > 900) trace.shift();
+    }
     function record() {
       const e = integrals(y);
       reference.size = Math.max(reference.size, Math.abs(e.T));
       if (energy >= 0) worst = Math.max(worst, Math.abs(e.I[energy] - reference.I[energy]) / reference.size);
       wrong = Math.max(wrong, M.violation(y, p));
       const r = data.bound.length ? M.forces(y, p).reactions.map(f => f.value) : [];
-      history.push({ y: y.slice(), r, e: e.T + e.V });
+      history.push({ y: y.slice(), r });
       if (history.length > 6000) history.splice(0, 1500);
-      const z = cells(y);
-      trace.push(data.points.map(k => [z[k], z[k + 1], z[k + 2]]));
-      if (trace.length > 900) trace.shift();
+      leave();
     }
     const fails = s => M.broken(s, p, sense, side);
     const endings = {
@@ -315,10 +333,23 @@ const lagsolveFigure = (() => {
 
     // ---- Drawing: `out` collects paths, those with a depth first
 
-    let out = [], labels = [];
+    let out = [], labels = [], edges = [];
     const path = (points, closed) => "M" + points.map(q => `${q[0].toFixed(1)} ${q[1].toFixed(1)}`).join("L") + (closed ? "Z" : "");
-    const draw = (cls, points, closed = false, depth = null) => { if (points.every(q => isFinite(q[0]) && isFinite(q[1]))) out.push([cls, path(points, closed), depth]); };
-    const label = (k, at, w, clear = 0, beside = false) => { if (k >= 0 && k !== undefined) labels.push([k, at, w, clear, beside]); };
+    const draw = (cls, points, closed = false, depth = null) => {
+      if (!points.every(q => isFinite(q[0]) && isFinite(q[1]))) return;
+      out.push([cls, path(points, closed), depth]);
+      if (!/^(face|grid|trail|virtual|possible)/.test(cls)) edges.push(points);
+    };
+    // Whether a line from a to b meets a box.
+    function crosses(a, b, box) {
+      let from = 0, to = 1;
+      for (const i of [0, 1]) {
+        const d = b[i] - a[i], x = [box[2 * i] - a[i], box[2 * i + 1] - a[i]].map(v => d ? v / d : v * Infinity).sort((v, w) => v - w);
+        from = Math.max(from, x[0]); to = Math.min(to, x[1]);
+      }
+      return from <= to;
+    }
+    const label = (k, at, w, clear = 0) => { if (k >= 0) labels.push([k, at, w, clear]); };
     function arrow(cls, a, b, tip = 8.4) {
       if (far(a, b) < 2) return;
       const w = toward(a, b), s = [-w[1], w[0]], t = Math.min(tip, 0.6 * far(a, b));
@@ -338,6 +369,7 @@ const lagsolveFigure = (() => {
         const a = points[i], w = toward(a, points[i + 1]), size = far(a, points[i + 1]), right = [-w[1], w[0]];
         for (; start <= size; start += 6) { const foot = beyond(a, w, start); strokes.push(path([foot, beyond(beyond(foot, right, 5.5), w, -4.6)])); }
         start -= size;
+        edges.push([beyond(a, right, 5.5), beyond(points[i + 1], right, 5.5)]);
       }
       if (strokes.length && strokes.length < 4000) out.push(["hatch", strokes.join(""), null]);
     }
@@ -422,7 +454,7 @@ const lagsolveFigure = (() => {
     const changed = (k, value) => { const s = y.slice(); s[k] = value; return cells(s); };
 
     const kinds = {
-      line: (e, v) => { const q = e.p.map(k => page(three(v, k))); draw(e.c, q); if (q.length == 2 && e.l >= 0) { const s = toward(q[0], q[1]); label(e.l, beyond(q[0], s, far(q[0], q[1]) / 2), [-s[1], s[0]], 0, true); } },
+      line: (e, v) => { const q = e.p.map(k => page(three(v, k))); draw(e.c, q); if (q.length == 2 && e.l >= 0) { const s = toward(q[0], q[1]); label(e.l, beyond(q[0], s, far(q[0], q[1]) / 2), [-s[1], s[0]]); } },
       face: (e, v) => draw(`${e.c} s${e.s}`, e.p.map(k => page(three(v, k))), true, 0),
       ground: (e, v) => ground(e.p.map(k => page(three(v, k)))),
       string: (e, v) => {
@@ -501,7 +533,7 @@ const lagsolveFigure = (() => {
         const [a, b] = e.p.map(k => page(three(v, k))); if (far(a, b) < 8) return;
         const s = toward(a, b), side = [-s[1], s[0]];
         draw("dimension", [a, b]); for (const q of [a, b]) draw("dimension", [beyond(q, side, 4), beyond(q, side, -4)]);
-        label(e.l, beyond(a, s, far(a, b) / 2), side, 0, true);
+        label(e.l, beyond(a, s, far(a, b) / 2), side);
       },
       angle: (e, v) => {
         const q = wrapped(y[e.q]), at = s => { const w = changed(e.q, s), a = three(w, e.p); return e.o === undefined ? a : plus(a, three(w, e.o), -1); };
@@ -533,7 +565,7 @@ const lagsolveFigure = (() => {
           if (far(a, b) < 6) return;
           const w = toward(a, b), side = [-w[1], w[0]];
           if (data.shown.length == 1) { a = beyond(a, side, 31); b = beyond(b, side, 31); arc([a, beyond(a, w, far(a, b) / 2), b]); } else draw("guide", [a, b]);
-          label(e.l[i], beyond(a, w, far(a, b) / 2), side, 0, true);
+          label(e.l[i], beyond(a, w, far(a, b) / 2), side);
         });
       },
       gravity: (e, v) => { const w = way(three(v, e.v)); if (Math.hypot(...w) < 1e-9) return; const s = toward([0, 0], w), a = [width - 26, 20 + (s[1] < 0 ? 38 : 0)], b = beyond(a, s, 38); arrow("axis", a, b); label(e.l, beyond(a, s, 19), [-1, 0]); },
@@ -543,7 +575,7 @@ const lagsolveFigure = (() => {
       const w = toward(a, b), s = [-w[1], w[0]], middle = beyond(a, w, far(a, b) / 2);
       if (e.o) { const post = [beyond(a, w, 7), beyond(b, w, -7)], corner = post.map(q => beyond(q, s, e.o * CM)); draw("spring", [a, post[0], corner[0]]); draw("spring", [b, post[1], corner[1]]); [a, b] = corner; }
       shape(a, b);
-      label(e.l, beyond(middle, s, e.o * CM + (e.o < 0 ? -6 : 6)), e.o < 0 ? [-s[0], -s[1]] : s, 4, true);
+      label(e.l, beyond(middle, s, e.o * CM + (e.o < 0 ? -6 : 6)), e.o < 0 ? [-s[0], -s[1]] : s, 4);
     }
     function halves(circle3, c) {
       for (let i = 0; i + 1 < circle3.length; i++) draw(dot(plus(circle3[i], c, -1), reader) >= 0 ? "grid" : "reference", [page(circle3[i]), page(circle3[i + 1])]);
@@ -580,9 +612,9 @@ const lagsolveFigure = (() => {
     const tag = (text, at, w) => tags.push([text, at, w]);
 
     function render() {
-      out = []; labels = []; tags = [];
+      out = []; labels = []; edges = []; tags = [];
       const v = cells(y);
-      follow(v);
+      keepInView(v);
       for (const e of data.items) kinds[e.k](e, v);
       if (data.axes && data.shown.length > 1) {
         const o = page([0, 0, 0]);
@@ -601,7 +633,7 @@ const lagsolveFigure = (() => {
       readings();
     }
     // The picture follows a system that leaves it.
-    function follow(v) {
+    function keepInView(v) {
       const q = data.points.map(k => page(three(v, k))).filter(x => x.every(isFinite));
       if (!q.length) return;
       for (const [i, size] of [[0, width], [1, height]]) {
@@ -616,28 +648,34 @@ const lagsolveFigure = (() => {
       while (pool.length < list.length) pool.push(lines.appendChild(document.createElementNS(SVG, "path")));
       list.forEach((o, i) => { const e = pool[i]; if (e.cls !== o[0]) { e.setAttribute("class", o[0]); e.cls = o[0]; } if (e.d !== o[1]) { e.setAttribute("d", o[1]); e.d = o[1]; } if (e.off) { e.removeAttribute("display"); e.off = false; } });
       for (let i = list.length; i < pool.length; i++) if (!pool[i].off) { pool[i].setAttribute("display", "none"); pool[i].off = true; }
-      const used = new Set(), taken = [];
-      for (const [k, at, w, clear, beside] of labels) {
-        const e = texts[k];
-        if (!e || !at.every(isFinite)) continue;
-        if (!e.size) { const b = e.getBBox(); e.size = [Math.max(b.width, 8), 15]; }
-        const [a, b] = e.size;
-        const spot = s => { const d = clear + 5 + Math.abs(w[0]) * a / 2 + Math.abs(w[1]) * b / 2; return beyond(at, w, s * d); };
-        let q = spot(1);
-        const hit = x => taken.some(o => Math.abs(o[0] - x[0]) < (o[2] + a) / 2 && Math.abs(o[1] - x[1]) < 14);
-        if (hit(q)) { const turned = [[-w[0], -w[1]], [-w[1], w[0]], [w[1], -w[0]]].map(u => beyond(at, u, clear + 6 + Math.abs(u[0]) * a / 2 + Math.abs(u[1]) * b / 2)).find(x => !hit(x)); if (turned) q = turned; }
-        taken.push([...q, a]);
-        e.setAttribute("x", q[0].toFixed(1)); e.setAttribute("y", (q[1] + 5).toFixed(1)); e.removeAttribute("display"); used.add(k);
+      const used = new Set(), taken = [], marks = one("g.tags");
+      // A text beside a place, first in the direction w, where it covers least; it stays on its side if that is as good.
+      function put(e, at, w, clear, a, b) {
+        let least = Infinity, box, spot;
+        for (let i = 0; i < 16; i++) {
+          const k = i % 8, turn = (k % 2 ? 1 : -1) * Math.ceil(k / 2) * Math.PI / 4, c = Math.cos(turn), s = Math.sin(turn), u = [w[0] * c - w[1] * s, w[0] * s + w[1] * c];
+          const q = beyond(at, u, clear + (i < 8 ? 5 : 17) + Math.abs(u[0]) * a / 2 + Math.abs(u[1]) * b / 2), here = [q[0] - a / 2 - 1, q[0] + a / 2 + 1, q[1] - b / 2, q[1] + b / 2];
+          const hidden = taken.filter(o => o[0] < here[1] && here[0] < o[1] && o[2] < here[3] && here[2] < o[3]).length + (here[0] < 0 || here[1] > width || here[2] < 0 || here[3] > height);
+          const cost = 8 * hidden + Math.min(6, 2 * edges.filter(points => points.some((p, j) => j && crosses(points[j - 1], p, here))).length) + 0.3 * k + (i < 8 ? 0 : 1.5) - (e.spot === i ? 0.9 : 0);
+          if (cost < least) { least = cost; box = here; spot = i; }
+        }
+        e.spot = spot; taken.push(box); e.removeAttribute("display");
+        e.setAttribute("x", ((box[0] + box[1]) / 2).toFixed(1)); e.setAttribute("y", ((box[2] + box[3]) / 2 + 5).toFixed(1));
       }
-      texts.forEach((e, k) => { if (!used.has(k)) e.setAttribute("display", "none"); });
-      const marks = one("g.tags");
       while (marks.childNodes.length < tags.length) marks.append(document.createElementNS(SVG, "text"));
       [...marks.childNodes].forEach((e, i) => {
         if (i >= tags.length) { e.setAttribute("display", "none"); return; }
         const [text, at, w] = tags[i];
-        e.removeAttribute("display"); e.textContent = text; e.setAttribute("class", text.length == 1 ? "b" : "");
-        e.setAttribute("x", (at[0] + w[0] * (7 + 3.4 * text.length)).toFixed(1)); e.setAttribute("y", (at[1] + w[1] * 12 + 5).toFixed(1));
+        e.textContent = text; e.setAttribute("class", text.length == 1 ? "b" : "");
+        put(e, at, w, 0, 6.8 * text.length, 13);
       });
+      for (const [k, at, w, clear] of labels) {
+        const e = texts[k];
+        if (!e || !at.every(isFinite)) continue;
+        if (!e.size) e.size = Math.max(e.getBBox().width, 8);
+        put(e, at, w, clear, e.size, 15); used.add(k);
+      }
+      texts.forEach((e, k) => { if (!used.has(k)) e.setAttribute("display", "none"); });
     }
 
     // ---- What is written beside the figure
@@ -682,7 +720,7 @@ const lagsolveFigure = (() => {
       g.save(); g.beginPath(); g.rect(L, 0, W - L - R, H - B); g.clip();
       [...faint, ...curves].forEach((c, j) => {
         const k = j % curves.length, pale = j < faint.length;
-        g.globalAlpha = pale ? 0.28 : 1;
+        g.globalAlpha = pale ? 0.5 : 1;
         g.strokeStyle = g.fillStyle = colour(k); g.lineWidth = 1.6; g.beginPath();
         const every = Math.max(1, Math.floor(c.length / 1200)); let pen = false;
         c.forEach((q, i) => { if (i % every && i < c.length - 1) return; if (!q.every(isFinite)) { pen = false; return; } if (pen) g.lineTo(X(q[0]), Y(q[1])); else g.moveTo(X(q[0]), Y(q[1])); pen = true; });
@@ -695,13 +733,14 @@ const lagsolveFigure = (() => {
     function graphs() {
       const shown = shownAt >= 0 ? history.slice(0, shownAt + 1) : history, now = y[2 * n];
       if (moving) {
-        const recent = shown.filter(h => h.y[2 * n] > now - 20), from = recent[0]?.y[2 * n] ?? 0, x = [from, Math.max(from + 8, now)], still = history.length < 2 && shownAt < 0;
-        const ahead = still ? preview.filter(h => h.y[2 * n] <= x[1]) : [];
+        const recent = shownAt >= 0 ? shown : shown.filter(h => h.y[2 * n] > now - 20), from = recent[0]?.y[2 * n] ?? 0;
+        const x = shownAt >= 0 ? [history[0].y[2 * n], history.at(-1).y[2 * n]] : [from, Math.max(from + 8, now)];
+        const ahead = shownAt >= 0 ? history.slice(shownAt) : history.length < 2 ? preview.filter(h => h.y[2 * n] <= x[1]) : [];
         const chosen = all("input[data-plot]").filter(b => b.checked).map(b => Number(b.dataset.plot));
-        graph(one("canvas.coordinates"), [...Array(n).keys()].map(k => chosen.includes(k) ? recent.map(h => [h.y[2 * n], h.y[k]]) : []), { x }, still ? [...Array(n).keys()].map(k => chosen.includes(k) ? ahead.map(h => [h.y[2 * n], h.y[k]]) : []) : []);
-        graph(one("canvas.reactions"), data.bound.map((_, k) => recent.map(h => [h.y[2 * n], h.r[k]])), { x }, still ? data.bound.map((_, k) => ahead.map(h => [h.y[2 * n], h.r[k]])) : []);
+        graph(one("canvas.coordinates"), [...Array(n).keys()].map(k => chosen.includes(k) ? recent.map(h => [h.y[2 * n], h.y[k]]) : []), { x }, [...Array(n).keys()].map(k => chosen.includes(k) ? ahead.map(h => [h.y[2 * n], h.y[k]]) : []));
+        graph(one("canvas.reactions"), data.bound.map((_, k) => recent.map(h => [h.y[2 * n], h.r[k]])), { x }, data.bound.map((_, k) => ahead.map(h => [h.y[2 * n], h.r[k]])));
         const k = Number(one("select.phase")?.value ?? 0);
-        graph(one("canvas.phase"), [shown.map(h => [h.y[k], h.y[n + k]])], null, still ? [preview.map(h => [h.y[k], h.y[n + k]])] : []);
+        graph(one("canvas.phase"), [shown.map(h => [h.y[k], h.y[n + k]])], null, [ahead.map(h => [h.y[k], h.y[n + k]])]);
       } else {
         const k = Number(one("select.phase")?.value ?? 0), input = one(`input[data-q="${k}"]`);
         if (!input || !F.sta) return;
@@ -722,13 +761,13 @@ const lagsolveFigure = (() => {
 
     // ---- What the reader does
 
-    let last = 0;
+    let last = 0, frames = 0;
     function frame(now) {
       if (!playing) return;
       const dt = Math.min(0.05, (now - last) / 1000 || 1 / 60) * speed; last = now;
-      if (!run(dt)) stop();
+      if (!(shownAt >= 0 ? follow(dt) : run(dt))) stop();
       render();
-      if (history.length % 3 == 0) graphs();
+      if (frames++ % 3 == 0) { graphs(); scrub(); }
       requestAnimationFrame(frame);
     }
     // A system that would stay at rest is pushed a little, which is said.
@@ -743,21 +782,20 @@ const lagsolveFigure = (() => {
     function stop() { playing = false; if (play) { play.setAttribute("aria-pressed", "false"); play.textContent = "▶ Play"; } show(); scrub(); }
     function start() {
       if (!moving) return;
-      if (shownAt >= 0) { y = history[shownAt].y.slice(); history.length = shownAt + 1; shownAt = -1; }
       message = "";
-      nudge();
-      if (calm.matches) { run(10); message ||= "10 s of motion, computed at once: the slider “time” goes through it."; stop(); return; }
+      if (shownAt < 0) nudge();
+      if (calm.matches) { if (shownAt >= 0) follow(Infinity); run(10); message ||= "10 s of motion, computed at once: the slider “time” goes through it."; stop(); return; }
       playing = true; last = performance.now(); play.setAttribute("aria-pressed", "true"); play.textContent = "❚❚ Pause";
       requestAnimationFrame(frame);
     }
     const time = one("input.time");
     function scrub() { if (time) { time.max = Math.max(1, history.length - 1); time.value = shownAt >= 0 ? shownAt : history.length - 1; time.disabled = playing || history.length < 2; } }
     play?.addEventListener("click", () => playing ? stop() : start());
-    one("button.step")?.addEventListener("click", () => { if (playing) stop(); run(0.02); show(); scrub(); });
+    one("button.step")?.addEventListener("click", () => { if (playing) stop(); shownAt >= 0 ? follow(0.02) : run(0.02); show(); scrub(); });
     one("button.reset")?.addEventListener("click", () => {
       playing = false; shownAt = -1; p = data.p.slice(); y = begin(); touched = false;
       all("input[data-p]").forEach(i => { i.value = p[Number(i.dataset.p)]; });
-      restart(); fit(); stop();
+      restart(); remember(); fit(); stop();
     });
     time?.addEventListener("input", () => { shownAt = Number(time.value); if (history[shownAt]) { y = history[shownAt].y.slice(); render(); graphs(); } });
     one("select.speed")?.addEventListener("change", e => { speed = Number(e.target.value); });
@@ -779,6 +817,7 @@ const lagsolveFigure = (() => {
     }));
     all("input[data-show], input[data-plot], select.phase, select.which").forEach(i => i.addEventListener("change", show));
     // Positions of rest, f(q, 0) = 0, by Newton's method from several starts, where the page has none in closed form.
+    const turns = { "-2": "−π", "-1": "−π/2", 1: "π/2", 2: "π" };
     let rests = [];
     function look() {
       rests = [];
@@ -803,7 +842,7 @@ const lagsolveFigure = (() => {
       rests.forEach((r, k) => {
         const b = document.createElement("button");
         b.type = "button";
-        b.textContent = r.q.map((x, i) => r.idle[i] && n > 1 ? "" : `${data.names[i]} = ${Math.abs(Math.abs(x) - Math.PI) < 1e-9 ? (x < 0 ? "−π" : "π") : number(x)}`).filter(Boolean).join(", ") || "anywhere";
+        b.textContent = r.q.map((x, i) => r.idle[i] && n > 1 ? "" : `${data.names[i]} = ${data.angles[i] && turns[Math.round(x / Math.PI * 2)] && Math.abs(x / Math.PI * 2 - Math.round(x / Math.PI * 2)) < 1e-9 ? turns[Math.round(x / Math.PI * 2)] : number(x)}`).filter(Boolean).join(", ") || "anywhere";
         b.addEventListener("click", () => settle(y.map((x, i) => i < n ? (r.idle[i] ? x : r.q[i]) : i < 2 * n ? 0 : x)));
         bar.append(b);
       });
@@ -836,10 +875,12 @@ const lagsolveFigure = (() => {
       settle(best);
     }));
     one("button.push")?.addEventListener("click", () => { const s = y.slice(); for (let i = 0; i < n; i++) s[n + i] += 0.05 * (1 + 0.3 * i); y = M.projected(s, p, -1); shownAt = -1; restart(); if (!playing) start(); });
-    root.addEventListener("keydown", e => { if (e.target === stage && (e.key == " " || e.key == "Enter")) { e.preventDefault(); playing ? stop() : start(); } });
+    root.addEventListener("keydown", e => { if (e.key == " " && !e.target.closest("button, select, [type=checkbox]") || e.key == "Enter" && e.target === stage) { e.preventDefault(); playing ? stop() : start(); } });
     // For tests and programs: runs at once, and leaves the numbers as attributes of the figure.
     root.addEventListener("lagsolve-run", e => {
-      nudge(); const begun = performance.now(), done = run(e.detail.seconds);
+      if (shownAt >= 0 && e.detail.seconds) { history.length = shownAt + 1; shownAt = -1; }
+      if (shownAt < 0) nudge();
+      const begun = performance.now(), done = run(e.detail.seconds);
       Object.assign(root.dataset, { state: JSON.stringify(y), parameters: JSON.stringify(p), drift: worst, error: wrong, done, milliseconds: (performance.now() - begun) / Math.max(1, e.detail.seconds * 60) });
       const drawn = performance.now(); show(); root.dataset.drawing = performance.now() - drawn; scrub();
     });
@@ -849,6 +890,6 @@ const lagsolveFigure = (() => {
     new ResizeObserver(() => { const W = stage.clientWidth; if (W && Math.abs(W - width) > 2) requestAnimationFrame(() => { fit(); show(); }); }).observe(stage);
     const which = one("select.which");
     if (which && data.shape.con[1]) which.value = Math.max(0, [...Array(n).keys()].findIndex(k => { const d = virtual(k); return Math.hypot(...d) > 0.3; }));
-    restart(); fit(); if (data.rest) look(); show(); scrub();
+    restart(); remember(); fit(); if (data.rest) look(); show(); scrub();
   };
 })();

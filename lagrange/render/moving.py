@@ -97,7 +97,7 @@ class _Controls:
         return escape(e) if isinstance(e, str) else self.formulas.equation((e,), "=")
 
     def transport(self) -> Iterator[str]:
-        yield '<button type="button" class="play" aria-pressed="false">▶ Play</button>'
+        yield '<button type="button" class="play" aria-label="Play" aria-pressed="false">▶ Play</button>'
         yield '<button type="button" class="step">Step</button>'
         yield '<button type="button" class="reset">Reset</button>'
         speeds = (("0.1", "1/10"), ("0.25", "1/4"), ("1", "1"), ("4", "4"))
@@ -116,7 +116,7 @@ class _Controls:
         if len(figure.coordinates) > 1:
             names = (f"δ{self.plain_name(s)}" for s in figure.coordinates)
             options = "".join(f'<option value="{k}">{name}</option>' for k, name in enumerate(names))
-            yield f'<label>by <select class="which">{options}</select></label>'
+            yield f'<label>by <select class="which" aria-label="displacement by">{options}</select></label>'
 
     def plain_name(self, slider: Slider) -> str:
         return escape(slider.label if isinstance(slider.label, str) else self.plain(slider.label))
@@ -126,7 +126,9 @@ class _Controls:
         for k, e in enumerate(self.figure.equilibria):
             written = ", ".join(self.formulas.equation(pair, "=") for pair in e.relations)
             how = f" <small>{escape(e.stability)}</small>" if e.stability in ("stable", "unstable") else ""
-            yield f'<button type="button" data-rest="{k}">{written}{how}</button>'
+            plain = ", ".join(f"{self.plain(left)} = {self.plain(right)}" for left, right in e.relations)
+            called = escape(f"At rest at {plain}")
+            yield f'<button type="button" data-rest="{k}" aria-label="{called}">{written}{how}</button>'
         if self.figure.data["rest"]:
             yield '<span class="found"></span>'
         if self.figure.moves:
@@ -165,7 +167,8 @@ class _Controls:
             rows.append(("time", _out("t"), " s"))
             for k, s in enumerate(figure.coordinates):
                 if isinstance(s.label, sp.Symbol):
-                    rows.append((self.math(prime(s.label)), f'<output data-u="{k}"></output>', ""))
+                    rate = f" {_unit(s.unit)}/s" if s.unit in ("m", "rad") else ""
+                    rows.append((self.math(prime(s.label)), f'<output data-u="{k}"></output>', rate))
             rows += [("kinetic energy", _out("T"), joule), ("potential energy", _out("V"), joule)]
             rows.append(("their sum (conserved)" if kept else "their sum", _out("E"), joule))
         elif figure.rests:
@@ -189,14 +192,18 @@ class _Controls:
         figure = self.figure
         yield '<div class="graphs">'
         if figure.moves:
-            yield self.canvas("coordinates", "Coordinates over time", "".join(map(self.plotted, range(self.size))))
+            yield self.canvas("coordinates", "Coordinates over time (s)", "".join(map(self.plotted, range(self.size))))
             if figure.reactions:
                 names = (f'<span class="c{k % 5}">{self.math(r)}</span>' for k, r in enumerate(figure.reactions))
-                yield self.canvas("reactions", "Reactions over time", "".join(names))
+                yield self.canvas("reactions", "Reactions over time (s)", "".join(names))
         if figure.moves or (figure.rests and not figure.data["shape"]["con"][1]):
             names = (self.plain_name(s) for s in figure.coordinates)
             options = "".join(f'<option value="{k}">{name}</option>' for k, name in enumerate(names))
-            choice = f'<label>of <select class="phase">{options}</select></label>' if self.size > 1 else ""
+            choice = (
+                f'<label>of <select class="phase" aria-label="coordinate of the graph">{options}</select></label>'
+                if self.size > 1
+                else ""
+            )
             title = "Phase plane" if figure.moves else "Work against the forces along the coordinate"
             yield self.canvas("phase", title, choice)
         yield "</div>"
@@ -207,8 +214,10 @@ class _Controls:
 
     def plotted(self, k: int) -> str:
         """The box that puts a coordinate into the graph."""
-        box = f'<input type="checkbox" data-plot="{k}"{" checked" * self.is_plotted(k)}>'
-        return f'<label class="c{k % 5}">{box} {self.math(self.figure.coordinates[k].label)}</label>'
+        slider = self.figure.coordinates[k]
+        called = f'aria-label="show {self.plain_name(slider)}"'
+        box = f'<input type="checkbox" data-plot="{k}" {called}{" checked" * self.is_plotted(k)}>'
+        return f'<label class="c{k % 5}">{box} {self.math(slider.label)}</label>'
 
     def is_plotted(self, k: int) -> bool:
         angles = [s.angle for s in self.figure.coordinates]
@@ -220,7 +229,8 @@ class _Controls:
 
     def caption(self) -> str:
         figure = self.figure
-        chosen = [s for s in figure.parameters if not s.given]
+        driven = dict.fromkeys(figure.driven)
+        chosen = [s for s in figure.parameters if not s.given and s.label not in driven]
         start = figure.moves and not figure.released
         parts = []
         if chosen and len(chosen) == len(figure.parameters):
@@ -230,6 +240,19 @@ class _Controls:
             names = list(dict.fromkeys(self.math(s.label) for s in chosen)) + ["the initial state"] * start
             if names:
                 parts.append(f"Not given in the file, and chosen for this page: {', '.join(names)}.")
+        for u in map(self.math, driven):
+            parts.append(
+                f"The file does not say how {u} moves: here it oscillates about a mean, "
+                f"{u} = mean + amplitude · sin(frequency · time), with the numbers of the sliders."
+            )
+        if figure.pushed:
+            parts.append("It would stay at rest in this position, and begins a little beside it.")
+        if figure.data["motion"]:
+            until = figure.data["motion"][-1][-1]
+            parts.append(
+                f"Play goes through the motion computed by <code>lagsolve simulate</code>, up to {until:g} s, "
+                "and continues it."
+            )
         for left, right in figure.assumed:
             parts.append(f"The file leaves {self.math(left)} open; the figure takes {self.math(right)}.")
         return " ".join(parts)

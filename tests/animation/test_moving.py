@@ -1,11 +1,23 @@
 """What a figure that moves brings along: coordinates, values, reactions, what it takes for open functions."""
 
+import re
+
+import pytest
 import sympy as sp
 
 from lagrange.animation.figure import MovingFigure, Still
 from lagrange.animation.moving import moving_figure
-from lagrange.animation.values import angles_in
-from tests.support.shared import reported
+from lagrange.core.diagnostics import Fragment
+from lagrange.programs.defaults import angles_in
+from lagrange.programs.prepared import prepared
+from lagrange.programs.simulation import simulated
+from lagrange.programs.starting import settings_of
+from tests.support.shared import in_numbers, loaded, reported
+
+OWN = re.compile(
+    r"(?:[yzpu]|c\d+|const|return|own|eq|con|rea|ene|act|fig|sta|ini|sli|cur\d+|tra\d+|eql\d+|"
+    r"Math|sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|log|abs|sign|sqrt|pow)$"
+)
 
 
 def figure_of(name):
@@ -33,7 +45,7 @@ def test_a_disc_keeps_the_coordinates_of_the_file_with_their_constraints():
     figure = figure_of("rolling-disc")
     assert len(figure.coordinates) == 5
     assert figure.data["shape"]["eq"] == [5, 2]
-    assert figure.data["kept"] == 4  # the spin
+    assert figure.data["y"][9] == pytest.approx(5)  # the spin
 
 
 def test_an_initial_state_of_the_file_is_taken():
@@ -64,3 +76,33 @@ def test_what_cannot_be_drawn_stays_still_and_says_why():
 def test_angles_are_what_is_turned():
     a, b, c = sp.symbols("a b c", real=True)
     assert angles_in([sp.sin(2 * a + b) * c]) == {a, b}
+
+
+@pytest.mark.parametrize("name", ["ex13-moving-surface", "ex18-double-pendulum", "rolling-disc", "roberval-balance"])
+def test_no_name_of_a_file_is_in_a_program(name):
+    words = set(re.findall(r"[A-Za-z_]\w*", figure_of(name).code))
+    assert {w for w in words if not OWN.match(w)} == set()
+
+
+@pytest.mark.parametrize("name", ["ex11-ideal-pendulum", "heavy-top", "rolling-disc", "bead-on-rotating-hoop"])
+def test_a_page_begins_where_a_simulation_does(name):
+    figure, start = figure_of(name), in_numbers(name)
+    e, numbers = start.states.equations, {s.name: x for s, x in start.start.values.items()}
+    assert values(figure) == {n: numbers[n] for n in values(figure)}
+    at = dict(zip(e.state, start.start.state, strict=True))
+    count = len(e.slots.coordinates)
+    assert figure.data["y"][:count] == pytest.approx([at[q] for q in e.slots.coordinates], abs=1e-15)
+    expected = [float(sp.N(rate.xreplace({**at, **start.start.values}))) for rate in e.rates]
+    assert figure.data["y"][count : 2 * count] == pytest.approx(expected, abs=1e-14)
+
+
+def test_functions_of_the_command_line_move_the_page():
+    problem = loaded("pole-on-cart")
+    given = settings_of(problem, [Fragment.of("F=0.2*cos(2*t)", "--set")])
+    made = prepared(problem, None, given)
+    figure = moving_figure(reported("pole-on-cart", complete=False).solution, simulated(made.states, made.start, 0.1))
+    assert isinstance(figure, MovingFigure)
+    assert "Math.cos(2.0*y[4])" in figure.code
+    assert not any(s.meaning.startswith("amplitude") for s in figure.parameters)
+    assert figure.data["motion"][0] == pytest.approx(figure.data["y"], rel=1e-8)
+    assert figure.data["motion"][-1][-1] == 0.1

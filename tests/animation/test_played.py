@@ -14,10 +14,11 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from lagrange.animation.moving import moving_figure
+from lagrange.programs.simulation import simulated
 from lagrange.render import html
 from tests.support.browser import CHROMIUM
 from tests.support.played import DRIVE, played
-from tests.support.shared import reported
+from tests.support.shared import in_numbers, reported
 
 NAMES = (
     "ex11-ideal-pendulum",
@@ -33,8 +34,16 @@ NAMES = (
     "rod-in-bowl",
     "slider-crank",
 )
+SIMULATED = "the pendulum of `simulate`"
+FOLLOWED = """
+    if (document.querySelectorAll("iframe").length == found.length + 1) {
+      for (let k = 0; k < 20; k++) figure.querySelector("button.step").click();
+      one.followed = play(0).state;
+    }
+"""
 AT_REST = ("roberval-balance", "ex09-moving-surface", "rod-in-bowl", "slider-crank")
 TURN = """
+    one.nameless = [...figure.querySelectorAll("button, select, input")].filter(e => !e.getAttribute("aria-label") && !e.textContent.trim() && !(e.closest("label") || e).textContent.trim()).length;
     slide("p", 1, 2.5);
     one.turned = play(20);
     const button = figure.querySelector("button.play");
@@ -47,6 +56,8 @@ TURN = """
     one.slid = play(0);
     const rest = b => { b.click(); return {state: figure.dataset.state, unrest: figure.dataset.unrest, says: read("message")}; };
     one.rests = [...figure.querySelectorAll("button[data-rest]:enabled")].map(rest);
+    const press = async key => { figure.querySelector("svg.stage").dispatchEvent(new frame.KeyboardEvent("keydown", {key, bubbles: true})); await wait(300); return (figure.querySelector("button.play") || figure).getAttribute("aria-pressed"); };
+    one.pressed = [await press(" "), await press(" ")];
 """
 
 
@@ -57,10 +68,16 @@ def results():
     reports = [reported(name, complete=False) for name in NAMES]
     figures = [moving_figure(r.solution) for r in reports]
     pages = [html.render([(r.derivation, r.notation)], moving=[f]) for r, f in zip(reports, figures, strict=True)]
-    found = played(pages, DRIVE + TURN)
+    motion = reported("ex11-ideal-pendulum", complete=False).solution
+    begun = in_numbers("ex11-ideal-pendulum")
+    computed = moving_figure(motion, simulated(begun.states, begun.start, 3.0))
+    pages.append(html.render([(reports[0].derivation, reports[0].notation)], moving=[computed]))
+    recorded = 'one.recorded = [figure.querySelector("input.time")?.max, one.start.state, play(0).state];'
+    found = played(pages, recorded + FOLLOWED + DRIVE + TURN)
+    figures.append(computed)
     for one, figure in zip(found, figures, strict=True):
         one["names"] = [str(s.label) for s in figure.parameters]
-    return dict(zip(NAMES, found, strict=True))
+    return dict(zip((*NAMES, SIMULATED), found, strict=True))
 
 
 def numbers(one, at):
@@ -117,6 +134,26 @@ def test_play_plays(results):
     one = results["ex11-ideal-pendulum"]
     assert one["playing"] == "true"
     assert state(one, "later")[-1] > state(one, "turned")[-1]
+
+
+def test_a_simulated_page_goes_through_its_motion(results):
+    one = results[SIMULATED]
+    rows, start, again = one["recorded"]
+    assert int(rows) == 500
+    assert start == again == results["ex11-ideal-pendulum"]["start"]["state"]
+    followed = np.array(json.loads(one["followed"]))
+    assert followed[-1] == pytest.approx(0.4)
+    found = solve_ivp(
+        pendulum(numbers(one, "start")), (0, followed[-1]), json.loads(start)[:-1], rtol=1e-12, atol=1e-12
+    )
+    assert followed[:-1] == pytest.approx(found.y[:, -1], abs=1e-7)
+    assert float(one["run"]["drift"]) < 1e-7
+
+
+def test_controls_have_names_and_the_space_bar_plays(results):
+    for name, one in results.items():
+        assert one["nameless"] == 0, name
+        assert one["pressed"] == [None, None] if name in AT_REST else ["true", "false"], name
 
 
 # References

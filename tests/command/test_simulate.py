@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+import math
 import re
 from pathlib import Path
 
@@ -35,6 +37,24 @@ def test_files_are_what_their_endings_say(ending: str, begin: bytes, tmp_path: P
     path = tmp_path / f"motion.{ending}"
     assert run("simulate", "ex11", "--until", "1", "-o", str(path)).exit_code == 0
     assert path.read_bytes().startswith(begin)
+
+
+def test_a_page_begins_with_the_command_line(tmp_path: Path) -> None:
+    path = tmp_path / "x.html"
+    settings = [f"--set={s}" for s in ("phi1=60 deg", "phi2'=0.5", "l1=0.7")]
+    result = run("simulate", "ex18", "--choice", "angles", *settings, "--until", "2", "-o", str(path))
+    assert result.exit_code == 0
+    page = path.read_text()
+    [data] = re.findall(r'<script type="application/json">(.*?)</script>', page)
+    found = json.loads(data)
+    assert found["y"][0] == pytest.approx(math.pi / 3, rel=1e-15)
+    assert found["y"][2:] == [0, 0.5, 0]
+    assert found["p"].count(0.7) == 1
+    assert found["motion"][-1][-1] == 2
+    table = run("simulate", "ex18", "--choice", "angles", *settings, "--until", "2", "-o", "-").stdout.splitlines()
+    first, last = ([float(x) for x in line.split(",")] for line in (table[1], table[-1]))
+    assert found["y"][:4] == pytest.approx(first[1:5], rel=1e-11)
+    assert found["motion"][-1][:4] == pytest.approx(last[1:5], rel=1e-8)
 
 
 def test_a_title_of_a_file_is_not_set_as_mathematics(tmp_path: Path) -> None:
