@@ -152,7 +152,8 @@ def _second(s: OnSurface) -> sp.Expr:
 
 
 def in_vectors(s: OnSurface, steps: Iterable[Step]) -> Iterator[Step]:
-    """The steps of the page in vectors."""
+    """The steps of the page in vectors; the matrix form, in components, stands in the complete derivation only."""
+    has_motion = False
     for step in steps:
         match step.rule:
             case Rule.STATEMENT:
@@ -168,7 +169,9 @@ def in_vectors(s: OnSurface, steps: Iterable[Step]) -> Iterator[Step]:
             case Rule.PRINCIPLE:
                 yield _principle(s)
             case Rule.EQUATIONS_OF_MOTION:
-                yield _motion(s, step)
+                if not has_motion:
+                    yield _motion(s, step)
+                has_motion = True
             case Rule.SOLVED_REACTIONS:
                 yield _reaction(s, step)
             case Rule.CONSERVED:
