@@ -1,4 +1,4 @@
-"""A system that can be moved on a web page: its program in JavaScript and what the page has to know besides.
+"""The moving figure of a web page: the equations of motion in JavaScript, and the data that the page needs.
 
 The page integrates
 
@@ -6,7 +6,7 @@ The page integrates
 
 in the coordinates of a choice that satisfies the constraints by itself, where there is one, otherwise in those of the
 file with the constraints kept by projection. The reactions come from the same equations in the coordinates of the
-file, at the state z = (Q, Q', t, q) that belongs to y. At rest it has the generalized forces in place of M.
+file, at the state z = (Q, Q', t, q) that belongs to y. For positions of rest it has the generalized forces instead of M.
 
 What cannot be written as JavaScript (a function that the file leaves open) makes a page without motion; `Still` says
 why.
@@ -305,14 +305,14 @@ class _Maker:
         return [self.put(v) for v in values]
 
     def _slips(self) -> list[sp.Expr]:
-        """The speeds of what slips, positive in the sense in which it is said to; of a slip in a plane its square."""
+        """The speeds of slip, positive in the sense that the file states; of a slip in a plane its square."""
         forces = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
         self.slips = [2 if f.speed is None else 1 if f.sense.is_number else 0 for f in forces]
         return [self.put(f.slip.dot(f.slip) if f.speed is None else f.speed * f.sense if f.sense.is_number else f.speed)
                 for f in forces]  # fmt: skip
 
     def _guards(self) -> list[int]:
-        """For each reaction when the equations no longer hold: where λ has not this sign (1, -1), where the force is
+        """For each reaction when the equations cease to hold: where λ does not have this sign (1, -1), where the force is
         negative (2), or where it changes its sign (3: it cannot pull on what lies on a surface); 0 never.
         """
         frictions = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()

@@ -2,7 +2,7 @@
 
 Lengths are those of the drawing, so that the figure looks as it does on paper; what has a unit of its own gets a value
 by the unit (9.81 m/s², 20 N/m). The motion begins in the position that is drawn, unless the file has an initial state:
-a coordinate that the potential energy contains is let go from rest, one that it does not contain moves already, so that
+a coordinate that the potential energy contains starts from rest, one that it does not contain starts moving, so that
 something happens. A spinning body spins fast, as a top does.
 """
 

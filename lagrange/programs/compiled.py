@@ -1,7 +1,7 @@
 """Expressions as Python functions.
 
 The text that is compiled is written by `printer.py` and `languages.py` from numbers, a short list of functions, and
-names of the program's own: y0, p3, c12. Nothing in it comes from a file. What depends on parameters alone is evaluated
+names of the program's own: y0, p3, c12. Nothing in it comes from a file. Parts that depend on parameters alone are evaluated
 once, when the function is made.
 """
 

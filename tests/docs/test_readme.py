@@ -146,7 +146,10 @@ def test_what_is_said_of_sympy() -> None:
     assert not [name for name in public if re.search("integrab|check|verif|equilib|conserv|derivation", name)]
 
 
-PAGES = [*sorted((ROOT / "docs").glob("*.md")), *(ROOT / f"{name}.md" for name in ("README", "CONTRIBUTING", "SECURITY"))]
+PAGES = [
+    *sorted((ROOT / "docs").glob("*.md")),
+    *(ROOT / f"{name}.md" for name in ("README", "CONTRIBUTING", "SECURITY")),
+]
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
@@ -161,4 +164,6 @@ def test_links_lead_somewhere(page: Path) -> None:
 
 
 def test_every_page_is_in_the_readme() -> None:
-    assert {f"docs/{page.name}" for page in PAGES if page.parent.name == "docs"} <= set(re.findall(r"\]\((docs/[^)#]+)\)", README))
+    assert {f"docs/{page.name}" for page in PAGES if page.parent.name == "docs"} <= set(
+        re.findall(r"\]\((docs/[^)#]+)\)", README)
+    )

@@ -1,8 +1,8 @@
-"""The page from the full derivation: what is put first, what is joined, what is folded.
+"""The page from the full derivation: which steps come first, are joined, or are folded.
 
 The full derivation has a step for each idea, in the order of the chapter. On the page the result comes first. Geometric
 constraints that are independent and free of time need no separate sections on form, exactness, classification and
-freedom: they share one. Displacements stand where they are used, with the work of the reactions. Of several choices of
+freedom: they share one. Displacements appear where they are used, with the work of the reactions. Of several choices of
 coordinates the first is shown; the others are folded. All other steps are those of the derivation.
 """
 
@@ -286,7 +286,7 @@ def _of_forms(solution: Solution, step: Step) -> Step:
 
 
 def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]:
-    """Tensions in place of multipliers; in the file's coordinates and those of the first choice at once."""
+    """Tensions instead of multipliers; in the file's coordinates and those of the first choice at once."""
     view = next(v for v in solution.views if v.name == step.choice)
     if view.dynamics is None or view.dynamics.reactions is None or view.equilibrium is not None:
         yield step
