@@ -118,7 +118,7 @@ class Simulation:
 
 
 def meant(states: StateEquations, expression: sp.Expr) -> sp.Expr:
-    """An expression of a file in terms of state, accelerations and multipliers, with energies and reactions substituted."""
+    """An expression of a file in terms of state, accelerations and multipliers: energies, reactions substituted."""
     rule: dict[sp.Basic, sp.Basic] = {sp.Symbol(n, real=True): e for n, e in states.reactions.items()}
     if states.energy is not None:
         rule[ENERGY] = states.energy
@@ -426,8 +426,8 @@ def _judged(made: Simulation) -> Simulation:
 def _largest_change(made: Simulation, expression: sp.Expr, *, from_zero: bool = False) -> float:
     """The largest change of an expression along a motion, relative to its size.
 
-    The size is the largest sum of the absolute values of its terms or, for an expression that stays about zero, the change
-    that the largest values of all coordinates and speeds would cause.
+    The size is the largest sum of the absolute values of its terms or, for an expression that stays about zero, the
+    change that the largest values of all coordinates and speeds would cause.
     """
     import numpy
 
