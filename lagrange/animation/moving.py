@@ -315,8 +315,8 @@ class _Maker:
     def _guards(self) -> list[int]:
         """For each reaction when the equations cease to hold; 0: never.
 
-        1 or -1: where λ does not have this sign. 2: where the force is negative. 3: where it changes its sign, as it cannot
-        pull on what lies on a surface.
+        1 or -1: where λ does not have this sign. 2: where the force is negative. 3: where it changes its sign, as it
+        cannot pull on what lies on a surface.
         """
         frictions = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
         pressed = {f.reaction.name: int(f.contact) for f in frictions if f.contact.is_Integer}

@@ -68,7 +68,7 @@ LONGEST_BEFORE = 25
 
 _FOLLOWING = (Rule.EQUATIONS_OF_MOTION, Rule.EQUILIBRIUM)
 """What comes under one title with the coordinates in which it is."""
-_ABOUT_CONSTRAINTS = (
+ABOUT_CONSTRAINTS = (
     Rule.CONSTRAINT,
     Rule.PFAFFIAN_FORM,
     Rule.INTEGRABILITY,
@@ -188,7 +188,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
     own = written if isinstance(written, DalembertMotion) else None
     for step in steps:
-        if (geometric or free) and step.rule in _ABOUT_CONSTRAINTS:
+        if (geometric or free) and step.rule in ABOUT_CONSTRAINTS:
             if geometric and step.rule is Rule.CONSTRAINT:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
