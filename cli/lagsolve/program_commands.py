@@ -216,6 +216,8 @@ def _write(result: Simulation, output: str, ending: str) -> None:
 
 def _write_page(problem: Problem, choice: str | None, result: Simulation, output: str) -> None:
     """The page of the problem, on which the figure goes through the motion that was computed."""
+    from pathlib import Path
+
     from lagrange.animation.moving import moving_figure
     from lagrange.explain.report import report
     from lagrange.render import html

@@ -1,4 +1,4 @@
-"""A system that can be moved on a web page: its program in JavaScript and what the page has to know besides.
+"""The moving figure of a web page: the equations of motion in JavaScript, and the data that the page needs.
 
 The page integrates
 
@@ -6,7 +6,8 @@ The page integrates
 
 in the coordinates of a choice that satisfies the constraints by itself, where there is one, otherwise in those of the
 file with the constraints kept by projection. The reactions come from the same equations in the coordinates of the
-file, at the state z = (Q, Q', t, q) that belongs to y. At rest it has the generalized forces in place of M.
+file, at the state z = (Q, Q', t, q) that belongs to y. For positions of rest it has the generalized forces instead of
+M.
 
 What cannot be written as JavaScript (a function that the file leaves open) makes a page without motion; `Still` says
 why.
@@ -310,14 +311,16 @@ class _Maker:
         return [self.put(v) for v in values]
 
     def _slips(self) -> list[sp.Expr]:
-        """The speeds of what slips."""
+        """The speeds of slip, positive in the sense that the file states; of a slip in a plane its square."""
         found = [*slip_speeds(self.view.dynamics)]
         self.slips = [int(kind) for kind, _ in found]
         return [self.put(e) for _, e in found]
 
     def _guards(self) -> list[int]:
-        """For each reaction when the equations no longer hold: where λ has not this sign (1, -1), where the force is
-        negative (2), or where it changes its sign (3: it cannot pull on what lies on a surface); 0 never.
+        """For each reaction when the equations cease to hold; 0: never.
+
+        1 or -1: where λ does not have this sign. 2: where the force is negative. 3: where it changes its sign, as it
+        cannot pull on what lies on a surface.
         """
         frictions = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
         pressed = {f.reaction.name: int(f.contact) for f in frictions if f.contact.is_Integer}

@@ -1,8 +1,8 @@
-"""What a figure takes for functions that the file leaves open, so that it can be drawn and moved.
+"""Sample functions for those that the file leaves open, so that the figure can be drawn and moved.
 
 A surface f(x − u t, y, z) = c of no particular shape becomes a bowl, f = Z − (X² + Y²)/4, a curve y = f(x) a parabola;
 a potential U(r) becomes that of a spring, a resistance D(v) one that is proportional to the speed. A force F_x(x, ...)
-along a Cartesian axis is zero, but for the weight of the particle on a surface. The page says what was taken.
+along a Cartesian axis is zero, except for the weight of a particle on a surface. The page states these choices.
 """
 
 from __future__ import annotations

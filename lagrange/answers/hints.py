@@ -56,15 +56,8 @@ _SLIPS = {
     Slip.DOT: "another time derivative",
     Slip.NUMBER: "a number",
 }
-_WHY = {
-    Slip.FUNCTION: "sine and cosine",
-    Slip.SMALL_ANGLE: "the angle is not small",
-    Slip.EXACT_ANGLE: "",
-    Slip.ANGLE: "another angle",
-    Slip.COORDINATE: "another coordinate",
-    Slip.PARAMETER: "another parameter",
-    Slip.DOT: "another time derivative",
-}
+_WHY = {s: _SLIPS[s] for s in (Slip.FUNCTION, Slip.ANGLE, Slip.COORDINATE, Slip.PARAMETER, Slip.DOT)}
+_WHY |= {Slip.SMALL_ANGLE: "the angle is not small", Slip.EXACT_ANGLE: ""}
 
 
 def cause_of(change: Diagnosis | None) -> str:

@@ -89,6 +89,12 @@ class EquationVerdict:
     cause: str = ""
     model: str = ""
 
+    @classmethod
+    def of(cls, text: str, verdict: Verdict, comment: str) -> EquationVerdict:
+        """The verdict with a comment: a remark if it is right, otherwise the diagnosis."""
+        right = verdict is Verdict.EQUIVALENT
+        return cls(text, verdict, "" if right else comment, (comment,) if right and comment else ())
+
     def at_hint_level(self, level: int) -> EquationVerdict:
         """The verdict with the diagnosis of a hint level: 1, 2 or 3; only the last names the cause."""
         if not self.hints:

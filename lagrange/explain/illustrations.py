@@ -126,8 +126,8 @@ def _picture(draw: Callable[[], Scene | None], caption: tuple[Part, ...], alt: s
 
 def _of_system(solution: Solution, notation: Notation, *, with_loads: bool) -> Picture:
     def draw() -> Scene | None:
-        from lagrange.pictures.configurations import configuration_scene
         from lagrange.pictures.surfaces import has_generic_surface, surface_scene
+        from lagrange.pictures.system_drawing import configuration_scene
         from lagrange.pictures.systems import system_in_file
 
         if has_generic_surface(solution.own.configuration):
@@ -159,7 +159,7 @@ def _of_choice(solution: Solution, coordinates: GeneralizedCoordinates, notation
     chosen = configuration.slots.coordinates
 
     def draw() -> Scene | None:
-        from lagrange.pictures.configurations import configuration_scene
+        from lagrange.pictures.system_drawing import configuration_scene
         from lagrange.pictures.systems import system_in_choice
 
         system = system_in_choice(solution, configuration)

@@ -12,7 +12,7 @@ from dataclasses import field
 
 from lagrange.core.diagnostics import Fragment, Span
 from lagrange.core.records import record
-from lagrange.expressions.latex_layout import OneEquation
+from lagrange.expressions.latex_layout import OneEquation, is_latex
 
 Edit = tuple[int, int, str]
 """Where something begins and ends (exclusive), and what replaces it."""
@@ -113,3 +113,12 @@ def cuts(text: str, separator: re.Pattern[str]) -> list[tuple[int, int]]:
             parts.append((start, match.start()))
             start = match.end()
     return [*parts, (start, len(text))]
+
+
+def cut(fragment: Fragment, start: int, end: int) -> Fragment:
+    """A part of a fragment, with its place; the fragment itself if it is all of it."""
+    if (start, end) == (0, len(fragment.text)):
+        return fragment
+    draft = Draft(fragment)
+    draft.keep(start, end)
+    return draft.finished(latex=is_latex(fragment))

@@ -1,8 +1,8 @@
 """Expressions as Python functions.
 
 The text that is compiled is written by `printer.py` and `languages.py` from numbers, a short list of functions, and
-names of the program's own: y0, p3, c12. Nothing in it comes from a file. What depends on parameters alone is evaluated
-once, when the function is made.
+names of the program's own: y0, p3, c12. Nothing in it comes from a file. Parts that depend on parameters alone are
+evaluated once, when the function is made.
 """
 
 from __future__ import annotations

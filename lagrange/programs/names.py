@@ -1,8 +1,8 @@
 """Legal names for symbols: `theta'` is `theta_dot`, `θ'` is `theta_dot`, `lambda` is `lambda_`.
 
-A name is made of the letters A to Z, a to z, digits and underscores alone, begins with a letter, is no word of any of
-the languages, and belongs to one symbol. Whatever cannot be made so is `s1`, `s2`, ... Numbered names, y0, p3, c12,
-take nothing from the file at all.
+A name is made of the letters A to Z, a to z, digits and underscores alone, begins with a letter, is not a keyword of
+any of the languages, and belongs to one symbol. Whatever cannot be made so is `s1`, `s2`, ... Numbered names, y0, p3,
+c12, take nothing from the file at all.
 """
 
 from __future__ import annotations

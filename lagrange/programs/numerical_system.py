@@ -1,4 +1,4 @@
-"""A motion in numbers: dy/dt, the constraints, and whatever is a function of the state.
+"""A motion in numbers: dy/dt, the constraints, and any other function of the state.
 
     M s' − Aᵀ λ = f ,     A s' = b
 
@@ -8,7 +8,7 @@ States are brought back to the constraints by the shortest change, positions fir
     δq = −Gᵀ (G Gᵀ)⁻¹ g   until g(q, t) = 0 ,     δs = −Aᵀ (A Aᵀ)⁻¹ φ   until φ = A s + a_t = 0 .
 
 Dry friction depends on signs, of the slip and of reactions. While the motion is integrated each of them is a constant,
-+1 or −1, and a step ends where what it is the sign of vanishes: f is smooth within a step.
++1 or −1, and a step ends where its argument vanishes: f is smooth within a step.
 """
 
 from __future__ import annotations

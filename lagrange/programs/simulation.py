@@ -118,7 +118,7 @@ class Simulation:
 
 
 def meant(states: StateEquations, expression: sp.Expr) -> sp.Expr:
-    """An expression of a file in state, accelerations and multipliers: energies and reactions put in."""
+    """An expression of a file in terms of state, accelerations and multipliers: energies, reactions substituted."""
     rule: dict[sp.Basic, sp.Basic] = {sp.Symbol(n, real=True): e for n, e in states.reactions.items()}
     if states.energy is not None:
         rule[ENERGY] = states.energy
@@ -158,7 +158,7 @@ def simulated(
     samples: int | None = None,
     tolerance: float = TOLERANCE,
 ) -> Simulation:
-    """The motion from its start until a time, or until its equations end to hold.
+    """The motion from its start until a time, or until its equations cease to hold.
 
     Raises NotCoveredError where the equations contain something that has no numbers.
     """
@@ -426,8 +426,8 @@ def _judged(made: Simulation) -> Simulation:
 def _largest_change(made: Simulation, expression: sp.Expr, *, from_zero: bool = False) -> float:
     """The largest change of an expression along a motion, relative to its size.
 
-    That is the largest sum of the sizes of its terms or, for what is about zero all the time, what changes of all
-    coordinates and speeds by their largest values would make of it.
+    The size is the largest sum of the absolute values of its terms or, for an expression that stays about zero, the
+    change that the largest values of all coordinates and speeds would cause.
     """
     import numpy
 
@@ -462,7 +462,7 @@ def _reach(made: Simulation, expression: sp.Expr) -> float:
 
 
 def longest_time(states: StateEquations, start: Start) -> float:
-    """How long a motion is followed if nobody says: about thirty times its time of change, rounded; 10 s if unknown.
+    """The default duration of a simulation: about thirty times its time of change, rounded; 10 s if unknown.
 
     In its time of change an acceleration like that of the start makes the length or, from the origin, the speed of the
     start; without an acceleration the speed makes the length.

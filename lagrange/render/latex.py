@@ -36,19 +36,21 @@ from lagrange.render.tex_layout import ALIGN, Typesetter, Vectors, at_relations,
 from lagrange.render.tikz import picture
 from lagrange.render.walk import Emitter, block_lines
 
-PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
-\usepackage[utf8]{inputenc}
+PACKAGES = r"""\usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
 \usepackage{lmodern}
 \usepackage{amsmath,amssymb}
 \usepackage{tikz}
 \usetikzlibrary{arrows.meta}
+"""
+PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
+PACKAGES
 \usepackage[margin=25mm, top=18mm, bottom=20mm]{geometry}
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{0.5\baselineskip}
 \setlength{\emergencystretch}{3em}
 \allowdisplaybreaks
-"""
+""".replace("PACKAGES\n", PACKAGES)
 PICTURES = r""", \usepackage{tikz} and \usetikzlibrary{arrows.meta}
 % for pictures"""
 FRAGMENT = r"""% lagsolve: needs \usepackage{amsmath,amssymb}PICTURES, a text width of about 160 mm at 11 pt,

@@ -228,3 +228,12 @@ def test_the_page_has_every_package_in_its_order() -> None:
 def test_files_named_on_the_page_exist() -> None:
     mentioned = set(re.findall(r"`((?:\w+/)+\w+\.py)`", PAGE))
     assert {m for m in mentioned if not (ROOT / m).is_file() and not (ROOT / "lagrange" / m).is_file()} == set()
+
+
+def test_every_module_is_tested_by_a_file_that_can_be_found() -> None:
+    """`python -m tests.support.tests_of MODULE` names it."""
+    from tests.support.tests_of import tests_of
+
+    modules = [m for m, path in FILES.items() if path.stem not in ("__init__", "__main__")]
+    assert [m for m in modules if not tests_of(m)] == []
+    assert [p.name for p in tests_of("lagrange.algebra.exact.triangular")] == ["test_sampler.py"]

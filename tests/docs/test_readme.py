@@ -1,6 +1,6 @@
 """The README is true: its problem file solves, its commands run, what it shows is what is printed.
 
-Every line of a block of commands is run, or stands in `NOT_RUN` with the reason. What it says of SymPy is asked of SymPy.
+Every line of a block of commands is run, or stands in `NOT_RUN` with the reason. What docs/other-programs.md says of SymPy is asked of SymPy.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ SHOWN = [text for kind, text in BLOCKS if not kind]
 NOT_RUN = {
     "make demo": "makes an environment over the network; the command that it runs is `lagsolve ex11-ideal-pendulum`",
     "make test": "runs this test",
+    "make test-all": "runs this test",
     "pip install .": "test_packaging installs the wheel and runs the command",
     "pipx install .": "pip in an environment of its own, as in test_packaging",
     "lagsolve bead.yaml --watch": "never ends; command/test_watching.py runs it",
@@ -145,6 +146,24 @@ def test_what_is_said_of_sympy() -> None:
     assert not [name for name in public if re.search("integrab|check|verif|equilib|conserv|derivation", name)]
 
 
-def test_links_lead_somewhere() -> None:
-    for target in re.findall(r"\]\(([^)#]+)\)|src=\"([^\"]+)\"", README):
-        assert (ROOT / "".join(target)).exists(), target
+PAGES = [
+    *sorted((ROOT / "docs").glob("*.md")),
+    *(ROOT / f"{name}.md" for name in ("README", "CONTRIBUTING", "SECURITY")),
+]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_links_lead_somewhere(page: Path) -> None:
+    text = re.sub(r"^```.*?^```|`[^`\n]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL | re.MULTILINE)
+    for target in re.findall(r"\]\((?!\w+:)([^)]+)\)|src=\"([^\"]+)\"", text):
+        name, _, anchor = "".join(target).partition("#")
+        linked = page.parent / name if name else page
+        assert linked.exists(), target
+        headings = re.findall(r"^#+ (.*)", linked.read_text(encoding="utf-8"), re.MULTILINE) if anchor else []
+        assert not anchor or anchor in {re.sub(r"[^\w -]", "", h.lower()).replace(" ", "-") for h in headings}, target
+
+
+def test_every_page_is_in_the_readme() -> None:
+    assert {f"docs/{page.name}" for page in PAGES if page.parent.name == "docs"} <= set(
+        re.findall(r"\]\((docs/[^)#]+)\)", README)
+    )

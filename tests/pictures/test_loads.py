@@ -9,9 +9,9 @@ import sympy as sp
 
 from lagrange.document.scene import StrokeKind
 from lagrange.explain.report import report
-from lagrange.pictures.configurations import configuration_scene
 from lagrange.pictures.free_bodies import free_body_scene
 from lagrange.pictures.loads import acting_on
+from lagrange.pictures.system_drawing import configuration_scene
 from lagrange.pictures.systems import SystemPicture, system_in_file
 from tests.support.drawings import CLOSE, evaluated, lines_of, system_of
 from tests.support.paths import PROBLEMS

@@ -1,6 +1,6 @@
-"""What a command line names: the problems of an assignment, then the answers to them.
+"""The names on a command line: the problems of an assignment, then the answers to them.
 
-The first name is a problem and the last one an answer. What is between is a problem as long as it is the name of one
+The first name is a problem and the last one an answer. A name between them is a problem if it is that of one
 in the library, where there is no such file, or a YAML file with `coordinates`, as every problem file has and no file
 of answers.
 """
@@ -50,7 +50,7 @@ def _is_problem(name: str) -> bool:
 def labelled(named: Sequence[str]) -> tuple[tuple[str, Source], ...]:
     """The problems with their labels, which differ: the name in the library as it was typed, or that of the file.
 
-    Raises ProblemError where one does not exist, or stands there twice.
+    Raises ProblemError where one does not exist, or is named twice.
     """
     sources = [problem_source(name) for name in named]
     labels = [

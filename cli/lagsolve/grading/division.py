@@ -4,7 +4,7 @@ A part is found by the first of these that applies.
 
     a key of a YAML file     `ex11: {equations: [...]}`, or `ex11: ["..."]`, equations alone
     a heading                `## Problem 2`, `\section*{Ex. 11}`, `**Ideal pendulum**`, `2)` on a line of its own, and
-                             `Problem 2: x'' = 0` with the answer behind it
+                             `Problem 2: x'' = 0` with the answer after it
     the name of the file     `ex11.tex`, `problem2.txt`, `anna-2.md`
 
 A problem is called by its label (`ex11`), the name of its file, its title, its number if it has one (`Exercise 11`), or

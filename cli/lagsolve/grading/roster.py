@@ -1,4 +1,4 @@
-"""The table of a course that says who is who and when something was handed in.
+"""The roster of a course: who the students are, and when each submission was handed in.
 
 It is one of
 
@@ -69,7 +69,7 @@ class Roster:
     """The table, read.
 
     kind      `own`, `moodle`, `canvas`, `gradescope`; empty if there is none
-    lines     header and rows, as they stand in the file
+    lines     header and rows, as in the file
     previous  the best score of earlier attempts, where the platform tells it
     """
 

@@ -1,8 +1,8 @@
 """What a class got wrong: a page for the teacher, in one file without scripts, and the same numbers as CSV.
 
-Only numbers of students are on it: no name, no mark of one person, no text that somebody wrote. For each problem
+It counts students, and contains no name, no individual mark and no text of a student. For each problem
 there are the verdicts, the distribution of the points, and the mistakes, each with how many made it. Of several
-attempts those count that count for the marks; where a mistake was made by one person alone it is not named, because
+attempts the one that counts for the marks is taken. A mistake that only one person made is not named, because
 those who know the class would know whose it is.
 """
 

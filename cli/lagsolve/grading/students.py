@@ -1,12 +1,12 @@
-"""Who handed in what: the student behind the name of a file, attempts, and which of them counts.
+"""Whose submission it is: the student from the name of a file, attempts, and which of them counts.
 
 Platforms name the files that they give out. Moodle: `Anna Bell_12345_assignsubmission_file_answer.txt`, or a folder of
 that name without the file's; Canvas: `bellanna_LATE_1001_2002_answer.txt`, with the numbers of the student and of the
 file, and `LATE` after the due date. Elsewhere the name without its extension is the student, and without a number at
 its end where attempts are counted: `anna-2.txt`, `anna attempt 2.tex`, `anna (2).md`.
 
-The time at which a file was last changed says nothing of when it was handed in: it is that of the download, or what its
-author wanted it to be. When something was handed in only the platform knows: see `roster`.
+The time at which a file was last changed says nothing about when it was handed in: it is that of the download, or what
+its author wanted it to be. Only the platform knows that: see `roster`.
 """
 
 from __future__ import annotations

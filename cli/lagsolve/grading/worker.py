@@ -45,7 +45,7 @@ class MemoryLimitError(StoppedError):
 
 
 class LostError(StoppedError):
-    """The process ended during a call: somebody killed it, or it crashed."""
+    """The process ended during a call: it was killed, or it crashed."""
 
 
 class CallFailedError(StoppedError):

@@ -1,1 +1,1 @@
-"""What teaching platforms read and write: results, tables of marks, questions, files to begin with."""
+"""Formats of teaching platforms: results, tables of marks, questions, starter files."""

@@ -6,8 +6,8 @@ the gradebook: `Student`, `ID`, `SIS User ID`, `SIS Login ID`, `Section`, then a
 Possible` (lib/gradebook_importer.rb).
 
 Where the platform's own table is given as a roster its rows and columns are kept, and the marks are scaled to the
-maximum that it states. A student with an answer that a person has to look at gets no mark, and keeps the one there
-is.
+maximum that it states. A student whose answer needs a person's judgement gets no new mark, and keeps any
+existing one.
 """
 
 from __future__ import annotations

@@ -5,8 +5,8 @@
     moodle        an XML file with an essay question
     coderunner    an XML file with CodeRunner's prototype and a question
 
-Gradescope's sandbox has Ubuntu and the network while it is set up, PrairieLearn's has no network, and Jobe has only
-what its administrator has installed; docs/teachers.md says what follows from that.
+Gradescope's sandbox is Ubuntu, with a network while the image is built; PrairieLearn's has no network, and Jobe has
+only what its administrator has installed; docs/teachers.md says what follows from that.
 """
 
 from __future__ import annotations

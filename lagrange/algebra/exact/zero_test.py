@@ -255,6 +255,14 @@ def is_zero(expression: sp.Expr, surface: Surface | None = None) -> bool | None:
     return (surface or Surface()).is_zero(expression)
 
 
+def vanishes(expression: sp.Expr) -> bool:
+    """Whether an expression is zero for certain; what divides by zero is not."""
+    try:
+        return is_zero(expression) is True
+    except DivisionByZeroError:
+        return False
+
+
 def are_equal(a: sp.Expr, b: sp.Expr, surface: Surface | None = None) -> bool | None:
     """`Surface.are_equal`, by default on no surface."""
     return (surface or Surface()).are_equal(a, b)

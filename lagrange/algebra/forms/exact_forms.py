@@ -19,7 +19,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative, multiplied_out
 from lagrange.algebra.forms.limits import LARGEST_INTEGRAND
 from lagrange.core.symbols import Slots, Unspecified, base, partial, t
@@ -51,16 +51,9 @@ def primitive(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol], slots: Sl
     positive = f.replace(sp.log, lambda e: sp.log(e.args[0] if isinstance(e, sp.Abs) else e))
     for candidate in (f, positive) if positive != f else (f,):
         differences = (differentiated(candidate, v, slots) - a for v, a in zip(variables, form, strict=True))
-        if all(_vanishes(d) for d in differences):
+        if all(vanishes(d) for d in differences):
             return candidate
     return None
-
-
-def _vanishes(e: sp.Expr) -> bool:
-    try:
-        return is_zero(e) is True
-    except DivisionByZeroError:
-        return False
 
 
 def differentiated(e: sp.Expr, v: sp.Symbol, slots: Slots) -> sp.Expr:
@@ -126,7 +119,7 @@ def _remainder(a: sp.Expr, taken: sp.Expr, done: Sequence[sp.Symbol]) -> sp.Expr
     rest = a - taken
     if not rest.free_symbols & set(done):
         return rest
-    if sp.count_ops(rest) <= LARGEST_INTEGRAND and _vanishes(rest):
+    if sp.count_ops(rest) <= LARGEST_INTEGRAND and vanishes(rest):
         return sp.S.Zero
     # The rest may still be written with variables on which it does not depend: any number may take their place.
     rest = multiplied_out(rest)
@@ -145,12 +138,12 @@ def _is_sign_of_size(e: sp.Expr) -> bool:
 def _steady(e: sp.Expr, v: sp.Symbol) -> sp.Expr | None:
     """The expression without v, if it does not depend on it: sin² v + cos² v is 1. None where it does."""
     rate = sp.diff(e, v)
-    if sp.count_ops(rate) > LARGEST_INTEGRAND or not _vanishes(rate):
+    if sp.count_ops(rate) > LARGEST_INTEGRAND or not vanishes(rate):
         return None
     value = at_some_value(e, v)
     if value is not None and value.is_number and not value.is_Rational and value.is_finite:
         near = sp.Rational(str(sp.N(value, 20))).limit_denominator(60)
-        return near if _vanishes(e - near) else value
+        return near if vanishes(e - near) else value
     return value
 
 

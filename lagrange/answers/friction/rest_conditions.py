@@ -21,7 +21,7 @@ from lagrange.answers.verdicts import AnswerVerdict, EquationVerdict, Verdict
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.verdicts import all_hold
-from lagrange.expressions.edits import Draft, closings, cuts
+from lagrange.expressions.edits import Draft, closings, cut, cuts
 from lagrange.expressions.latex_layout import is_latex
 from lagrange.expressions.relations import limit_of
 from lagrange.mechanics.equilibrium.friction.friction_at_rest import AtRest
@@ -73,20 +73,12 @@ def _each(fragment: Fragment) -> Iterator[Fragment]:
         bounds = [0, *(m.end() for m in signs), len(part.text)]
         for n in range(max(1, len(signs) - 1)):
             start, end = bounds[n], signs[n + 1].start() if n + 1 < len(signs) else len(part.text)
-            piece = _cut(part, start, end)
+            piece = cut(part, start, end)
             yield from _without_extremes(piece)
 
 
 def _pieces(fragment: Fragment, separator: re.Pattern[str]) -> list[Fragment]:
-    return [_cut(fragment, *place) for place in cuts(fragment.text, separator) if fragment.text[slice(*place)].strip()]
-
-
-def _cut(fragment: Fragment, start: int, end: int) -> Fragment:
-    if (start, end) == (0, len(fragment.text)):
-        return fragment
-    draft = Draft(fragment)
-    draft.keep(start, end)
-    return draft.finished(latex=is_latex(fragment))
+    return [cut(fragment, *place) for place in cuts(fragment.text, separator) if fragment.text[slice(*place)].strip()]
 
 
 def _without_extremes(condition: Fragment) -> list[Fragment]:

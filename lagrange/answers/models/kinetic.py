@@ -223,7 +223,7 @@ def other_inertia(m: Mechanics) -> Iterator[Variation]:
 
 
 def _about_another_point(m: Mechanics, r: Inertia) -> Iterator[Variation]:
-    """The moment of inertia about a point of the path in place of the centre: the square of one rate counted twice."""
+    """The moment of inertia about a point of the path instead of the centre: the square of one rate counted twice."""
     for p in (p for p in m.particles if p.name == r.name):
         for i in {*p.moving} & {*r.moving}:
             clause = f"with the moment of inertia of {called(r.name)} about another point than its mass centre"

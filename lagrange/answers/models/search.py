@@ -307,7 +307,7 @@ class _Search:
         return None
 
     def _factor(self, n: int, residue: NumberRow, own: NumberRow, k: int, at: ModelState) -> sp.Rational | None:
-        """The factor 1 + x/s_k that a group has in equation n, a multiple of E_k but for the group; None if it is
+        """The factor 1 + x/s_k that a group has in equation n, a multiple of E_k apart from the group; None if it is
         none."""
         vanishes, reduce, inverse = (
             at.point.arithmetic.vanishes,

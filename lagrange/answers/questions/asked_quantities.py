@@ -17,9 +17,10 @@ import sympy as sp
 from lagrange.algebra.closed_forms.unit_circle import CIRCULAR
 from lagrange.algebra.exact.zero_test import DivisionByZeroError, NoPointError, UnsupportedError, is_zero
 from lagrange.answers.force_names import meanings
+from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.answers.written.statements import statement
 from lagrange.answers.written.working import tried
@@ -42,7 +43,6 @@ _FACTORS = (
     (1 / (2 * sp.pi), "there is a factor 2*pi too many"),
 )
 """What would make a wrong value right."""
-_ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED, Verdict.INCOMPLETE, Verdict.TRIVIAL)
 _SIDES = "one of two opposite values: the sense of the motion is left open by the initial state"
 _SPEED = "it is taken as a speed, without the sign that the velocity has here"
 _SIGN = "it leaves the sign open"
@@ -59,24 +59,13 @@ def check_asked(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVer
     """The verdict on the answers to all questions together."""
     reference = reference_of_solution(solution)
     asked = {a.question.name: _with_values(a, reference.values) for a in solution.asked}
-    parts: list[EquationVerdict] = []
-    errors: list[Diagnostic] = []
-    for name, fragment in stated.items():
-        text = f"{name}: {fragment.text}"
+
+    def judged(name: str, fragment: Fragment) -> Judged:
         if name not in asked:
-            parts.append(EquationVerdict(text, Verdict.UNDECIDED, _NOT_ANSWERED))
-            continue
-        try:
-            verdict, remark = _Claim(fragment, asked[name], solution, reference).verdict()
-        except ProblemError as error:
-            errors += error.diagnostics
-            verdict, remark = Verdict.UNREADABLE, error.diagnostics[0].message if error.diagnostics else ""
-        except DivisionByZeroError:
-            verdict, remark = Verdict.UNREADABLE, DIVIDES_BY_ZERO
-        right = verdict is Verdict.EQUIVALENT
-        parts.append(EquationVerdict(text, verdict, "" if right else remark, (remark,) if right and remark else ()))
-    together = next((v for v in _ORDER if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
-    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="ask")
+            return Verdict.UNDECIDED, _NOT_ANSWERED
+        return _Claim(fragment, asked[name], solution, reference).verdict()
+
+    return check_each("ask", stated, judged)
 
 
 def _with_values(asked: Asked, values: Mapping[sp.Symbol, sp.Expr]) -> Asked:

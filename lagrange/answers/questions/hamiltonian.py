@@ -46,9 +46,7 @@ def check_hamiltonian_answer(stated: Fragment, solution: Solution) -> AnswerVerd
         return AnswerVerdict(Verdict.UNREADABLE, (part,), unreadable=tuple(error.diagnostics), name="hamiltonian")
     order = (Verdict.EQUIVALENT, Verdict.UNDECIDED, Verdict.WRONG, Verdict.UNREADABLE)
     verdict, remark = min((_verdict(claim, d, reference) for d in derived), key=lambda pair: order.index(pair[0]))
-    right = verdict is Verdict.EQUIVALENT
-    part = EquationVerdict(stated.text, verdict, "" if right else remark, (remark,) if right and remark else ())
-    return AnswerVerdict(verdict, (part,), name="hamiltonian")
+    return AnswerVerdict(verdict, (EquationVerdict.of(stated.text, verdict, remark),), name="hamiltonian")
 
 
 def _verdict(claim: sp.Expr, derived: Hamiltonian, reference: Reference) -> tuple[Verdict, str]:

@@ -13,11 +13,11 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError
 from lagrange.answers.questions.asked_quantities import read_stated
+from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.core.symbols import prime
@@ -25,15 +25,11 @@ from lagrange.mechanics.momenta.impact import ImpulsiveMotion
 from lagrange.mechanics.results import Solution
 
 ENERGY_LOST = "energy_lost"
-_ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
 _NOT_DERIVED = "the problem does not ask for an impact"
 _OPEN = "the impulse is not determined: the constraints depend on one another"
 _OPPOSITE = "it is taken as the opposite force"
 _MULTIPLIER = "it is taken as the impulse of the multiplier"
 _ROUNDED = "it is taken as a rounded number"
-
-Judged = tuple[Verdict, str]
-"""A verdict, with its diagnosis or remark."""
 
 
 def check_impact_answers(stated: Mapping[str, Fragment], solution: Solution) -> AnswerVerdict:
@@ -42,21 +38,7 @@ def check_impact_answers(stated: Mapping[str, Fragment], solution: Solution) -> 
     if found is None:
         return AnswerVerdict(Verdict.UNDECIDED, name="impact", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
-    parts: list[EquationVerdict] = []
-    errors: list[Diagnostic] = []
-    for name, fragment in stated.items():
-        try:
-            verdict, remark = _judged(name, fragment, found, reference)
-        except ProblemError as error:
-            errors += error.diagnostics
-            verdict, remark = Verdict.UNREADABLE, error.diagnostics[0].message if error.diagnostics else ""
-        except DivisionByZeroError:
-            verdict, remark = Verdict.UNREADABLE, DIVIDES_BY_ZERO
-        right = verdict is Verdict.EQUIVALENT
-        remarks = (remark,) if right and remark else ()
-        parts.append(EquationVerdict(f"{name}: {fragment.text}", verdict, "" if right else remark, remarks))
-    together = next((v for v in _ORDER if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
-    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="impact")
+    return check_each("impact", stated, lambda name, fragment: _judged(name, fragment, found, reference))
 
 
 def _judged(name: str, fragment: Fragment, found: ImpulsiveMotion, reference: Reference) -> Judged:

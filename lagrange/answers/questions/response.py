@@ -12,17 +12,17 @@ from dataclasses import replace
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.answers.questions.asked_quantities import read_stated
+from lagrange.answers.questions.named_values import Judged, check_each
 from lagrange.answers.readings import decimals_in
 from lagrange.answers.references import Reference, reference_of_solution
-from lagrange.answers.verdicts import DIVIDES_BY_ZERO, UNDECIDED, AnswerVerdict, EquationVerdict, Verdict
+from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, suggestion
 from lagrange.mechanics.equilibrium.driven.response import Response
 from lagrange.mechanics.results import Solution
 
-_ORDER = (Verdict.UNREADABLE, Verdict.WRONG, Verdict.UNDECIDED)
 _NOT_DERIVED = "the problem does not ask for the response to a harmonic drive"
 _MOVES = "an amplitude does not depend on time"
 
@@ -33,22 +33,10 @@ def check_response_answers(stated: Mapping[str, Fragment], solution: Solution) -
     if not found:
         return AnswerVerdict(Verdict.UNDECIDED, name="response", diagnosis=_NOT_DERIVED)
     reference = reference_of_solution(solution)
-    parts: list[EquationVerdict] = []
-    errors: list[Diagnostic] = []
-    for name, fragment in stated.items():
-        try:
-            verdict, why = _judged(name, fragment, found, reference)
-        except ProblemError as error:
-            errors += error.diagnostics
-            verdict, why = Verdict.UNREADABLE, error.diagnostics[0].message if error.diagnostics else ""
-        except DivisionByZeroError:
-            verdict, why = Verdict.UNREADABLE, DIVIDES_BY_ZERO
-        parts.append(EquationVerdict(f"{name}: {fragment.text}", verdict, why))
-    together = next((v for v in _ORDER if any(p.verdict is v for p in parts)), Verdict.EQUIVALENT)
-    return AnswerVerdict(together, tuple(parts), unreadable=tuple(errors), name="response")
+    return check_each("response", stated, lambda name, fragment: _judged(name, fragment, found, reference))
 
 
-def _judged(name: str, fragment: Fragment, found: list[Response], reference: Reference) -> tuple[Verdict, str]:
+def _judged(name: str, fragment: Fragment, found: list[Response], reference: Reference) -> Judged:
     """The verdict on one amplitude. Raises ProblemError, DivisionByZeroError."""
     squares = {
         q.name: sp.Add(a**2, b**2)

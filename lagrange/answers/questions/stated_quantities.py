@@ -154,8 +154,7 @@ def _part(
         verdict, remark = judged(reading)
     except DivisionByZeroError:
         verdict, remark = Verdict.UNREADABLE, DIVIDES_BY_ZERO
-    right = verdict is Verdict.EQUIVALENT
-    return EquationVerdict(text, verdict, "" if right else remark, (remark,) if right and remark else ())
+    return EquationVerdict.of(text, verdict, remark)
 
 
 def _read(fragment: Fragment, reference: Reference, *, equations: bool) -> Reading:

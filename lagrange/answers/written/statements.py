@@ -22,8 +22,7 @@ from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.expressions.characters import GREEK
-from lagrange.expressions.edits import Draft, cuts
-from lagrange.expressions.latex_layout import is_latex
+from lagrange.expressions.edits import cut, cuts
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.reader import Scope, read_value, token_texts
 from lagrange.expressions.scope import RESERVED
@@ -77,7 +76,7 @@ def statement(fragment: Fragment, scope: Scope, declared: Collection[str] = (), 
             for part in beyond:
                 scope = _with_definition(part, scope)
         parts = parts[:1]
-    sides = [_cut(parts[0], *place) for place in cuts(parts[0].text, _EQUALS)]
+    sides = [cut(parts[0], *place) for place in cuts(parts[0].text, _EQUALS)]
     label = ""
     while len(sides) > 1 and (found := _label(sides[0], scope, declared, name)):
         label, sides = label or found, sides[1:]
@@ -103,20 +102,12 @@ def _parts(text: Fragment) -> list[Fragment]:
     places = [(a, b) for a, b in cuts(text.text, _BEYOND) if text.text[a:b].strip(" $.~")]
     if not all(len(cuts(text.text[a:b], _EQUALS)) == 2 for a, b in places[1:]):
         return [text]
-    return [_cut(text, *place) for place in places]
-
-
-def _cut(fragment: Fragment, start: int, end: int) -> Fragment:
-    if (start, end) == (0, len(fragment.text)):
-        return fragment
-    draft = Draft(fragment)
-    draft.keep(start, end)
-    return draft.finished(latex=is_latex(fragment))
+    return [cut(text, *place) for place in places]
 
 
 def _with_definition(part: Fragment, scope: Scope) -> Scope:
     """The scope with a name that a part defines; the same if it defines none."""
-    left, right = (_cut(part, *place) for place in cuts(part.text, _EQUALS))
+    left, right = (cut(part, *place) for place in cuts(part.text, _EQUALS))
     try:
         names = tried(left, scope, lambda f: token_texts(f, scope))
         squared = names[1:] == ["^", "2"]

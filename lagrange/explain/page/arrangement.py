@@ -1,8 +1,8 @@
-"""The page from the full derivation: what is put first, what is joined, what is folded.
+"""The page from the full derivation: which steps come first, are joined, or are folded.
 
 The full derivation has a step for each idea, in the order of the chapter. On the page the result comes first. Geometric
 constraints that are independent and free of time need no separate sections on form, exactness, classification and
-freedom: they share one. Displacements stand where they are used, with the work of the reactions. Of several choices of
+freedom: they share one. Displacements appear where they are used, with the work of the reactions. Of several choices of
 coordinates the first is shown; the others are folded. All other steps are those of the derivation.
 """
 
@@ -68,7 +68,7 @@ LONGEST_BEFORE = 25
 
 _FOLLOWING = (Rule.EQUATIONS_OF_MOTION, Rule.EQUILIBRIUM)
 """What comes under one title with the coordinates in which it is."""
-_ABOUT_CONSTRAINTS = (
+ABOUT_CONSTRAINTS = (
     Rule.CONSTRAINT,
     Rule.PFAFFIAN_FORM,
     Rule.INTEGRABILITY,
@@ -188,7 +188,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
     own = written if isinstance(written, DalembertMotion) else None
     for step in steps:
-        if (geometric or free) and step.rule in _ABOUT_CONSTRAINTS:
+        if (geometric or free) and step.rule in ABOUT_CONSTRAINTS:
             if geometric and step.rule is Rule.CONSTRAINT:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
@@ -286,7 +286,7 @@ def _of_forms(solution: Solution, step: Step) -> Step:
 
 
 def _reactions(solution: Solution, step: Step, newton: Newton) -> Iterator[Step]:
-    """Tensions in place of multipliers; in the file's coordinates and those of the first choice at once."""
+    """Tensions instead of multipliers; in the file's coordinates and those of the first choice at once."""
     view = next(v for v in solution.views if v.name == step.choice)
     if view.dynamics is None or view.dynamics.reactions is None or view.equilibrium is not None:
         yield step

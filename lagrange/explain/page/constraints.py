@@ -1,8 +1,7 @@
 """Geometric constraints in one section: the relations, their differentials, exactness, classification, freedom.
 
-Where every constraint is a finite relation between the coordinates, free of time, independent of the others,
-each of these is a line. Wherever one of them is something to be found out, the full derivation's
-sections are kept.
+Where every constraint is a finite relation between the coordinates, free of time and independent of the others,
+each of these takes one line. Where any of this needs an argument, the sections of the full derivation are kept.
 """
 
 from __future__ import annotations

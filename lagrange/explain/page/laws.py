@@ -65,7 +65,7 @@ def _together(blocks: Sequence[Block]) -> list[Block]:
 
 
 def in_forces(step: Step, newton: Newton) -> Step:
-    """A step with the tensions of rods and strings in place of their multipliers."""
+    """A step with the tensions of rods and strings instead of their multipliers."""
     rule = {r.multiplier: r.per_force * r.force for r in newton.reactions if r.named and r.force != r.multiplier}
 
     def line(e: Equation) -> Equation:

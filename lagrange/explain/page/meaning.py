@@ -1,4 +1,4 @@
-"""What the result says, in a few paragraphs, each with its catchword: energy, rest, small motion, limits, units."""
+"""The meaning of the result, in a few paragraphs, each under a keyword: energy, rest, small motion, limits, units."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Pages that end with quasi-velocities, which spare the long equations in the file's coordinates.
+"""Pages that end with quasi-velocities, without the long equations in the file's coordinates.
 
 D'Alembert's principle is stated in vectors and written out once, in the quasi-velocities. Multipliers of constraints
 that are no single forces say little: of a single body the whole reaction is R = m r'' − F, with the acceleration known.

@@ -28,6 +28,7 @@ from lagrange.document.derivation import (
     Step,
     Task,
 )
+from lagrange.explain.page.arrangement import ABOUT_CONSTRAINTS
 from lagrange.explain.words import constraints_called, plural, spoken
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Find, Problem, Question
@@ -36,13 +37,6 @@ LEAST_ROOM, MOST_ROOM = 6, 18
 """Lines of handwriting; a page of A4 has about 30."""
 LINES_OF_EQUATION = 2
 
-_CONSTRAINTS = (
-    Rule.CONSTRAINT,
-    Rule.PFAFFIAN_FORM,
-    Rule.INTEGRABILITY,
-    Rule.CLASSIFICATION,
-    Rule.DEGREES_OF_FREEDOM,
-)
 _FORCES = (Rule.REACTIONS, Rule.WORKLESS)
 _PRINCIPLE = (
     Rule.PRINCIPLE,
@@ -130,7 +124,7 @@ def _exercises(solution: Solution, derivation: Derivation) -> Iterator[_Exercise
 
 def _part(step: Step, bound: bool) -> tuple[str, str]:
     """What is the same for the steps of one part; `bound` by constraints."""
-    if step.rule in _CONSTRAINTS or (step.rule is Rule.DISPLACEMENTS and not bound):
+    if step.rule in ABOUT_CONSTRAINTS or (step.rule is Rule.DISPLACEMENTS and not bound):
         return "constraints", ""
     if step.rule in _FORCES:
         return "forces", ""
@@ -146,7 +140,7 @@ def _task(solution: Solution, steps: Sequence[Step]) -> tuple[str, tuple[Part, .
     """
     rules = {s.rule for s in steps}
     view = next(v for v in solution.views if v.name == steps[0].choice)
-    if rules & {*_CONSTRAINTS}:
+    if rules & {*ABOUT_CONSTRAINTS}:
         return _about_constraints(solution, rules)
     if rules & {*_FORCES}:
         return _about_forces(solution, rules)

@@ -176,9 +176,7 @@ def _friction_force(
     configuration: Configuration,
 ) -> FrictionForce:
     rule = configuration.substitution
-    reaction = rough_reaction(friction, newton, original)
-    opposite = other_side(friction, frictions, reaction, original)
-    place = place_of_contact(friction, reaction, opposite, original)
+    reaction, opposite, place = rough_contact(friction, frictions, newton, original)
     moved = tuple(p.xreplace(rule) for p in relative_partials(original, friction.on, opposite, place))
     place = place.xreplace(rule)
     direction = reaction.on(friction.on)
@@ -234,6 +232,15 @@ def unit_toward(friction: Friction, direction: Vector, configuration: Configurat
         raise ProblemError(Diagnostic("friction-slip", message, friction.span, help=help_))
     unit: Vector = toward / textbook_form(toward.norm())
     return unit.map(textbook_form)
+
+
+def rough_contact(
+    friction: Friction, frictions: Sequence[Friction], newton: Newton, original: Configuration
+) -> tuple[Reaction, str, Vector]:
+    """The reaction that presses, what takes the opposite friction, and the point that touches."""
+    reaction = rough_reaction(friction, newton, original)
+    opposite = other_side(friction, frictions, reaction, original)
+    return reaction, opposite, place_of_contact(friction, reaction, opposite, original)
 
 
 def rough_reaction(friction: Friction, newton: Newton, original: Configuration) -> Reaction:

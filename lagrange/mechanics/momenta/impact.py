@@ -1,8 +1,8 @@
 """Impacts: velocities that change in an instant, by blows and by constraints that begin to act.
 
 Integrated over the instant of an impact, in which the position does not change, Newton's law reads m Δv = Ĵ + R̂, with
-the impulses Ĵ of the blows and R̂ of the reactions. Forces that stay finite, weights and springs, have none. For all
-virtual displacements that the old and the new constraints A δq = 0 permit, the reactions do no work, and
+the impulses Ĵ of the blows and R̂ of the reactions. Forces that stay finite, such as weights and springs, have none.
+For all virtual displacements that the old and the new constraints A δq = 0 permit, the reactions do no work, and
 
     Σ (m Δv − Ĵ)·δr + Σ (ΔH − Ĝ)·δπ = 0 ,      that is      Nᵀ (M Δq' − Ĵ) = 0     where δq = N δq_I .
 

@@ -4,8 +4,8 @@ With catastatic constraints q_D' = B q_I' the equations of the independent displ
 
     M q_I'' = f ,        q_D' = B q_I' ,        q_D'' = B q_I'' + B' q_I'
 
-substituted. If no q_D is left in M and f, the q_I move by themselves: a disc that rolls on a table tilts, turns and
-rolls in the same way wherever it is. They are then treated like free coordinates; only their energy is another one.
+substituted. If M and f contain no q_D, the q_I form a system of their own: a disc that rolls on a table tilts, turns
+and rolls in the same way wherever it is. They are then treated like free coordinates, except that their energy differs.
 
 Reference: Neimark and Fufaev, Dynamics of Nonholonomic Systems, ch. III.
 """

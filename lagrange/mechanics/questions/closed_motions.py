@@ -22,7 +22,7 @@ import sympy as sp
 
 from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient, square_root
 from lagrange.algebra.closed_forms.signs import SignCondition, different_from_zero, more_than_zero, sign_of
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.mechanics.questions.coupled_motions import coupled_solutions, coupled_with
@@ -114,10 +114,7 @@ def _is_solution(motion: ClosedMotion, q: sp.Symbol, a: sp.Expr, place: sp.Expr,
             if rule is None:
                 return False
             residuals = [e.xreplace(rule) for e in residuals]
-    try:
-        return all(is_zero(e) is True for e in residuals)
-    except DivisionByZeroError:
-        return False
+    return all(vanishes(e) for e in residuals)
 
 
 def _solved_relation(e: sp.Expr) -> dict[sp.Symbol, sp.Expr] | None:

@@ -11,7 +11,7 @@ from collections.abc import Collection, Mapping, Sequence
 import sympy as sp
 
 from lagrange.algebra.closed_forms.signs import sign_of
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import vanishes
 from lagrange.mechanics.constraints.kinematics import Configuration
 
 Rule = Mapping[sp.Symbol, sp.Expr]
@@ -60,14 +60,7 @@ def _has_sign(slope: sp.Expr) -> bool:
 def reduced(equations: Sequence[sp.Expr], rule: Rule) -> list[sp.Expr]:
     """The equations with what is dependent expressed, without those that hold by themselves."""
     changed = [e.xreplace(dict(rule)) for e in equations]
-    return [e for e, old in zip(changed, equations, strict=True) if e is old or e == old or not _holds(e)]
-
-
-def _holds(e: sp.Expr) -> bool:
-    try:
-        return is_zero(e) is True
-    except DivisionByZeroError:
-        return False
+    return [e for e, old in zip(changed, equations, strict=True) if e is old or e == old or not vanishes(e)]
 
 
 def completed(state: Rule, rule: Rule, moving: Collection[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:

@@ -13,10 +13,12 @@ equations of motion, exactly.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import chain
 
 import sympy as sp
 
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, is_zero
+from lagrange.algebra.exact.zero_test import DivisionByZeroError, vanishes
 from lagrange.algebra.forms.antiderivatives import antiderivative
 from lagrange.algebra.fourier.textbook_form import textbook_form
 from lagrange.core.symbols import Unspecified, prime, t
@@ -29,33 +31,22 @@ def integrals(place: Place, known: Meanings, initial: Values) -> tuple[list[Used
     """The integrals whose value is known, and the initial values that others would need."""
     found: list[UsedIntegral] = []
     missing: set[sp.Symbol] = set()
-    for n, i in enumerate(place.conserved.integrals):
-        if i.constant is not True:
-            continue
-        value = _value(i.expression, initial)
+    candidates = chain(
+        (
+            UsedIntegral(IntegralKind.CONSERVED, i.expression, sp.S.Zero, n)
+            for n, i in enumerate(place.conserved.integrals)
+            if i.constant is True
+        ),
+        (extra for extra in _single(place, known) if _is_new(extra.expression, found, place)),
+    )
+    for integral in candidates:
+        value = integral.expression.xreplace({t: sp.S.Zero, **initial})
         free = value.free_symbols & {*place.moving}
         if free:
             missing |= free
         else:
-            found.append(UsedIntegral(IntegralKind.CONSERVED, i.expression, textbook_form(value), n))
-    for extra in _single(place, known):
-        if not _is_new(extra.expression, found, place):
-            continue
-        value = _value(extra.expression, initial)
-        free = value.free_symbols & {*place.moving}
-        if free:
-            missing |= free
-        else:
-            found.append(_with_value(extra, value))
+            found.append(replace(integral, value=textbook_form(value)))
     return found, missing
-
-
-def _value(e: sp.Expr, initial: Values) -> sp.Expr:
-    return e.xreplace({t: sp.S.Zero, **initial})
-
-
-def _with_value(i: UsedIntegral, value: sp.Expr) -> UsedIntegral:
-    return UsedIntegral(i.kind, i.expression, textbook_form(value), i.number, i.coordinate, i.factor, i.equation)
 
 
 def _single(place: Place, known: Meanings) -> Iterator[UsedIntegral]:
@@ -68,7 +59,7 @@ def _single(place: Place, known: Meanings) -> Iterator[UsedIntegral]:
         if not a.free_symbols.isdisjoint({*place.moving} - {q, v}):
             continue
         integral = _of_square(q, v, a) or _of_first_power(q, v, a)
-        if integral is not None and _is_constant(integral.expression, q, v, a):
+        if integral is not None and vanishes(integral.expression.diff(q) * v + integral.expression.diff(v) * a):
             yield integral
 
 
@@ -117,13 +108,6 @@ def _of_first_power(q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> UsedIntegral | No
 def _powers(e: sp.Expr, v: sp.Symbol) -> tuple[list[int], list[sp.Expr]]:
     terms = sp.Poly(e, v).terms()
     return [int(n) for (n,), _ in terms], [c for _, c in terms]
-
-
-def _is_constant(e: sp.Expr, q: sp.Symbol, v: sp.Symbol, a: sp.Expr) -> bool:
-    try:
-        return is_zero(e.diff(q) * v + e.diff(v) * a) is True
-    except DivisionByZeroError:
-        return False
 
 
 def _is_new(e: sp.Expr, found: Sequence[UsedIntegral], place: Place) -> bool:

@@ -30,7 +30,7 @@ _EXAMPLE = "vary: {m: [1 kg, 2 kg], l: {from: 0.2 m, to: 1 m, step: 0.1 m}}"
 
 
 def read_vary(node: Node | None, parameters: Sequence[Parameter], diagnostics: Diagnostics) -> tuple[Varied, ...]:
-    """The section; mistakes are reported, and what has them is left out."""
+    """The section; entries with mistakes are reported and omitted."""
     if node is None:
         return ()
     known = {p.symbol.name: p for p in parameters}

@@ -1,6 +1,6 @@
 """The file of a variant: the text of the problem with the drawn values in it, and without `vary`.
 
-Nothing else of the text is touched, so that its comments, its order and its answers stay. Each value becomes the
+The rest of the text is unchanged: comments, order, answers. Each value becomes the
 `value` of its parameter, wherever that is declared: in a list of names (which becomes a mapping), as `m: positive`,
 or in full. A comment at the top names the seed and the values. The result is read again before it is handed out: it
 has to be the same problem with these values.
@@ -26,7 +26,7 @@ from lagrange.problem.yaml.nodes import ListNode, MappingNode, Node, Scalar
 
 @record
 class _Edit:
-    """Characters `start` to `end` of the text, and what takes their place."""
+    """Characters `start` to `end` of the text, and their replacement."""
 
     start: int
     end: int

@@ -11,18 +11,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from lagrange.document.derivation import Derivation, Detail, Picture, Step
 from lagrange.document.math_writer import Notation
 from lagrange.render.escape import escape, prefixes_of
-from lagrange.render.latex import Article
+from lagrange.render.latex import PACKAGES, Article
 from lagrange.render.tex_layout import Vectors
 from lagrange.render.tikz import picture
 from lagrange.render.walk import block_lines
 
 PREAMBLE = r"""\documentclass[10pt,aspectratio=169]{beamer}
-\usepackage[utf8]{inputenc}
-\usepackage[T1]{fontenc}
-\usepackage{lmodern}
-\usepackage{amsmath,amssymb}
-\usepackage{tikz}
-\usetikzlibrary{arrows.meta}
+PACKAGES
 \usefonttheme[onlymath]{serif}
 \setbeamertemplate{navigation symbols}{}
 \setbeamertemplate{footline}[frame number]
@@ -32,7 +27,7 @@ PREAMBLE = r"""\documentclass[10pt,aspectratio=169]{beamer}
 \setlength{\parskip}{0.4\baselineskip}
 \setlength{\emergencystretch}{3em}
 \allowdisplaybreaks
-"""
+""".replace("PACKAGES\n", PACKAGES)
 FRAGMENT = r"""% lagsolve: frames for \documentclass[10pt,aspectratio=169]{beamer}; they need
 % \usepackage{amsmath,amssymb,tikz}, \usetikzlibrary{arrows.meta}, \usefonttheme[onlymath]{serif} and
 % \setbeamersize{text margin left=8mm, text margin right=8mm}

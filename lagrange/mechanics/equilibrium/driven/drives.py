@@ -1,6 +1,6 @@
 """Harmonic driving: the time dependence cos ωt of forces and supports as a prescribed motion u(t).
 
-In cos(ω t + φ) and sin(ω t + φ) everything is expressed by u = cos ωt and u' = −ω sin ωt (u = sin ωt and u' = ω cos ωt
+cos(ω t + φ) and sin(ω t + φ) are expressed by u = cos ωt and u' = −ω sin ωt (u = sin ωt and u' = ω cos ωt
 where no cosine occurs). With u a prescribed motion, u, u' and u'' are small of first order together with the
 displacements, and u = 0 is the system at rest. In the end u'' = −ω² u.
 """
@@ -77,7 +77,7 @@ def drive_of(problem: Problem, frequency: sp.Expr, taken: frozenset[str]) -> Dri
 
 
 def driven(problem: Problem, drive: Drive) -> Problem:
-    """The problem with u in place of the sines and cosines of time."""
+    """The problem with u substituted for the sines and cosines of time."""
     u, rate = drive.symbol, prime(drive.symbol) / drive.frequency
     is_cosine = drive.law.func is sp.cos
     rule = {

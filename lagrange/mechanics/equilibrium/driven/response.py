@@ -275,7 +275,7 @@ def _modulus(e: sp.Expr) -> sp.Expr:
 
 
 def _root(square: sp.Expr, value: sp.Expr) -> sp.Expr:
-    """√square, as √(Re² + Im²) of `value` where that has the same square but for a constant factor."""
+    """√square, as √(Re² + Im²) of `value` where that has the same square up to a constant factor."""
     real, imaginary = _parts(value)
     outside: sp.Expr = sp.S.One
     inside: sp.Expr = sp.S.One

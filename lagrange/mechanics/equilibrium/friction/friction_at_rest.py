@@ -38,13 +38,7 @@ from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.contact.touching import relative_partials
 from lagrange.mechanics.dynamics.free_bodies import without_root
-from lagrange.mechanics.dynamics.friction import (
-    normal_size,
-    other_side,
-    place_of_contact,
-    rough_reaction,
-    unit_toward,
-)
+from lagrange.mechanics.dynamics.friction import normal_size, rough_contact, unit_toward
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
 from lagrange.mechanics.dynamics.newton import Newton, Reaction
 from lagrange.mechanics.equilibrium.equilibrium import VirtualWork
@@ -180,9 +174,7 @@ def _contact(
     taken: set[str],
 ) -> RoughContact:
     rule = configuration.substitution
-    reaction = rough_reaction(friction, newton, original)
-    opposite = other_side(friction, frictions, reaction, original)
-    place = place_of_contact(friction, reaction, opposite, original)
+    reaction, opposite, place = rough_contact(friction, frictions, newton, original)
     others = [f for f in frictions if f is not friction and f.constraint == friction.constraint]
     if others:
         what = f"friction at rest of `{friction.name}` and `{others[0].name}` on one constraint"

@@ -21,7 +21,7 @@ from lagrange.core.records import record
 from lagrange.core.vectors import Vector
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.contact.touching import acts_at
-from lagrange.mechanics.dynamics.friction import normal_size, other_side, place_of_contact, rough_reaction
+from lagrange.mechanics.dynamics.friction import normal_size, rough_contact
 from lagrange.mechanics.dynamics.motion import Motion, NewtonLaw
 from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.equilibrium.friction.conditions_of_rest import RestCondition, bounded_by
@@ -112,9 +112,7 @@ def configuration_vector(vector: Vector, configuration: Configuration) -> Vector
 def _keeping(friction: Friction, law: NewtonLaw) -> tuple[Reaction, tuple[Reaction, ...]]:
     """The reaction that presses, and those that keep the point that touches from slipping."""
     original = law.configuration
-    normal = rough_reaction(friction, law.newton, original)
-    opposite = other_side(friction, law.all_frictions, normal, original)
-    place = place_of_contact(friction, normal, opposite, original)
+    normal, _, place = rough_contact(friction, law.all_frictions, law.newton, original)
     keeping: Sequence[Reaction] = [
         r
         for r in law.newton.reactions
