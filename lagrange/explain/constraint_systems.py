@@ -67,9 +67,24 @@ def explain_hidden(classification: Classification, slots: Slots, letter: str) ->
         what = f"{many} {plural(len(hidden), 'follows', 'follow')} that no single constraint shows:"
         lines = (Equation((r.function, CONSTANT), label=f"hidden-{n}") for n, r in enumerate(hidden, start=1))
         body += [prose(what), display(*lines), *_explain_combinations(classification, slots, letter)]
+    body += _explain_together(classification)
     if missing and len(classification.constraints) > 1:
         many = in_words(missing, f"{'further ' if hidden else ''}finite relation").capitalize()
         body.append(prose(f"{many} {plural(missing, 'exists', 'exist')}, not found in closed form."))
+    return body
+
+
+def _explain_together(classification: Classification) -> list[Block]:
+    """What two of the relations say together: `(12) and (13) together say that θ + ψ = const.`"""
+    names = [name for name, _ in classification.integrals]
+    labels = [f"integral-{name}" if name else f"hidden-{n - names.index('') + 1}" for n, name in enumerate(names)]
+    body: list[Block] = []
+    for n, c in enumerate(classification.combined[:1], start=1):
+        first, second = (Ref(labels[place]) for place in c.places)
+        body += [
+            prose(first, " and ", second, " together say that"),
+            display(Equation((c.function, CONSTANT), label=f"combined-{n}"), boxed=True),
+        ]
     return body
 
 

@@ -28,6 +28,12 @@ from lagrange.explain.page.constraints import (
 )
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.kinematic import (
+    explain_short_displacements,
+    explain_short_forms,
+    explain_short_integrability,
+    with_short_forms,
+)
 from lagrange.explain.page.laws import (
     explain_laws,
     explain_laws_of_bodies,
@@ -183,6 +189,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     newton = law.newton if law is not None else None
     if newton is not None and law is not None and not law.all_frictions:
         newton = newton.in_tensions
+    short = None if geometric or free or laws else with_short_forms(classification)
     shown: set[str] = set()
     known = False
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
@@ -193,6 +200,12 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
                 yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)
+        elif short is not None and step.rule is Rule.PFAFFIAN_FORM:
+            yield explain_short_forms(short, solution.problem.slots)
+        elif short is not None and step.rule is Rule.INTEGRABILITY:
+            yield explain_short_integrability(solution, short)
+        elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
+            yield displacements_shortly(explain_short_displacements(solution, short))
         elif step.rule is Rule.CONSTRAINT:
             yield without_component(solution.problem, step)
         elif step.rule is Rule.STATEMENT:

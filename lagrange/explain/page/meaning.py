@@ -44,6 +44,7 @@ def explain_meaning(
     body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved, labels)]
     body += _accelerations(meaning)
     body += _one_way(meaning)
+    body += _turning(meaning)
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
     body += _units(meaning)
@@ -61,7 +62,8 @@ def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
     motion = meaning.view.motion
     if motion is None or not stated:
         return
-    if operations(stated) < sum(int(e.expression.count_ops()) for e in motion.final):
+    rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
+    if operations(stated) < sum(int(e.count_ops()) for e in (*(e.expression for e in motion.final), *rates)):
         yield prose(Emphasis("In short"), ",")
         yield display(*(Equation(sides) for sides in stated), boxed=True)
 
@@ -152,6 +154,32 @@ def _one_way(meaning: Meaning) -> Iterator[Block]:
         yield prose(
             Emphasis("One way"), ": ", math(prime(u), value), f", which is never {sign}: ", math(u), course, *only, "."
         )
+
+
+def _turning(meaning: Meaning) -> Iterator[Block]:
+    """`Circles: ...: the velocity turns at the rate c`, or the axes in which an oscillation keeps its plane."""
+    found = meaning.turning
+    if found is None:
+        return
+    pair = (found.first, found.second)
+    if found.stiffness is None:
+        laws = listed(math(prime(q, 2), a) for q, a in zip(pair, found.accelerations, strict=True))
+        velocity = (math(prime(found.first)), " and ", math(prime(found.second)))
+        yield prose(Emphasis("Circles"), ": ", *laws, ". The velocity with the components ", *velocity, " turns at the "
+                    "constant rate ", math(found.rate), " and keeps its size, so the motion is uniform, on a circle.")  # fmt: skip
+        return
+    order: tuple[Part, ...] = () if found.small is None else (", to first order in ", math(found.small))
+    letters = [sp.Symbol(name, real=True) for name in _unused(meaning, ("xi", "eta", "X", "Y", "u", "v"))]
+    laws = listed(math(prime(q, 2) + found.stiffness * q, sp.S.Zero) for q in letters)
+    yield prose(Emphasis("Turning"), ": for axes that turn at the rate ", math(found.rate), " the velocities drop out",
+                *order, ": there ", *laws, ". An oscillation along one of these axes stays along it, and turns with it.")  # fmt: skip
+
+
+def _unused(meaning: Meaning, names: Sequence[str]) -> list[str]:
+    """Two names for coordinates that the problem does not use."""
+    motion = meaning.view.motion
+    taken = set() if motion is None else {s.name for e in motion.final for s in e.expression.free_symbols}
+    return [name for name in names if name not in taken][:2]
 
 
 def _rest(meaning: Meaning) -> Iterator[Block]:
