@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT, prime
+from lagrange.core.symbols import CONSTANT, prime, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.conservation import conserved_called, explain_conserved, proof_of
@@ -60,12 +60,18 @@ def operations(stated: Stated) -> int:
 def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion = meaning.view.motion
-    if motion is None or not stated:
+    if motion is None or not stated or _are_shown(stated, [e.expression for e in motion.final]):
         return
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
     if operations(stated) < sum(int(e.count_ops()) for e in (*(e.expression for e in motion.final), *rates)):
         yield prose(Emphasis("In short"), ",")
         yield display(*(Equation(sides) for sides in stated), boxed=True)
+
+
+def _are_shown(stated: Stated, shown: Sequence[sp.Expr]) -> bool:
+    """Whether equations are those of the page with terms brought to the other side."""
+    left = [a - b for a, b, *_ in stated]
+    return all(any(sp.expand(e - s) == 0 or sp.expand(e + s) == 0 for s in shown) for e in left)
 
 
 _CALLED = {
@@ -144,16 +150,29 @@ def _one_way(meaning: Meaning) -> Iterator[Block]:
         if factor.has(prime(u)) or not factor.is_nonzero or not value.free_symbols & {*speeds}:
             continue
         grows, falls = value.is_nonnegative, value.is_nonpositive
-        if bool(grows) == bool(falls):
-            continue  # of no known sign, or zero
-        sign, course = ("negative", " only grows") if grows else ("positive", " only falls")
-        moving = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if not f.is_nonzero]
+        if value == 0 or (bool(grows) == bool(falls) and not _never_turns(value, meaning, speeds)):
+            continue
+        sign, course = "never negative", " only grows"
+        if falls:
+            sign, course = "never positive", " only falls"
+        elif not grows:
+            sign, course = "always of the same sign", " moves in one sense"
+        bases = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if not f.is_nonzero]
+        moving = [b for b in bases if b.free_symbols & {*speeds}]
         only: tuple[Part, ...] = ()
         if len(moving) == 1 and moving[0] in speeds:
             only = (", or is constant while ", math(moving[0], sp.S.Zero))
         yield prose(
-            Emphasis("One way"), ": ", math(prime(u), value), f", which is never {sign}: ", math(u), course, *only, "."
+            Emphasis("One way"), ": ", math(prime(u), value), f", which is {sign}: ", math(u), course, *only, "."
         )
+
+
+def _never_turns(value: sp.Expr, meaning: Meaning, speeds: Sequence[sp.Symbol]) -> bool:
+    """Whether it is a constant times what is never negative."""
+    slots = meaning.view.configuration.slots
+    constant, moving = value.as_independent(*speeds, as_Add=False)
+    changing = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
+    return bool(moving.is_nonnegative) and not constant.free_symbols & changing
 
 
 def _turning(meaning: Meaning) -> Iterator[Block]:

@@ -382,7 +382,9 @@ class _Search:
         own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
         initial = self.setting.initial
         values = self.setting.values
-        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values)
+        bounded = [(c.symbol, c.range) for c in self.setting.problem.coordinates if c.range is not None]
+        ranges = tuple((q, e) for q, r in bounded for e in (q - r.low, r.high - q))
+        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values, ranges)
 
     def _starts_positive(self, q: sp.Symbol) -> bool:
         return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1
