@@ -6,8 +6,9 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.forms.brackets import manoeuvre
 from lagrange.algebra.forms.hidden_relations import HiddenRelation
-from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t
+from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref
 from lagrange.explain.nonlinear import together
@@ -56,6 +57,21 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
             f"the constraints imply {relations} between the coordinates."
         )
     return [paragraph(question, prose(answer))]
+
+
+def explain_manoeuvre(classification: Classification, slots: Slots) -> list[Block]:
+    """Which displacement, forbidden at every step, several steps add up to."""
+    [row] = classification.constrained.rows
+    found = manoeuvre(row.coefficients, slots.coordinates) if row.drift == 0 and row.nonlinear is None else None
+    if found is None or t in {s for a in row.coefficients for s in a.free_symbols}:
+        return []
+    epsilon = sp.Symbol("epsilon", positive=True)
+    first, second, left = (
+        listed(math(variation(q), size * a) for q, a in zip(slots.coordinates, direction, strict=True) if a != 0)
+        for direction, size in ((found.first, epsilon), (found.second, epsilon), (found.left_over, epsilon**2))
+    )
+    return [prose("One can still get there: ", *first, ", then ", *second, ", then both back in the same order leave, "
+                  "to second order, ", *left, ", a displacement that the constraint forbids.")]  # fmt: skip
 
 
 def explain_hidden(classification: Classification, slots: Slots, letter: str) -> list[Block]:

@@ -42,7 +42,9 @@ def _divided(c: ConstraintAnalysis, number: sp.Integer, product: sp.Expr) -> Con
         return replace(c, frobenius=tuple(parts))
     pairs = (
         replace(
-            p, coefficients=tuple(a / number for a in p.coefficients), derivatives=tuple(a / number for a in p.derivatives)
+            p,
+            coefficients=tuple(a / number for a in p.coefficients),
+            derivatives=tuple(a / number for a in p.derivatives),
         )
         for p in c.exactness.comparisons
     )
@@ -61,7 +63,9 @@ def explain_short_forms(short: Classification, slots: Slots) -> Step:
 
 def explain_short_integrability(solution: Solution, short: Classification) -> Step:
     """Which of the forms are integrable."""
-    return explain_integrability(short, solution.problem.slots, {*solution.problem.scope.names(), *solution.problem.scope.vectors})
+    return explain_integrability(
+        short, solution.problem.slots, {*solution.problem.scope.names(), *solution.problem.scope.vectors}
+    )
 
 
 def explain_short_displacements(solution: Solution, short: Classification) -> Step:
@@ -76,7 +80,11 @@ def explain_short_displacements(solution: Solution, short: Classification) -> St
     long = [n for n, b in enumerate(body) if isinstance(b, Display) and b.detail is Detail.FULL]
     for n in long:
         free = listed(math(variation(solution.problem.slots.coordinates[k])) for k in own.elimination.independent)
-        body[n - 1 : n + 2] = [prose("As many displacements as there are conditions depend on the others, for instance all but ", *free, ".")]
+        body[n - 1 : n + 2] = [
+            prose(
+                "As many displacements as there are conditions depend on the others, for instance all but ", *free, "."
+            )
+        ]
     return replace(step, body=tuple(body))
 
 

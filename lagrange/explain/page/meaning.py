@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT, prime, t
+from lagrange.core.symbols import CONSTANT, Unspecified, prime, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.conservation import conserved_called, explain_conserved, proof_of
@@ -93,6 +93,7 @@ def _conserved(
     proven = labels is None or not conserved.integrals or equations <= {*labels}
     if not proven:  # the equations of motion are folded, or written otherwise
         step = explain_conserved(conserved, step.choice, (), proofs=False) or step
+    step = _without_constant_coordinates(step, conserved)
     short = all(i.expression.count_ops() <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
@@ -105,6 +106,36 @@ def _conserved(
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
+
+
+def _without_constant_coordinates(step: Step, conserved: Conserved) -> Step:
+    """The step without the velocities that a constraint keeps zero: no ż² where z is constant."""
+    configuration = conserved.motion.configuration
+    zero = {
+        v: sp.S.Zero
+        for row in configuration.rows
+        for v, a in zip(configuration.slots.velocities, row.coefficients, strict=True)
+        if a != 0 and row.drift == 0 and sum(b != 0 for b in row.coefficients) == 1
+    }
+    if not zero:
+        return step
+    body = (
+        replace(b, equations=tuple(_at(zero, e) for e in b.equations)) if isinstance(b, Display) else b
+        for b in step.body
+    )
+    return replace(step, body=tuple(body))
+
+
+def _at(zero: dict[sp.Symbol, sp.Expr], equation: Equation) -> Equation:
+    return replace(equation, sides=tuple(_simpler(zero, s) if isinstance(s, sp.Expr) else s for s in equation.sides))
+
+
+def _simpler(zero: dict[sp.Symbol, sp.Expr], e: sp.Expr) -> sp.Expr:
+    """The arguments of functions that are not specified stay as they are."""
+    if not e.has(Unspecified):
+        return e.xreplace(zero)
+    bases = ((a, {f.as_base_exp()[0] for f in sp.Mul.make_args(a)}) for a in sp.Add.make_args(e))
+    return sp.Add(*(a for a, factors in bases if not factors & {*zero}))
 
 
 def _without_accelerations(body: Sequence[Block]) -> Iterator[Block]:
