@@ -19,8 +19,8 @@ from lagrange.document.builders import display, listed, math, paragraph, prose, 
 from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part, Prose, Ref, Rule, Step, Table
 from lagrange.explain.constraint_systems import (
     explain_hidden,
-    explain_manoeuvre,
     explain_losses,
+    explain_manoeuvre,
     explain_redundant,
     explain_together,
     form_letter,

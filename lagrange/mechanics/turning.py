@@ -1,10 +1,11 @@
 """Two coordinates whose accelerations contain each other's velocity: circles, and oscillations whose plane turns.
 
-x'' = −k x + c y' and y'' = −k y − c x', with constants k and c, are for ζ = x + i y the one equation ζ'' + i c ζ' + k ζ = 0.
-Without k the velocity ζ' turns at the rate −c, and the point runs on a circle. With k, seen from axes that turn at the
-rate ν = −c/2 (ζ = e^{iνt} η), the velocities drop out: η'' + (k + c²/4) η = 0. The pendulum of Foucault, a charge in a
-magnetic field (Larmor) and a ball on a turntable are of this kind. If the k of x and y differ, but only in the second order
-of a parameter in which c is of first order, this holds to first order, and there k + c²/4 is k.
+x'' = −k x + c y' and y'' = −k y − c x', with constants k and c, are for ζ = x + i y the one equation
+ζ'' + i c ζ' + k ζ = 0. Without k the velocity ζ' turns at the rate −c, and the point runs on a circle. With k, seen
+from axes that turn at the rate ν = −c/2 (ζ = e^{iνt} η), the velocities drop out: η'' + (k + c²/4) η = 0. The pendulum
+of Foucault, a charge in a magnetic field (Larmor) and a ball on a turntable are of this kind. If the k of x and y
+differ, but only in the second order of a parameter in which c is of first order, this holds to first order, and there
+k + c²/4 is k.
 """
 
 from __future__ import annotations

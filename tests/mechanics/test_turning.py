@@ -12,7 +12,9 @@ from tests.support.shared import solved
 
 def test_foucaults_plane_turns_against_the_earth() -> None:
     found = turning(solved("foucault-pendulum").own)
-    assert found is not None and found.small is not None and found.stiffness is not None
+    assert found is not None
+    assert found.small is not None
+    assert found.stiffness is not None
     omega, latitude, w = (sp.Symbol(n, real=True) for n in ("O", "L", "W"))
     names = {"Omega": omega, "lambda": latitude, "w": w}
 
@@ -38,7 +40,8 @@ def test_foucaults_plane_turns_against_the_earth() -> None:
 
 def test_a_ball_on_a_turntable_runs_in_circles() -> None:
     found = turning(solved("ball-on-turntable").own)
-    assert found is not None and found.stiffness is None
+    assert found is not None
+    assert found.stiffness is None
     assert found.rate == sp.Rational(2, 7) * sp.Symbol("Omega", positive=True)
 
 

@@ -1,8 +1,8 @@
 """What two displacements and both back again leave: the commutator of two directions that a form admits.
 
 For ω = a dx + b dy + c dz let X and Y be directions with ω(X) = ω(Y) = 0. To go ε along X, ε along Y, back along X and
-back along Y ends ε² [X, Y] from the start, up to higher orders, with [X, Y] = (X·∇) Y − (Y·∇) X. And ω([X, Y]) = −dω(X, Y):
-where ω ∧ dω is not zero, this is a direction that the form forbids at every single step.
+back along Y ends ε² [X, Y] from the start, up to higher orders, with [X, Y] = (X·∇) Y − (Y·∇) X. Since
+ω([X, Y]) = −dω(X, Y), where ω ∧ dω is not zero, this is a direction that the form forbids at every single step.
 """
 
 from __future__ import annotations

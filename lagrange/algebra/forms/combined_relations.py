@@ -1,7 +1,7 @@
 """Relations f = const and g = const in which a coordinate occurs linearly, added so that it drops out.
 
-With constant slopes a = ∂f/∂q and b = ∂g/∂q the combination b f − a g is constant too, and free of q. It is worth a line
-where it has fewer coordinates than either: of the wheels and the gear of the south-pointing chariot,
+With constant slopes a = ∂f/∂q and b = ∂g/∂q the combination b f − a g is constant too, and free of q. It is worth a
+line where it has fewer coordinates than either: of the wheels and the gear of the south-pointing chariot,
 R φ₁ − R φ₂ + 2b ψ = const and 2b θ − R (φ₁ − φ₂) = const, it leaves θ + ψ = const, the direction of the arm.
 """
 
@@ -27,7 +27,7 @@ class CombinedRelation:
 
 
 def combined_relations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> tuple[CombinedRelation, ...]:
-    """The combinations of two of the functions that have fewer coordinates than either of the two, the shortest first."""
+    """The combinations of two functions that have fewer coordinates than either of them, the shortest first."""
     found = sorted(_combinations(functions, coordinates), key=lambda c: len(c.function.free_symbols))
     return tuple({c.function: c for c in reversed(found)}.values())[::-1]
 

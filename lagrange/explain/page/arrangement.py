@@ -208,7 +208,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
         elif short is not None and step.rule is Rule.INTEGRABILITY:
             yield explain_short_integrability(solution, short)
         elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
-            yield displacements_shortly(explain_short_displacements(solution, short))
+            yield displacements_shortly(explain_short_displacements(solution))
         elif step.rule is Rule.CONSTRAINT:
             yield without_component(solution.problem, step)
         elif step.rule is Rule.STATEMENT:

@@ -68,7 +68,7 @@ def explain_short_integrability(solution: Solution, short: Classification) -> St
     )
 
 
-def explain_short_displacements(solution: Solution, short: Classification) -> Step:
+def explain_short_displacements(solution: Solution) -> Step:
     """The displacements, those that are zero put into the other conditions; no solution that is too long to be read."""
     own = solution.own
     rows = tuple(halved(r) if r.finite is not None else r for r in own.configuration.rows)

@@ -215,14 +215,20 @@ def _turning(meaning: Meaning) -> Iterator[Block]:
     if found.stiffness is None:
         laws = listed(math(prime(q, 2), a) for q, a in zip(pair, found.accelerations, strict=True))
         velocity = (math(prime(found.first)), " and ", math(prime(found.second)))
-        yield prose(Emphasis("Circles"), ": ", *laws, ". The velocity with the components ", *velocity, " turns at the "
-                    "constant rate ", math(found.rate), " and keeps its size, so the motion is uniform, on a circle.")  # fmt: skip
+        yield prose(
+            *(Emphasis("Circles"), ": ", *laws, ". The velocity with the components ", *velocity),
+            *(" turns at the constant rate ", math(found.rate), " and keeps its size, so the motion is uniform, "),
+            "on a circle.",
+        )
         return
     order: tuple[Part, ...] = () if found.small is None else (", to first order in ", math(found.small))
     letters = [sp.Symbol(name, real=True) for name in _unused(meaning, ("xi", "eta", "X", "Y", "u", "v"))]
     laws = listed(math(prime(q, 2) + found.stiffness * q, sp.S.Zero) for q in letters)
-    yield prose(Emphasis("Turning"), ": for axes that turn at the rate ", math(found.rate), " the velocities drop out",
-                *order, ": there ", *laws, ". An oscillation along one of these axes stays along it, and turns with it.")  # fmt: skip
+    yield prose(
+        *(Emphasis("Turning"), ": for axes that turn at the rate ", math(found.rate), " the velocities drop out"),
+        *(*order, ": there ", *laws, ". "),
+        "An oscillation along one of these axes stays along it, and turns with it.",
+    )
 
 
 def _unused(meaning: Meaning, names: Sequence[str]) -> list[str]:

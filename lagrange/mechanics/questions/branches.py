@@ -182,7 +182,7 @@ def _moving(b: AnswerBranch, q: sp.Symbol, way: int) -> tuple[State, ...]:
 
 
 def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBranch | None:
-    """The part of a branch in which no radius is negative and each coordinate in its range; None where there is none."""
+    """The part of a branch with no negative radius and each coordinate in its range; None where there is none."""
     kept = tuple(
         s
         for s in b.states
