@@ -28,6 +28,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Slots, base, prime
 from lagrange.mechanics.questions.limits import MOST_SIGNS
 from lagrange.mechanics.questions.results import AnswerBranch, Because
+from lagrange.problem.model import Problem
 
 State = Mapping[sp.Symbol, sp.Expr]
 
@@ -94,6 +95,12 @@ class Beginning:
         if not slots or not all(s in state and s in self.initial for s in slots):
             return False
         return all(is_zero(state[s] - self.initial[s]) is True for s in slots)
+
+
+def bounds(problem: Problem) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """What the ranges of coordinates make not negative: q, q − low and q, high − q."""
+    bounded = ((c.symbol, c.range) for c in problem.coordinates)
+    return tuple((q, e) for q, r in bounded if r is not None for e in (q - r.low, r.high - q))
 
 
 def first_branches(
