@@ -6,8 +6,9 @@ from collections.abc import Collection, Sequence
 
 import sympy as sp
 
+from lagrange.algebra.forms.brackets import manoeuvre
 from lagrange.algebra.forms.hidden_relations import HiddenRelation
-from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t
+from lagrange.core.symbols import CONSTANT, FormSymbol, Slots, differential, t, variation
 from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Equation, Part, Prose, Ref
 from lagrange.explain.nonlinear import together
@@ -58,6 +59,21 @@ def explain_together(classification: Classification, letter: str) -> list[Block]
     return [paragraph(question, prose(answer))]
 
 
+def explain_manoeuvre(classification: Classification, slots: Slots) -> list[Block]:
+    """Which displacement, forbidden at every step, several steps add up to."""
+    [row] = classification.constrained.rows
+    found = manoeuvre(row.coefficients, slots.coordinates) if row.drift == 0 and row.nonlinear is None else None
+    if found is None or t in {s for a in row.coefficients for s in a.free_symbols}:
+        return []
+    epsilon = sp.Symbol("epsilon", positive=True)
+    first, second, left = (
+        listed(math(variation(q), size * a) for q, a in zip(slots.coordinates, direction, strict=True) if a != 0)
+        for direction, size in ((found.first, epsilon), (found.second, epsilon), (found.left_over, epsilon**2))
+    )
+    return [prose("One can still get there: ", *first, ", then ", *second, ", then both back in the same order leave, "
+                  "to second order, ", *left, ", a displacement that the constraint forbids.")]  # fmt: skip
+
+
 def explain_hidden(classification: Classification, slots: Slots, letter: str) -> list[Block]:
     """The finite relations that no single constraint shows."""
     hidden, missing = classification.hidden.found, classification.hidden.missing
@@ -67,9 +83,24 @@ def explain_hidden(classification: Classification, slots: Slots, letter: str) ->
         what = f"{many} {plural(len(hidden), 'follows', 'follow')} that no single constraint shows:"
         lines = (Equation((r.function, CONSTANT), label=f"hidden-{n}") for n, r in enumerate(hidden, start=1))
         body += [prose(what), display(*lines), *_explain_combinations(classification, slots, letter)]
+    body += _explain_together(classification)
     if missing and len(classification.constraints) > 1:
         many = in_words(missing, f"{'further ' if hidden else ''}finite relation").capitalize()
         body.append(prose(f"{many} {plural(missing, 'exists', 'exist')}, not found in closed form."))
+    return body
+
+
+def _explain_together(classification: Classification) -> list[Block]:
+    """What two of the relations say together: `(12) and (13) together say that θ + ψ = const.`"""
+    names = [name for name, _ in classification.integrals]
+    labels = [f"integral-{name}" if name else f"hidden-{n - names.index('') + 1}" for n, name in enumerate(names)]
+    body: list[Block] = []
+    for n, c in enumerate(classification.combined[:1], start=1):
+        first, second = (Ref(labels[place]) for place in c.places)
+        body += [
+            prose(first, " and ", second, " together say that"),
+            display(Equation((c.function, CONSTANT), label=f"combined-{n}"), boxed=True),
+        ]
     return body
 
 

@@ -20,6 +20,7 @@ from lagrange.document.derivation import Block, Detail, Emphasis, Equation, Part
 from lagrange.explain.constraint_systems import (
     explain_hidden,
     explain_losses,
+    explain_manoeuvre,
     explain_redundant,
     explain_together,
     form_letter,
@@ -232,6 +233,8 @@ def explain_integrability(classification: Classification, slots: Slots, taken: C
         else:
             body += _explain_not_exact(c, independent, letter)
             explained = bool(c.exactness.differing)
+    if len(classification.constraints) == 1 and classification.constraints[0].integrable is False:
+        body += explain_manoeuvre(classification, slots)
     body += explain_together(classification, letter)
     body += explain_hidden(classification, slots, letter)
     return Step(Rule.INTEGRABILITY, "Integrability", tuple(body))

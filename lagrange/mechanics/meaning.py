@@ -28,6 +28,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Unspecified, prime, t
 from lagrange.core.units import NO_DIMENSION, written
 from lagrange.mechanics.results import InCoordinates, Solution
+from lagrange.mechanics.turning import Turning, turning
 from lagrange.values.dimensions import dimension, dimension_of_unit
 
 if TYPE_CHECKING:
@@ -76,6 +77,7 @@ class Meaning:
     small  rest and small motion of one degree of freedom
     terms  two terms of the first equation of motion, and the unit that all of its terms have
     constant  the accelerations, where all of them are constant
+    turning   two coordinates that run on a circle, or whose oscillation turns
     """
 
     view: InCoordinates
@@ -84,6 +86,7 @@ class Meaning:
     parts: tuple[Parts, ...]
     terms: tuple[sp.Expr, sp.Expr, str] | None
     constant: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
+    turning: Turning | None = None
 
 
 def meaning(solution: Solution) -> Meaning | None:
@@ -99,6 +102,7 @@ def meaning(solution: Solution) -> Meaning | None:
         tuple(_parts(view, reactions)),
         _units(solution, view),
         _constant(view),
+        turning(view),
     )
 
 

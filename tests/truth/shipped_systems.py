@@ -88,7 +88,7 @@ def particle_in_bowl() -> tuple[Route, ...]:
 def foucault_pendulum() -> tuple[Route, ...]:
     """Newton's law in the fixed frame; and relative to the earth, a = a_rel + 2 Omega x v + Omega x (Omega x r)."""
     x, y = moving("x y")
-    m, w, turn, lat = constants("m w Omega lat")
+    m, w, turn, lat = constants("m w Omega lambda")
     east = (-sin(turn * t), cos(turn * t), sp.S.Zero)
     north = (-sin(lat) * cos(turn * t), -sin(lat) * sin(turn * t), cos(lat))
     r = tuple(x * e + y * n for e, n in zip(east, north, strict=True))

@@ -28,6 +28,12 @@ from lagrange.explain.page.constraints import (
 )
 from lagrange.explain.page.coordinates import explain_measures
 from lagrange.explain.page.denominators import with_named_denominators
+from lagrange.explain.page.kinematic import (
+    explain_short_displacements,
+    explain_short_forms,
+    explain_short_integrability,
+    with_short_forms,
+)
 from lagrange.explain.page.laws import (
     explain_laws,
     explain_laws_of_bodies,
@@ -46,9 +52,11 @@ from lagrange.explain.page.motion import (
     with_displacements,
     with_kinematics,
     without_detour,
+    without_lecture,
     without_long_sum,
     without_multipliers,
 )
+from lagrange.explain.page.named import in_names
 from lagrange.explain.page.quasi_velocities import ends_with_speeds, in_speeds_only, reaction_as_a_whole
 from lagrange.explain.page.result import explain_result
 from lagrange.explain.page.statics import said_once
@@ -88,6 +96,7 @@ def page(
     """
     first = solution.choices[0].name if solution.choices else ""
     surface, speeds = on_surface(solution), ends_with_speeds(solution)
+    stated = in_names(solution, stated)
     shortened = said_once(solution, _shortened(solution, steps))
     if surface is not None:
         shortened, stated = in_vectors(surface, shortened), ()
@@ -183,6 +192,7 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
     newton = law.newton if law is not None else None
     if newton is not None and law is not None and not law.all_frictions:
         newton = newton.in_tensions
+    short = None if geometric or free or laws else with_short_forms(classification)
     shown: set[str] = set()
     known = False
     written = None if solution.own.dynamics is None else solution.own.dynamics.written
@@ -193,12 +203,20 @@ def _shortened(solution: Solution, steps: Iterable[Step]) -> Iterator[Step]:
                 yield explain_geometric(classification, solution.problem.slots)
             elif free and step.rule is Rule.DEGREES_OF_FREEDOM:
                 yield explain_without(classification, solution.own.configuration.satisfies_constraints_itself)
+        elif short is not None and step.rule is Rule.PFAFFIAN_FORM:
+            yield explain_short_forms(short, solution.problem.slots)
+        elif short is not None and step.rule is Rule.INTEGRABILITY:
+            yield explain_short_integrability(solution, short)
+        elif short is not None and step.rule is Rule.DISPLACEMENTS and not step.choice and own is None:
+            yield displacements_shortly(explain_short_displacements(solution))
         elif step.rule is Rule.CONSTRAINT:
             yield without_component(solution.problem, step)
         elif step.rule is Rule.STATEMENT:
             yield explain_system(solution, step)
         elif step.rule is Rule.GENERALIZED_COORDINATES:
             yield _with_measures(solution, step)
+        elif step.rule is Rule.LAGRANGE:
+            yield without_lecture(step)
         elif step.rule is Rule.DISPLACEMENTS and not vectors and not step.choice:
             yield displacements_shortly(_of_forms(solution, step) if geometric else step)
         elif vectors and step.rule is Rule.DISPLACEMENTS:
@@ -278,7 +296,7 @@ def _of_forms(solution: Solution, step: Step) -> Step:
     own = solution.own
     rows = tuple(map(halved, own.configuration.rows))
     configuration = replace(own.configuration, constrained=replace(own.configuration.constrained, rows=rows))
-    if own.dynamics is not None or own.equilibrium is not None:
+    if own.dynamics is not None or own.equilibrium is not None or solution.impact is not None:
         return displacements_of_geometric(configuration, own.elimination)
     normals = tuple(replace(n, gradient=n.gradient * (1 / common_number(n.row))) for n in solution.normals)
     made = explain_displacements(configuration, own.elimination, solution.transport_rates, normals)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from lagrange.core.symbols import CONSTANT, prime
+from lagrange.core.symbols import CONSTANT, Unspecified, prime, t
 from lagrange.document.builders import display, listed, math, prose, series
 from lagrange.document.derivation import Block, Display, Emphasis, Equation, Part, Prose, Rule, Step
 from lagrange.explain.conservation import conserved_called, explain_conserved, proof_of
@@ -44,6 +44,7 @@ def explain_meaning(
     body: list[Block] = [*_in_short(meaning, stated), *_conserved(conserved, meaning.view.conserved, labels)]
     body += _accelerations(meaning)
     body += _one_way(meaning)
+    body += _turning(meaning)
     body += _rest(meaning)
     body += (_limit(limit) for limit in meaning.limits)
     body += _units(meaning)
@@ -59,11 +60,18 @@ def operations(stated: Stated) -> int:
 def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
     motion = meaning.view.motion
-    if motion is None or not stated:
+    if motion is None or not stated or _are_shown(stated, [e.expression for e in motion.final]):
         return
-    if operations(stated) < sum(int(e.expression.count_ops()) for e in motion.final):
+    rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
+    if operations(stated) < sum(int(e.count_ops()) for e in (*(e.expression for e in motion.final), *rates)):
         yield prose(Emphasis("In short"), ",")
         yield display(*(Equation(sides) for sides in stated), boxed=True)
+
+
+def _are_shown(stated: Stated, shown: Sequence[sp.Expr]) -> bool:
+    """Whether equations are those of the page with terms brought to the other side."""
+    left = [a - b for a, b, *_ in stated]
+    return all(any(sp.expand(e - s) == 0 or sp.expand(e + s) == 0 for s in shown) for e in left)
 
 
 _CALLED = {
@@ -85,6 +93,7 @@ def _conserved(
     proven = labels is None or not conserved.integrals or equations <= {*labels}
     if not proven:  # the equations of motion are folded, or written otherwise
         step = explain_conserved(conserved, step.choice, (), proofs=False) or step
+    step = _without_constant_coordinates(step, conserved)
     short = all(i.expression.count_ops() <= LONGEST_LINE for i in conserved.integrals)
     plain = conserved.energy is None and not conserved.bound and not conserved.undecided
     if not (short and plain and all(proofs)):
@@ -97,6 +106,36 @@ def _conserved(
         name = Emphasis(_CALLED[called])
         quantity = math(integral.expression, CONSTANT)
         yield prose(name, ": ", *((*proof, " integrates to ") if proven else ()), quantity, ".")
+
+
+def _without_constant_coordinates(step: Step, conserved: Conserved) -> Step:
+    """The step without the velocities that a constraint keeps zero: no ż² where z is constant."""
+    configuration = conserved.motion.configuration
+    zero = {
+        v: sp.S.Zero
+        for row in configuration.rows
+        for v, a in zip(configuration.slots.velocities, row.coefficients, strict=True)
+        if a != 0 and row.drift == 0 and sum(b != 0 for b in row.coefficients) == 1
+    }
+    if not zero:
+        return step
+    body = (
+        replace(b, equations=tuple(_at(zero, e) for e in b.equations)) if isinstance(b, Display) else b
+        for b in step.body
+    )
+    return replace(step, body=tuple(body))
+
+
+def _at(zero: dict[sp.Symbol, sp.Expr], equation: Equation) -> Equation:
+    return replace(equation, sides=tuple(_simpler(zero, s) if isinstance(s, sp.Expr) else s for s in equation.sides))
+
+
+def _simpler(zero: dict[sp.Symbol, sp.Expr], e: sp.Expr) -> sp.Expr:
+    """The arguments of functions that are not specified stay as they are."""
+    if not e.has(Unspecified):
+        return e.xreplace(zero)
+    bases = ((a, {f.as_base_exp()[0] for f in sp.Mul.make_args(a)}) for a in sp.Add.make_args(e))
+    return sp.Add(*(a for a, factors in bases if not factors & {*zero}))
 
 
 def _without_accelerations(body: Sequence[Block]) -> Iterator[Block]:
@@ -142,16 +181,61 @@ def _one_way(meaning: Meaning) -> Iterator[Block]:
         if factor.has(prime(u)) or not factor.is_nonzero or not value.free_symbols & {*speeds}:
             continue
         grows, falls = value.is_nonnegative, value.is_nonpositive
-        if bool(grows) == bool(falls):
-            continue  # of no known sign, or zero
-        sign, course = ("negative", " only grows") if grows else ("positive", " only falls")
-        moving = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if not f.is_nonzero]
+        if value == 0 or (bool(grows) == bool(falls) and not _never_turns(value, meaning, speeds)):
+            continue
+        sign, course = "never negative", " only grows"
+        if falls:
+            sign, course = "never positive", " only falls"
+        elif not grows:
+            sign, course = "always of the same sign", " moves in one sense"
+        bases = [f.as_base_exp()[0] for f in sp.Mul.make_args(value) if not f.is_nonzero]
+        moving = [b for b in bases if b.free_symbols & {*speeds}]
         only: tuple[Part, ...] = ()
         if len(moving) == 1 and moving[0] in speeds:
             only = (", or is constant while ", math(moving[0], sp.S.Zero))
         yield prose(
-            Emphasis("One way"), ": ", math(prime(u), value), f", which is never {sign}: ", math(u), course, *only, "."
+            Emphasis("One way"), ": ", math(prime(u), value), f", which is {sign}: ", math(u), course, *only, "."
         )
+
+
+def _never_turns(value: sp.Expr, meaning: Meaning, speeds: Sequence[sp.Symbol]) -> bool:
+    """Whether it is a constant times what is never negative."""
+    slots = meaning.view.configuration.slots
+    constant, moving = value.as_independent(*speeds, as_Add=False)
+    changing = {*slots.coordinates, *slots.velocities, *slots.prescribed, t}
+    return bool(moving.is_nonnegative) and not constant.free_symbols & changing
+
+
+def _turning(meaning: Meaning) -> Iterator[Block]:
+    """`Circles: ...: the velocity turns at the rate c`, or the axes in which an oscillation keeps its plane."""
+    found = meaning.turning
+    if found is None:
+        return
+    pair = (found.first, found.second)
+    if found.stiffness is None:
+        laws = listed(math(prime(q, 2), a) for q, a in zip(pair, found.accelerations, strict=True))
+        velocity = (math(prime(found.first)), " and ", math(prime(found.second)))
+        yield prose(
+            *(Emphasis("Circles"), ": ", *laws, ". The velocity with the components ", *velocity),
+            *(" turns at the constant rate ", math(found.rate), " and keeps its size, so the motion is uniform, "),
+            "on a circle.",
+        )
+        return
+    order: tuple[Part, ...] = () if found.small is None else (", to first order in ", math(found.small))
+    letters = [sp.Symbol(name, real=True) for name in _unused(meaning, ("xi", "eta", "X", "Y", "u", "v"))]
+    laws = listed(math(prime(q, 2) + found.stiffness * q, sp.S.Zero) for q in letters)
+    yield prose(
+        *(Emphasis("Turning"), ": for axes that turn at the rate ", math(found.rate), " the velocities drop out"),
+        *(*order, ": there ", *laws, ". "),
+        "An oscillation along one of these axes stays along it, and turns with it.",
+    )
+
+
+def _unused(meaning: Meaning, names: Sequence[str]) -> list[str]:
+    """Two names for coordinates that the problem does not use."""
+    motion = meaning.view.motion
+    taken = set() if motion is None else {s.name for e in motion.final for s in e.expression.free_symbols}
+    return [name for name in names if name not in taken][:2]
 
 
 def _rest(meaning: Meaning) -> Iterator[Block]:

@@ -34,6 +34,15 @@ def displacements_shortly(step: Step) -> Step:
     return replace(step, body=tuple(body)) if body else step
 
 
+def without_lecture(step: Step) -> Step:
+    """Lagrange's equations with no more than the first sentence of why T is not reduced before it is differentiated."""
+    body = [
+        prose(*b.parts[:3]) if isinstance(b, Prose) and "not substituted into" in str(b.parts[0]) else b
+        for b in step.body
+    ]
+    return replace(step, body=tuple(body))
+
+
 def displacements_of_geometric(configuration: Configuration, elimination: Elimination) -> Step:
     """Where constraints are free of time, virtual displacements satisfy them as possible ones do."""
     slots, rows = configuration.slots, configuration.rows

@@ -20,6 +20,7 @@ from lagrange.problem.model import Problem
 
 _MARKED = re.compile(r"`([^`\n]+)`|\$([^$\n]+)\$")
 _SYMBOL = re.compile(r"(?<![\w'’`$\\-])([A-Za-z]+(?:_?\w+)?'{0,2})(?![\w'’])")
+_ROOT = re.compile(r"([0-9]*)\s*(?:\\sqrt\{([^{}]*)\}|\*?sqrt\(([^()]*)\))")
 _WORDS = frozenset({"a", "A", "I"})
 MOST_FORMULAS = 50
 """Of formulas in one text that are set; a description has two or three."""
@@ -45,9 +46,19 @@ def _formula(text: str, problem: Problem) -> tuple[Part, ...]:
         if "=" in text:
             equation = read_equation(fragment, problem.scope, [], latex=True)
             return (math(equation.lhs, equation.rhs),)
-        return (math(read_value(fragment, problem.scope, [], latex=True)),)
+        return (math(_value(text, problem)),)
     except ProblemError:
         return (text,)
+
+
+def _value(text: str, problem: Problem) -> sp.Expr:
+    """The value of a formula; a square root of a product stays one."""
+    root = _ROOT.fullmatch(text.strip())
+    if root is None:
+        return read_value(Fragment.of(text), problem.scope, [], latex=True)
+    number, latex, plain = root.groups()
+    value = sp.Pow(read_value(Fragment.of(latex or plain), problem.scope, [], latex=True), sp.S.Half, evaluate=False)
+    return sp.Mul(int(number), value, evaluate=False) if number else value
 
 
 def _with_symbols(text: str, problem: Problem) -> Iterator[Part]:

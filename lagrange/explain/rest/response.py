@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import sympy as sp
 
+from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
 from lagrange.core.symbols import t
 from lagrange.document.builders import display, listed, math, paragraph, prose
 from lagrange.document.derivation import Block, Detail, Equation, Part, Rule, Step
@@ -103,7 +104,7 @@ def _resonance(found: Response) -> Iterator[Block]:
     w = found.drive.frequency
     if found.resonances and found.is_damped:
         yield prose("The amplitude is greatest at")
-        line = Equation((w**2, found.resonances[0]), label=_label(found.forced, "resonance"),
+        line = Equation((w**2, without_leading_minus(found.resonances[0])), label=_label(found.forced, "resonance"),
                         condition=("if that is positive",))  # fmt: skip
         yield display(line)
     elif found.resonances:

@@ -24,6 +24,7 @@ import sympy as sp
 
 from lagrange.algebra.exact.zero_test import Surface
 from lagrange.algebra.forms.combinations import combination
+from lagrange.algebra.forms.combined_relations import CombinedRelation, combined_relations
 from lagrange.algebra.forms.hidden_relations import HiddenRelations, differential_of, hidden_relations
 from lagrange.algebra.forms.integrability import Flag, derived_flag
 from lagrange.core.diagnostics import UndecidedError
@@ -93,6 +94,18 @@ class Classification:
     def independent(self) -> tuple[ConstraintAnalysis, ...]:
         """The constraints that are not redundant."""
         return tuple(c for c in self.constraints if c.row.name not in self.redundant)
+
+    @property
+    def integrals(self) -> tuple[tuple[str, sp.Expr], ...]:
+        """The functions that kinematic constraints keep constant, after their names, then the hidden ones, without."""
+        kinematic = ((c.row.name, c.integral) for c in self.constraints if c.row.finite is None)
+        single = ((name, f) for name, f in kinematic if f is not None)
+        return (*single, *(("", r.function) for r in self.hidden.found))
+
+    @property
+    def combined(self) -> tuple[CombinedRelation, ...]:
+        """What two of `integrals` say together with fewer coordinates than either."""
+        return combined_relations([f for _, f in self.integrals], self.constrained.slots.coordinates)
 
     @property
     def integrable_rank(self) -> int | None:

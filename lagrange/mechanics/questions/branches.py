@@ -28,6 +28,7 @@ from lagrange.core.records import record
 from lagrange.core.symbols import Bounded, Slots, base, prime
 from lagrange.mechanics.questions.limits import MOST_SIGNS
 from lagrange.mechanics.questions.results import AnswerBranch, Because
+from lagrange.problem.model import Problem
 
 State = Mapping[sp.Symbol, sp.Expr]
 
@@ -51,6 +52,7 @@ class Beginning:
     turning        the coordinate at all turning points of a motion with one degree of freedom; None: not known
     own            the coordinates that are not expressed by the others
     values         numbers for the parameters, which decide what letters leave open
+    ranges         what the ranges of coordinates make not negative: q, q − low and q, high − q
     """
 
     initial: State
@@ -61,6 +63,7 @@ class Beginning:
     turning: Callable[[], Sequence[sp.Expr] | None] = lambda: None
     own: tuple[sp.Symbol, ...] = ()
     values: State = field(default_factory=dict)
+    ranges: tuple[tuple[sp.Symbol, sp.Expr], ...] = ()
 
     def sign(self, e: sp.Expr, conditions: Sequence[SignCondition] = ()) -> int | None:
         """The sign of a value; where letters leave it open, that with the values of the parameters."""
@@ -92,6 +95,12 @@ class Beginning:
         if not slots or not all(s in state and s in self.initial for s in slots):
             return False
         return all(is_zero(state[s] - self.initial[s]) is True for s in slots)
+
+
+def bounds(problem: Problem) -> tuple[tuple[sp.Symbol, sp.Expr], ...]:
+    """What the ranges of coordinates make not negative: q, q − low and q, high − q."""
+    bounded = ((c.symbol, c.range) for c in problem.coordinates)
+    return tuple((q, e) for q, r in bounded if r is not None for e in (q - r.low, r.high - q))
 
 
 def first_branches(
@@ -180,9 +189,12 @@ def _moving(b: AnswerBranch, q: sp.Symbol, way: int) -> tuple[State, ...]:
 
 
 def _without_negative_radii(b: AnswerBranch, beginning: Beginning) -> AnswerBranch | None:
-    """The part of a branch in which no radius is negative; None where there is none."""
+    """The part of a branch with no negative radius and each coordinate in its range; None where there is none."""
     kept = tuple(
-        s for s in b.states if not any(q in s and beginning.sign(s[q], b.conditions) == -1 for q in beginning.radii)
+        s
+        for s in b.states
+        if not any(q in s and beginning.sign(s[q], b.conditions) == -1 for q in beginning.radii)
+        and not any(beginning.sign(e.xreplace(s), b.conditions) == -1 for q, e in beginning.ranges if q in s)
     )
     return b if len(kept) == len(b.states) else replace(b, states=kept) if kept else None
 

@@ -29,7 +29,7 @@ from lagrange.core.symbols import base, prime, t
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.questions import numerical
 from lagrange.mechanics.questions.arrivals import Arrivals, UndecidedError, while_it_begins, while_slipping
-from lagrange.mechanics.questions.branches import Beginning, first_branches, outright, sign_of_value
+from lagrange.mechanics.questions.branches import Beginning, bounds, first_branches, outright, sign_of_value
 from lagrange.mechanics.questions.closed_motions import ClosedMotion, closed_motions
 from lagrange.mechanics.questions.dependent import completed, dependent, reduced
 from lagrange.mechanics.questions.elimination import Eliminated, eliminated
@@ -382,7 +382,8 @@ class _Search:
         own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
         initial = self.setting.initial
         values = self.setting.values
-        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values)
+        ranges = bounds(self.setting.problem)
+        return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values, ranges)
 
     def _starts_positive(self, q: sp.Symbol) -> bool:
         return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1

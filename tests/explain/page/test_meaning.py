@@ -1,4 +1,4 @@
-"""What the result says: quasi-velocities that can change in one sense only."""
+"""What the result says: what descriptions promise, quasi-velocities that can change in one sense only."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from lagrange.document.derivation import Detail
 from lagrange.explain.report import report
 from lagrange.problem.loader import load
 from lagrange.render import terminal
-from tests.support.shared import SHIPPED
+from tests.support.shared import SHIPPED, reported
 
 SLEIGH = SHIPPED["sleigh"].read_text()
 
@@ -35,6 +35,36 @@ def test_a_rate_of_one_sign(centre: str, said: str, tmp_path: Path) -> None:
     assert said in page(text, tmp_path)
 
 
-def test_nothing_is_said_of_a_rate_of_either_sign(tmp_path: Path) -> None:
+def test_a_rate_whose_sign_is_that_of_a_constant(tmp_path: Path) -> None:
     text = SLEIGH.split("figure:")[0].replace("a: {assume: positive, ", "a: {assume: real, ")
-    assert "One way" not in page(text, tmp_path)
+    printed = page(text, tmp_path)
+    assert "u̇ = a ω², which is always of the same sign: u moves in one sense, or is constant while ω = 0." in printed
+    assert printed.count("One way") == 1  # and nothing of ω̇, which has a product of two velocities
+
+
+def shipped_page(name: str) -> str:
+    r = reported(name, complete=False)
+    return " ".join(terminal.text(r.derivation, r.notation, 400, Detail.STEPS).split())
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("south-pointing-chariot", "together say that ╭─────────────────────────╮ │ θ + ψ = const"),
+        ("foucault-pendulum", "for axes that turn at the rate −Ω sin λ the velocities drop out, to first order in Ω"),
+        ("ball-on-turntable", "turns at the constant rate 2Ω/7 and keeps its size"),
+        ("ball-on-a-ball", "d/dt (𝛚·𝐨𝐮𝐭) = 0"),
+        ("euler-rigid-body", "A ṗ = (B − C) q r"),
+        ("ex05-ice-skate", "leave, to second order, δx = ε² sin θ and δy = −ε² cos θ"),
+        ("ex01-horizontal-surface", "d/dt (½ m (ẋ² + ẏ²)) = ẋ F_x + ẏ F_y"),
+        ("ex06-two-particle-skate", "(x₁ − x₂) δx₁ + (y₁ − y₂) δy₁ + (x₂ − x₁) δx₂"),
+        ("suslov-body", "which is always of the same sign: q moves in one sense, or is constant while u = 0"),
+        ("governor", "φ̇² = (M + m) g/(m l cos θ)"),
+    ],
+)
+def test_a_page_gives_what_its_description_promises(name: str, said: str) -> None:
+    assert said in shipped_page(name)
+
+
+def test_equations_that_stand_on_the_page_are_not_said_in_short() -> None:
+    assert "In short" not in shipped_page("blade-from-a-lagrangian")

@@ -1,0 +1,55 @@
+"""Equations as they were stated, in the names that the file gives: quasi-velocities, and ω·n with a vector of `let`.
+
+Where an answer says A p' = (B − C) q r, or dot(omega_ball, out), these have been replaced by what they mean before it
+was judged. What is printed has them again: a sum that is such a quantity or its time derivative, exactly, is replaced.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import sympy as sp
+
+from lagrange.algebra.exact.zero_test import is_zero
+from lagrange.core.symbols import DotProduct, TimeDerivative, VectorSymbol, prime
+from lagrange.core.vectors import Vector
+from lagrange.explain.page.meaning import Stated
+from lagrange.mechanics.results import Solution
+
+MOST_NAMES = 12
+"""The most quantities that are looked for."""
+
+
+def in_names(solution: Solution, stated: Stated) -> Stated:
+    """The equations with the names."""
+    names = [*_names(solution)]
+    return tuple(tuple(_named(side, names) for side in sides) for sides in stated) if names else stated
+
+
+def _names(solution: Solution) -> Iterator[tuple[sp.Expr, sp.Expr]]:
+    """Pairs: a sum, and what it is called; of each quantity also the time derivative."""
+    slots, problem = solution.problem.slots, solution.problem
+    pairs: list[tuple[sp.Expr, sp.Expr, sp.Expr]] = []
+    pairs += [(u.definition, u.symbol, prime(u.symbol)) for u in problem.speeds]
+    for r in solution.own.configuration.rotations:
+        for name, direction in problem.abbreviations.items():
+            if not isinstance(direction, Vector):
+                continue
+            value = r.angular_velocity.fixed().dot(direction.fixed())
+            called = DotProduct(VectorSymbol(f"omega_{r.name}"), VectorSymbol(name))
+            pairs.append((value, called, TimeDerivative(called)))
+    for value, called, rate in pairs[:MOST_NAMES]:
+        if isinstance(value, sp.Expr) and value.is_Add:
+            yield value, called
+            yield slots.time_derivative(value), rate
+
+
+def _named(e: sp.Expr, names: list[tuple[sp.Expr, sp.Expr]]) -> sp.Expr:
+    if e.is_Add:
+        for value, called in names:
+            if e.free_symbols == value.free_symbols:
+                if is_zero(e - value) is True:
+                    return called
+                if is_zero(e + value) is True:
+                    return -called
+    return e.func(*(_named(a, names) for a in e.args)) if e.args else e
