@@ -14,7 +14,7 @@ An answer found by one of them is exact, but for the last one. What is not found
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 import sympy as sp
@@ -37,6 +37,7 @@ from lagrange.mechanics.questions.forms import (
     joined,
     under_one_root,
     without_roots_below,
+    with_whole_logarithms,
     without_roots_in_logarithms,
 )
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
@@ -295,7 +296,7 @@ class _Search:
         branches = list(chosen.branches)
         if self.question.by is None and self.setting.initial and not self._is_at_start:
             arrivals = Arrivals(self.setting, self._beginning, self.rule, tuple(self.when), self.parameter)
-            branches = arrivals.reached(branches)
+            branches = arrivals.reached(branches) or self._at_the_start(lasting)
         if not branches:
             raise ProblemError(self._never_holds())
         if self._is_at_start:
@@ -315,6 +316,21 @@ class _Search:
             mirrored=chosen.mirrored,
             verified=found.verified,
         )
+
+    def _at_the_start(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
+        """The initial state, where the conditions hold there and at no later time: the force on the crest of a hill."""
+        found = []
+        for b in branches:
+            known = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
+            start = {s: v.xreplace(known) for s, v in self.setting.initial.items()}
+            beginning = replace(self._beginning, initial=start)
+            places = [n for n, s in enumerate(b.states) if beginning.is_initial(s)]
+            is_possible = not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1)
+            if places and is_possible:
+                values = tuple(b.values[n] for n in places) if len(b.values) == len(b.states) else b.values
+                rhs = values[0] if len(values) == 1 else b.rhs
+                found.append(replace(b, rhs=rhs, values=values, states=tuple(b.states[n] for n in places)))
+        return found
 
     def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
         """The branch without a doubt, where the solution in time comes to the same value."""
@@ -430,7 +446,8 @@ class _Search:
         wanted = {base(s) for s in mentioned} | ({self.question.by} - {t, None})
         accelerations = {a: e.xreplace(rule) for a, e in self.known.accelerations.items()}
         slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
-        motions = closed_motions(accelerations, self.setting.initial, wanted | slipping)
+        places = self._places_of_no_matter(accelerations)
+        motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping)
         branches: list[AnswerBranch] = []
         ended = False
         for m in motions:
@@ -442,8 +459,9 @@ class _Search:
             branches += [b for b in lasting if b is not None]
         if ended and not branches:
             raise ProblemError(self._slip_has_ended())
-        if not motions:
+        if not motions or any(b.rhs.free_symbols & {*places.values()} for b in branches):
             return None
+        branches = [replace(b, states=tuple(_without(s, places.values()) for s in b.states)) for b in branches]
         if not branches:
             approached = any(fades(m.at_time(e.xreplace(rule))) for m in motions for e in self.when)
             raise ProblemError(self._never_holds(approached))
@@ -452,6 +470,13 @@ class _Search:
             branches=tuple(_shown(b) for b in branches),
             solutions={q: under_one_root(e) for q, e in motions[0].solutions.items()} if len(motions) == 1 else {},
         )
+
+    def _places_of_no_matter(self, accelerations: Values) -> dict[sp.Symbol, sp.Symbol]:
+        """A letter for the initial value of each coordinate that is not given and does not occur in the equations."""
+        initial = self.setting.initial
+        occurring = set().union(*(e.free_symbols for e in accelerations.values()))
+        free = (q for q in self.slots.coordinates if q not in initial and prime(q) in initial and q not in occurring)
+        return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
 
     @property
     def _slips(self) -> list[sp.Expr]:
@@ -526,7 +551,8 @@ class _Search:
             return [replace(b, conditions=b.conditions) for b in right]
         if any(is_zero(e) is not True for e in left):
             return None
-        at = without_roots_in_logarithms(shortest_form(factored_quotient(value.xreplace(rule))))
+        at = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value.xreplace(rule))
+        at = without_roots_in_logarithms(at)
         rates = {prime(q): e.diff(t) for q, e in motion.solutions.items()}
         senses = self.setting.known.senses
         if not all(_keeps_sign(rates[v], senses[v], root) for v in rates if v in senses):
@@ -581,6 +607,12 @@ class _Search:
             message = f"the `when` of the question `{self.question.name}` holds only in the limit t → ∞"
             help_ = "the motion approaches this state and is never there: ask when a part of the way is left"
         return Diagnostic("never-holds", message, first, help=help_)
+
+
+def _without(state: Values, letters: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """A state without what contains one of some letters."""
+    unknown = {*letters}
+    return {s: e for s, e in state.items() if not e.free_symbols & unknown}
 
 
 def _keeps_sign(rate: sp.Expr, sense: int, root: TimeRoot) -> bool:
