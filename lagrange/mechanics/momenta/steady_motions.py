@@ -18,8 +18,8 @@ With constraints on the velocities the same is done with the independent coordin
 then not constant, but their equations integrate to first order in the same way wherever K_co = 0 and D_cc = 0 .
 
 Where the conditions have no closed solution for the coordinates, or contain several constant rates, they are solved
-for one of these: a disc that rolls in a circle, or a top that precesses, has ψ' = F(θ, φ'). What its denominator excludes, φ' = 0, is a family of its own: the disc that rolls
-straight on.
+for one of these: a disc that rolls in a circle, or a top that precesses, has ψ' = F(θ, φ'). What its denominator
+excludes, φ' = 0, is a family of its own: the disc that rolls straight on.
 
 Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84; Neimark and Fufaev, ch. VI.
 """

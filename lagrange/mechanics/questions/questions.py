@@ -36,13 +36,14 @@ from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import (
     joined,
     under_one_root,
-    without_roots_below,
     with_whole_logarithms,
+    without_roots_below,
     without_roots_in_logarithms,
 )
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
 from lagrange.mechanics.questions.reach import Path
+from lagrange.mechanics.questions.rest.ranges import in_ranges
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, Because, How, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import (
@@ -285,6 +286,8 @@ class _Search:
     def _chosen(self, route: Route, found: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
+        inside = (in_ranges(b, self.configuration, self.setting.values) for b in found.branches)
+        found = replace(found, branches=tuple(b for b in inside if b is not None))
         parted = [self._with_stated_slip(b) for b in found.branches]
         lasting = [b for b in parted if b is not None]
         against = [b for b, kept in zip(found.branches, parted, strict=True) if kept is None]
