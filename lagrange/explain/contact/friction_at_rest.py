@@ -23,14 +23,14 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     """The equations of balance, the forces, the conditions."""
     suffix = suffix_of(rest.name)
     body: list[Block] = [*_contacts(rest.contacts, newton), *_belts(rest.belts)]
+    if rest.equal:
+        pairs = listed(math(q, e) for q, e in rest.equal.items())
+        body.append(prose("For acute angles the constraints give ", *pairs, "."))
     if rest.balance:
         body.append(prose("At rest the forces balance for every coordinate:"))
         body.append(
             display(*(Equation((e, ZERO), label=f"rest-balance{suffix}-{q.name}") for q, e in rest.balance.items()))
         )
-    if rest.equal:
-        pairs = listed(math(q, e) for q, e in rest.equal.items())
-        body.append(prose("For acute angles the constraints give ", *pairs, "."))
     known = [(u, v) for u, v in rest.forces.items() if u not in rest.open]
     if known:
         body.append(prose("Solved for the forces, these equations give"))

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
@@ -84,7 +85,7 @@ def with_whole_logarithms(form: Callable[[sp.Expr], sp.Expr], e: sp.Expr) -> sp.
         if not any(f in g.args[0].atoms(sp.log) for g in logarithms):
             letter, below = sp.Dummy(real=True), _is_below_one(f.args[0])
             letters[f] = -letter if below else letter
-            back[letter] = sp.log(1 / f.args[0]) if below else f
+            back[letter] = sp.log(factored_quotient(1 / f.args[0] if below else f.args[0]))
     return form(e.xreplace(letters)).xreplace(back)
 
 

@@ -258,3 +258,13 @@ def in_order(roots: list[TimeRoot]) -> Iterator[TimeRoot]:
             yield r
             return
     yield from roots
+
+
+def keeps_sign(rate: sp.Expr, sense: int, root: TimeRoot) -> bool:
+    """Whether a velocity keeps the sign of the start, with which |q'| was replaced, up to a time."""
+    turns = times(rate)
+    if turns is None:
+        return False
+    if all(sign_of_value(turn.value - root.value) in (0, 1) for turn in turns):
+        return True
+    return sign_of_value(sense * rate.xreplace({t: root.value})) in (0, 1)

@@ -1,1 +1,1 @@
-"""Questions about positions: a system at rest, and the ranges that coordinates have."""
+"""Questions about a system at rest, the ranges of coordinates, and why a question has no answer."""
