@@ -9,7 +9,7 @@ The routes are tried in this order, in each set of coordinates that has all that
     quadrature      t = ∫ dq/q', where q' is known from an integral
     numbers         with values for all parameters: the first time at which the conditions hold
 
-An answer found by one of them is exact, but for the last one. What is not found is said, with what is known.
+All but the last are exact. What is not found is said, with what is known; `rest` has questions about a system at rest.
 """
 
 from __future__ import annotations
@@ -402,15 +402,13 @@ class _Search:
         radii = tuple(
             q
             for q in self.slots.coordinates
-            if self._starts_positive(q) and (first == f"e_{q}" or self.setting.is_kept_from_zero(q))
+            if sign_of_value(self.setting.initial.get(q, sp.S.Zero)) == 1
+            and (first == f"e_{q}" or self.setting.is_kept_from_zero(q))
         )
         own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
         initial = self.setting.initial
         values = self.setting.values
         return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values)
-
-    def _starts_positive(self, q: sp.Symbol) -> bool:
-        return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1
 
     def _turning(self) -> Sequence[sp.Expr] | None:
         """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
