@@ -28,6 +28,10 @@ RESULTS = (
     Rule.QUESTION,
     Rule.EQUILIBRIUM,
     Rule.LINEARIZATION,
+    Rule.FRICTION_AT_REST,
+    Rule.STEADY,
+    Rule.RESPONSE,
+    Rule.IMPACT,
 )
 """The steps whose boxed equations are results."""
 

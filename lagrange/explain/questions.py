@@ -284,6 +284,9 @@ def _how(asked: Asked) -> tuple[Part, ...]:
         return ("Therefore",)
     if asked.route is Route.STATE:
         return ("In this state",)
+    if asked.route is Route.REST:
+        return ("The balance of the forces for every coordinate, the constraints and this condition together give"
+                if asked.question.when else "The balance of the forces and the constraints give",)  # fmt: skip
     if asked.route is Route.QUADRATURE:
         return ("It is elementary, as differentiation shows:",)
     return ("Together these give",)

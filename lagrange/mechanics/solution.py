@@ -99,9 +99,10 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     refuse_what_is_not_covered(problem)
     if problem.lagrangian is not None:
         method = Method.LAGRANGE  # there are no masses and forces for d'Alembert's principle
+    asks_of_motion = problem.questions and not _asks_at_rest(problem)
     needs_motion = {Find.LINEARIZATION, Find.RESPONSE, Find.HAMILTONIAN, Find.STEADY} & {
         *problem.find
-    } or problem.questions
+    } or asks_of_motion
     if needs_motion and Find.MOTION not in problem.find:
         problem = replace(problem, find=(Find.MOTION, *problem.find))
     running = ""
@@ -122,6 +123,15 @@ def _solved(problem: Problem, choice: str | None, complete: bool, method: Method
     except (GivenUpError, MemoryError) as stop:
         return replace(solution, given_up=f"{running}, {reason(stop)}")
     return solution
+
+
+def _asks_at_rest(problem: Problem) -> bool:
+    """Whether the questions of a file are about a system at rest without dry friction."""
+    if {*problem.find} & {Find.MOTION, Find.IMPENDING} or Find.EQUILIBRIUM not in problem.find or not problem.questions:
+        return False
+    from lagrange.mechanics.questions.rest.at_rest import are_about_rest
+
+    return are_about_rest(problem) and not any(isinstance(f, Friction | Belt) for f in problem.forces)
 
 
 def _stages(
@@ -149,7 +159,9 @@ def _stages(
         yield lambda s: _with_equilibrium(s, on_stage)
     if rough and {Find.EQUILIBRIUM, Find.IMPENDING} & {*problem.find}:
         yield lambda s: _with_rest(s, blank, on_stage)
-    if problem.questions or (problem.initial and Find.MOTION in problem.find):
+    if problem.questions and _asks_at_rest(problem):
+        yield lambda s: _with_questions_at_rest(s, on_stage)
+    elif problem.questions or (problem.initial and Find.MOTION in problem.find):
         yield lambda s: _with_questions(s, on_stage)
     yield _with_numbers
 
@@ -524,6 +536,19 @@ def _with_questions(solution: Solution, on_stage: OnStage) -> Solution:
         return replace(solution, from_start=motion_from_start(solution.problem, places, configurations))
     asked = answers_to_questions(solution.problem, places, configurations)
     return replace(solution, asked=asked, checks=(*solution.checks, *check_questions(asked, places)))
+
+
+def _with_questions_at_rest(solution: Solution, on_stage: OnStage) -> Solution:
+    """The solution with the answers to questions about positions of equilibrium."""
+    from lagrange.mechanics.questions.rest.at_rest import answers_at_rest, check_answers_at_rest
+
+    on_stage("questions")
+    resting, problem = solution.own.equilibrium, solution.problem
+    assert resting is not None
+    newton = solution.law.newton if solution.law else None
+    asked = answers_at_rest(problem, resting, newton)
+    checks = check_answers_at_rest(asked, problem, resting, newton)
+    return replace(solution, asked=asked, checks=(*solution.checks, *checks))
 
 
 def _with_rest(solution: Solution, blank: Solution, on_stage: OnStage) -> Solution:

@@ -375,6 +375,8 @@ def test_friction_at_its_limit(name: str, number: int, values: dict[str, float],
         ("stacked-blocks", {"W_1": 10, "W_2": 30, "F": 3.9, "mu_1": 0.5, "mu_2": 0.1}, True),
         ("stacked-blocks", {"W_1": 10, "W_2": 30, "F": 4.1, "mu_1": 0.5, "mu_2": 0.1}, False),
         ("stacked-blocks", {"W_1": 10, "W_2": 30, "F": 3.9, "mu_1": 0.3, "mu_2": 0.1}, False),
+        ("step-ladder", {"W": 9, "mu": 0.4, "theta_1": 0.67}, True),  # N = W, F = W/2 tan θ, tan θ ≤ 0.8
+        ("step-ladder", {"W": 9, "mu": 0.4, "theta_1": 0.68}, False),
         ("ladder-on-rough-ground", {"W": 9, "l": 1, "mu": 0.4, "nu": 0.25, "theta": 0.72}, True),  # tan θ ≤ 8/9
         ("ladder-on-rough-ground", {"W": 9, "l": 1, "mu": 0.4, "nu": 0.25, "theta": 0.73}, False),
         ("crate-tips-or-slides", {"W": 100, "P": 29, "b": 0.4, "c": 0.7, "h": 1.3, "mu": 0.5}, True),  # tips at 30.8
@@ -398,3 +400,25 @@ def test_a_support_under_a_beam() -> None:
     [point] = numbers(found, {"W": 100, "l": 4, "P": 30, "Q": 70, "a": 3, "y": 0, "theta": 0.3})
     assert isclose(point["N"], 200)
     assert isclose(point["s"], (100 * 2 + 70 * 3) / 200)
+
+
+def test_crank_by_the_power_of_its_forces() -> None:
+    """M θ' = −P x' of the slider, x' by differences."""
+
+    def x(theta: float) -> float:
+        return 0.1 * cos(theta) + sqrt(0.25**2 - (0.1 * sin(theta)) ** 2)
+
+    [asked] = solved("crank-at-an-angle").asked
+    [branch] = asked.branches
+    found = float(
+        branch.rhs.xreplace({sp.Symbol(n, positive=True): v for n, v in (("r", 0.1), ("l", 0.25), ("P", 2000))})
+    )
+    rate = (x(pi / 3 + 1e-6) - x(pi / 3 - 1e-6)) / 2e-6
+    assert isclose(found, -2000 * rate, rel_tol=1e-7)
+
+
+def test_triangle_of_bars_by_its_joints() -> None:
+    """Joint C: 2 S 4/5 = −P; joint B: T = −S 3/5."""
+    tie, bar = solved("triangle-of-bars").asked
+    rule = {sp.Symbol("P", positive=True): 8000, sp.Symbol("l", positive=True): 5}
+    assert (tie.branches[0].rhs.xreplace(rule), bar.branches[0].rhs.xreplace(rule)) == (3000, -5000)

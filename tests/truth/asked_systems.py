@@ -156,7 +156,35 @@ def rear_wheel_drive() -> tuple[Route, ...]:
     return (newton_euler("x y phi", [car], {"rear": rear, "front": front}),)
 
 
+def crest_of_a_hill() -> tuple[Route, ...]:
+    x, y = moving("x y")
+    m, a, h, g = constants("m a h g")
+    return (newton("x y", [(m, (x, y), (0, -m * g))], {"road": y - h + x**2 / (2 * a)}),)
+
+
+def ball_with_backspin() -> tuple[Route, ...]:
+    """Newton and Euler: friction mu N to the left at the lowest point, against the slip to the right."""
+    x, y, theta = moving("x y theta")
+    m, radius, mu, g = constants("m R mu g")
+    normal = sp.Symbol("lambda_lane")
+    equations = (
+        m * d(x, 2) + mu * normal,
+        m * d(y, 2) + m * g - normal,
+        sp.Rational(2, 5) * m * radius**2 * d(theta, 2) - mu * normal * radius,
+    )
+    return (literature("x y theta", equations, {"lane": y - radius}, multipliers="lambda_lane"),)
+
+
+def stone_in_linear_drag() -> tuple[Route, ...]:
+    y = moving("y")[0]
+    m, c, g = constants("m c g")
+    return (newton("y", [(m, (sp.S.Zero, y), (0, -m * g - c * d(y)))]),)
+
+
 ASKED: dict[str, Textbook] = {
+    "ball-with-backspin": Textbook(ball_with_backspin, HOLONOMIC, 2, 1),
+    "crest-of-a-hill": Textbook(crest_of_a_hill, HOLONOMIC, 1, 1),
+    "stone-in-linear-drag": Textbook(stone_in_linear_drag, HOLONOMIC, 1, 0),
     "ball-thrown-up": Textbook(ball_thrown_up, HOLONOMIC, 1, 0),
     "bead-slowed-on-a-ring": Textbook(bead_slowed_on_a_ring, HOLONOMIC, 1, 1),
     "boat-that-drifts": Textbook(boat_that_drifts, HOLONOMIC, 1, 0),

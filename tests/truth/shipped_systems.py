@@ -534,6 +534,7 @@ SHIPPED: dict[str, Textbook] = {
     "governor": Textbook(governor, HOLONOMIC, 2, 1),
     "gyrocompass": Textbook(gyrocompass, "holonomic rheonomic catastatic", 2, 0),
     "heavy-top": Textbook(of_bodies("heavy_top"), HOLONOMIC, 3, 0),
+    "precessing-top": Textbook(of_bodies("heavy_top"), HOLONOMIC, 3, 0),
     "hoop-on-incline": Textbook(hoop_on_incline, HOLONOMIC, 1, 2),
     "kapitza-pendulum": Textbook(kapitza_pendulum, RHEONOMIC, 1, 1, ranges={"l": (3, 4)}),
     "ball-on-a-string": Textbook(ball_on_a_string, HOLONOMIC, 1, 1),

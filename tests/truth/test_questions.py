@@ -145,7 +145,35 @@ def no_slip(s: State, _: float) -> float:
     return s[2] + 0.1 * s[3]
 
 
+def hill(a: float, g: float) -> Law:
+    """On the parabola y = h − x²/(2a): x'' from Newton's law along it."""
+    return lambda s, _: [s[1], s[0] * (a * g - s[1] ** 2) / (a**2 + s[0] ** 2)]
+
+
+def backspin(s: State, _: float) -> State:
+    """Friction to the left slows it down, and turns it clockwise, the sense in which its angle is counted."""
+    return [s[2], s[3], -0.2 * 9.8, 0.2 * 9.8 * 0.1 / (0.4 * 0.1**2)]
+
+
+THROWN_BACK = {"m": 5.0, "R": 0.1, "mu": 0.2, "g": 9.8, "v": 3.0, "w": 20.0}
+DRAGGED = {"m": 0.5, "c": 0.2, "v": 12.0, "g": 9.8}
+
+
+def dragged(s: State, _: float) -> State:
+    return [s[1], -9.8 - 0.2 / 0.5 * s[1]]
+
+
 CASES = [
+    Case("crest-of-a-hill", "pressure", {"m": 900.0, "a": 40.0, "v": 15.0, "g": 9.8}, hill(40.0, 9.8), [-0.02, 15.0],
+         lambda s, _: s[0], lambda s, _: 900.0 * (9.8 - s[1] ** 2 / 40.0)),
+    Case("crest-of-a-hill", "fastest", {"m": 900.0, "a": 40.0, "g": 9.8}, hill(40.0, 9.8), [-0.03, sqrt(40 * 9.8)],
+         lambda s, _: s[0], lambda s, _: s[1]),
+    Case("ball-with-backspin", "rolls", THROWN_BACK, backspin, [0.0, 0.0, 3.0, -20.0],
+         lambda s, _: s[2] - 0.1 * s[3], lambda _, t: t),
+    Case("ball-with-backspin", "speed", THROWN_BACK, backspin, [0.0, 0.0, 3.0, -20.0],
+         lambda s, _: s[2] - 0.1 * s[3], lambda s, _: s[2]),
+    Case("stone-in-linear-drag", "height", DRAGGED, dragged, [0.0, 12.0], lambda s, _: s[1], lambda s, _: s[0]),
+    Case("stone-in-linear-drag", "time", DRAGGED, dragged, [0.0, 12.0], lambda s, _: s[1], lambda _, t: t),
     Case("leaving-a-sphere", "leaves", {"R": 1.3, "g": 9.8, "m": 2.0}, circle(9.8, 1.3), [SMALL, 0.0],
          lambda s, _: 9.8 * cos(s[0]) - 1.3 * s[1] ** 2, lambda s, _: s[0]),
     Case("leaving-a-sphere", "speed", {"R": 1.3, "g": 9.8, "m": 2.0}, circle(9.8, 1.3), [SMALL, 0.0],

@@ -35,6 +35,7 @@ def sign_of(expression: sp.Expr, positive: Iterable[sp.Expr] = ()) -> int | None
     return _of_product(_factored(expression), known)
 
 
+@lru_cache(maxsize=1000)
 def _factored(expression: sp.Expr) -> sp.Expr:
     return sp.factor(expression) if expression.count_ops() <= LARGEST_SIGNED else expression
 

@@ -130,6 +130,8 @@ class _Claim:
             residual = sp.sin(difference / 2) if self._is_angle() else difference
             return rounded([residual]) is not None
         same = is_zero(difference)
+        if same is None and difference.has(sp.log):
+            same = is_zero(_parted_logarithms(difference))
         if same is False and self._is_angle():
             both = [is_zero(sp.cos(difference) - 1), is_zero(sp.sin(difference))]
             return False if False in both else None if None in both else True
@@ -253,6 +255,18 @@ class _Claim:
             if None not in same:
                 return Verdict.INCOMPLETE, _OTHER
         return Verdict.EQUIVALENT, ""
+
+
+def _parted_logarithms(e: sp.Expr) -> sp.Expr:
+    """log(a b/c) as log a + log b − log c, for positive factors: all logarithms of the same argument are one then."""
+
+    def parted(argument: sp.Expr) -> sp.Expr:
+        factors = [f.as_base_exp() for f in sp.Mul.make_args(sp.factor(sp.together(argument)))]
+        if not all(base_.is_positive for base_, _ in factors):
+            return sp.log(argument)
+        return sp.Add(*(exponent * sp.log(base_) for base_, exponent in factors))
+
+    return sp.expand(e.replace(sp.log, parted), log=False)
 
 
 def _vanishes(e: sp.Expr) -> bool | None:

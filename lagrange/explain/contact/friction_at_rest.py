@@ -23,6 +23,9 @@ def explain_rest(rest: AtRest, newton: Newton) -> Step:
     """The equations of balance, the forces, the conditions."""
     suffix = suffix_of(rest.name)
     body: list[Block] = [*_contacts(rest.contacts, newton), *_belts(rest.belts)]
+    if rest.equal:
+        pairs = listed(math(q, e) for q, e in rest.equal.items())
+        body.append(prose("For acute angles the constraints give ", *pairs, "."))
     if rest.balance:
         body.append(prose("At rest the forces balance for every coordinate:"))
         body.append(

@@ -17,9 +17,9 @@ Routh's function:
 With constraints on the velocities the same is done with the independent coordinates (`reduced_form`). The momenta are
 then not constant, but their equations integrate to first order in the same way wherever K_co = 0 and D_cc = 0 .
 
-Where the conditions have no closed solution for the coordinates, they may have one for a constant rate: a disc that
-rolls in a circle has ψ' = F(θ, φ'). What its denominator excludes, φ' = 0, is a family of its own: the disc that rolls
-straight on.
+Where the conditions have no closed solution for the coordinates, or contain several constant rates, they are solved
+for one of these: a disc that rolls in a circle, or a top that precesses, has ψ' = F(θ, φ'). What its denominator
+excludes, φ' = 0, is a family of its own: the disc that rolls straight on.
 
 Reference: Routh, Advanced Rigid Dynamics, ch. 3; Whittaker, §§ 83, 84; Neimark and Fufaev, ch. VI.
 """
@@ -136,28 +136,32 @@ def steady_motions(motion: EquationsOfMotion, taken: frozenset[str]) -> SteadyMo
     small = displacement_names(remaining.slots.coordinates, taken)
     letters = letters_of(taken)
 
-    def family(rates: Mapping[sp.Symbol, sp.Expr]) -> Family:
-        resting = _without_poles(_conditions(remaining, [f.xreplace(dict(rates)) for f in forces]), form, rates)
-        branches, complete = branches_at_rest(resting)
+    def resting(rates: Mapping[sp.Symbol, sp.Expr]) -> Equilibrium:
+        return _without_poles(_conditions(remaining, [f.xreplace(dict(rates)) for f in forces]), form, rates)
+
+    def family(rates: Mapping[sp.Symbol, sp.Expr], at_rest: Equilibrium) -> Family:
+        branches, complete = branches_at_rest(at_rest)
         at = tuple(
-            _about(b, form, cyclic, resting, small, *letters, rates) if n < MOST_EQUILIBRIA else None
+            _about(b, form, cyclic, at_rest, small, *letters, rates) if n < MOST_EQUILIBRIA else None
             for n, b in enumerate(branches)
         )
         of_others = replace(motion, configuration=remaining)
-        return Family(rates, Linearization(of_others, resting, branches, complete, small, *letters, False, at))
+        return Family(rates, Linearization(of_others, at_rest, branches, complete, small, *letters, False, at))
 
-    general = family({})
-    families: tuple[Family, ...] = (general,)
-    complete = general.about.complete
+    general = resting({})
+    complete = branches_at_rest(general)[1]
     rates = [slots.velocities[k] for k in cyclic]
-    solved = None if complete else _rate_from([c.expression for c in general.about.equilibrium.conditions], rates)
-    if solved is not None:
+    conditions = [c.expression for c in general.conditions]
+    solved = _rate_from(conditions, rates)
+    if solved is None or (complete and not _has_several(conditions, rates)):
+        families: tuple[Family, ...] = (family({}, general),)
+    else:
         [value] = solved.values()
         denominator = sp.fraction(sp.together(value))[1]
-        excluded = [v for v in rates if v in denominator.free_symbols]
-        families = (family(solved), *(family({v: ZERO}) for v in excluded))
+        excluded: list[dict[sp.Symbol, sp.Expr]] = [{v: ZERO} for v in rates if v in denominator.free_symbols]
+        families = tuple(family(known, resting(known)) for known in (solved, *excluded))
     turning = tuple(slots.coordinates[k] for k in cyclic)
-    return SteadyMotions(motion, form, turning, general.about.equilibrium, families, complete)
+    return SteadyMotions(motion, form, turning, general, families, complete)
 
 
 def _rate_from(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> dict[sp.Symbol, sp.Expr] | None:
@@ -170,6 +174,11 @@ def _rate_from(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> dic
         if slope != 0 and rate not in slope.free_symbols:
             return {rate: textbook_form(-condition.xreplace({rate: ZERO}) / slope)}
     return None
+
+
+def _has_several(conditions: Sequence[sp.Expr], rates: Sequence[sp.Symbol]) -> bool:
+    """Whether conditions contain several constant rates: they are shorter for a rate than for a coordinate."""
+    return len({v for e in conditions for v in e.free_symbols} & {*rates}) > 1
 
 
 def _conditions(remaining: Configuration, forces: Sequence[sp.Expr]) -> Equilibrium:
@@ -229,37 +238,37 @@ def reduced_matrices(
 ) -> tuple[Matrix, Matrix, Matrix] | None:
     """M̃, D̃, K̃ on a branch; None if the momenta are not constant to first order, or there is no closed form."""
     slots = form.configuration.slots
-    others = [k for k in range(len(slots.coordinates)) if k not in cyclic]
-    steady = {slots.velocities[k]: ZERO for k in others} | dict(rates)
+    o, c = [k for k in range(len(slots.coordinates)) if k not in cyclic], list(cyclic)
+    steady = {slots.velocities[k]: ZERO for k in o} | dict(rates)
 
-    def matrix(rows: Sequence[Sequence[sp.Expr]]) -> sp.Matrix | None:
-        values = [[on_branch(b, e.xreplace(steady), resting, in_parameters=True) for e in row] for row in rows]
-        return (
-            None if any(e is None or e.has(sp.zoo, sp.nan, sp.oo) for row in values for e in row) else sp.Matrix(values)
-        )
+    def matrix(rows: Sequence[Sequence[sp.Expr]]) -> sp.Matrix:
+        return sp.Matrix([[e.xreplace(steady) for e in row] for row in rows])
+
+    def on(e: sp.Expr) -> sp.Expr | None:
+        value = on_branch(b, e, resting, in_parameters=True)
+        return None if value is None or value.has(sp.zoo, sp.nan, sp.oo) else value
 
     mass = matrix(form.mass)
     damping = matrix([[-partial(f, v) for v in slots.velocities] for f in form.force])
     stiffness = matrix([[-partial(f, q) for q in slots.coordinates] for f in form.force])
-    if mass is None or damping is None or stiffness is None:
-        return None
-    o, c = others, list(cyclic)
     surface = Surface()
-    changes_momenta = (*stiffness.extract(c, o), *damping.extract(c, c))
-    if any(surface.is_zero(e) is not True for e in changes_momenta):
+    for e in (*stiffness.extract(c, o), *damping.extract(c, c)):  # what changes the momenta
+        value = on(e)
+        if value is None or surface.is_zero(value) is not True:
+            return None
+    turned = mass.extract(c, c)
+    size = on(turned.det(method="berkowitz"))
+    if size is None or surface.is_zero(size) is not False:
         return None
-    if surface.is_zero(mass.extract(c, c).det(method="berkowitz")) is not False:
-        return None
-    inverse = mass.extract(c, c).inv()
+    # The elimination comes before the values of the branch: with them the entries of M are long.
+    inverse = (turned.adjugate() / turned.det(method="berkowitz")).applyfunc(sp.cancel)
     across, turning, back = inverse * mass.extract(c, o), inverse * damping.extract(c, o), damping.extract(o, c)
     reduced = (
         mass.extract(o, o) - mass.extract(o, c) * across,
         damping.extract(o, o) - mass.extract(o, c) * turning - back * across,
         stiffness.extract(o, o) - back * turning,
     )
-    written = [
-        [[on_branch(b, e, resting, in_parameters=True) for e in m.row(k)] for k in range(m.rows)] for m in reduced
-    ]
+    written = [[[on(e) for e in m.row(k)] for k in range(m.rows)] for m in reduced]
     if any(e is None for m in written for row in m for e in row):
         return None
     m, d, k = (tuple(tuple(e for e in row if e is not None) for row in rows) for rows in written)

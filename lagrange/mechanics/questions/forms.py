@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import sympy as sp
 
 from lagrange.algebra.closed_forms.leading_signs import without_leading_minus
+from lagrange.algebra.closed_forms.polynomial_roots import factored_quotient
 from lagrange.algebra.closed_forms.signs import SignCondition, sign_of
 from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.mechanics.questions.limits import LONGEST_MULTIPLIED_OUT
@@ -73,6 +74,24 @@ def without_roots_in_logarithms(e: sp.Expr) -> sp.Expr:
         return f if has_root or square.count_ops() >= inner.count_ops() else sp.log(square) / 2
 
     return e.replace(lambda f: isinstance(f, sp.log), shorter)
+
+
+def with_whole_logarithms(form: Callable[[sp.Expr], sp.Expr], e: sp.Expr) -> sp.Expr:
+    """An expression in another form in which log(a/b) has not become log a − log b, and is −log(b/a) where a < b."""
+    logarithms = e.atoms(sp.log)
+    letters: dict[sp.Expr, sp.Expr] = {}
+    back: dict[sp.Expr, sp.Expr] = {}
+    for f in logarithms:
+        if not any(f in g.args[0].atoms(sp.log) for g in logarithms):
+            letter, below = sp.Dummy(real=True), _is_below_one(f.args[0])
+            letters[f] = -letter if below else letter
+            back[letter] = sp.log(factored_quotient(1 / f.args[0] if below else f.args[0]))
+    return form(e.xreplace(letters)).xreplace(back)
+
+
+def _is_below_one(e: sp.Expr) -> bool:
+    above, below = sp.fraction(sp.together(e))
+    return below != 1 and sign_of(above) == sign_of(below) == 1 and sign_of(sp.expand(below - above)) == 1
 
 
 def _fits(number: sp.Expr, radicand: sp.Expr) -> bool:

@@ -9,7 +9,7 @@ The routes are tried in this order, in each set of coordinates that has all that
     quadrature      t = ∫ dq/q', where q' is known from an integral
     numbers         with values for all parameters: the first time at which the conditions hold
 
-An answer found by one of them is exact, but for the last one. What is not found is said, with what is known.
+All but the last are exact. What is not found is said, with what is known; `rest` has questions about a system at rest.
 """
 
 from __future__ import annotations
@@ -36,12 +36,15 @@ from lagrange.mechanics.questions.elimination import Eliminated, eliminated
 from lagrange.mechanics.questions.forms import (
     joined,
     under_one_root,
+    with_whole_logarithms,
     without_roots_below,
     without_roots_in_logarithms,
 )
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 from lagrange.mechanics.questions.quadrature import time_between
 from lagrange.mechanics.questions.reach import Path
+from lagrange.mechanics.questions.rest.ranges import in_ranges
+from lagrange.mechanics.questions.rest.refusals import changes, never_holds, not_determined, slip_has_ended
 from lagrange.mechanics.questions.results import AnswerBranch, Asked, Because, How, Route, Substituted, UsedIntegral
 from lagrange.mechanics.questions.setting import Setting
 from lagrange.mechanics.questions.states import (
@@ -50,8 +53,9 @@ from lagrange.mechanics.questions.states import (
     Values,
     initial_state,
     meanings_at,
+    without,
 )
-from lagrange.mechanics.questions.times import TimeRoot, fades, in_order, times
+from lagrange.mechanics.questions.times import TimeRoot, fades, in_order, keeps_sign, times
 from lagrange.problem.model import Condition, Problem, Question
 
 
@@ -176,7 +180,9 @@ class _Search:
         """The answer, or what is known of it. Raises ProblemError where there is none."""
         mentioned = (self.question.quantity, *(c.function for c in self.question.when))
         if self.setting.known.held:
-            raise ProblemError(self._slip_has_ended("is about a motion that does not begin: friction holds it at rest"))
+            raise ProblemError(
+                slip_has_ended(self.question, "is about a motion that does not begin: friction holds it at rest")
+            )
         if any(self.known.unknown(e) for e in mentioned) or self._lacks_accelerations():
             return self._asked(Route.STATE)
         free: frozenset[sp.Symbol] = frozenset()
@@ -192,7 +198,7 @@ class _Search:
                     break
                 found = self._eliminated(used)
                 if found.never:
-                    raise ProblemError(self._never_holds())
+                    raise ProblemError(never_holds(self.question))
                 if found.branches and found.solved and not found.free:
                     return self._chosen(route, found, used)
                 free = found.free
@@ -200,9 +206,9 @@ class _Search:
             if asked is not None:
                 return asked
         if not self.question.when and self.question.by is None and self.parameter is None:
-            raise ProblemError(self._changes())
+            raise ProblemError(changes(self.question))
         if free and self._not_given():
-            raise ProblemError(self._not_determined(free))
+            raise ProblemError(not_determined(self.question, free, self._not_given()))
         return self._in_numbers() or self._asked(Route.INTEGRALS, free=free)
 
     def _lacks_accelerations(self) -> bool:
@@ -284,6 +290,8 @@ class _Search:
     def _chosen(self, route: Route, found: Eliminated, used: Sequence[UsedIntegral]) -> Asked:
         reached = outright(self.when, self.slots.coordinates)
         quantity = self.question.quantity if self.parameter is not None else self.quantity
+        inside = (in_ranges(b, self.configuration, self.setting.values) for b in found.branches)
+        found = replace(found, branches=tuple(b for b in inside if b is not None))
         parted = [self._with_stated_slip(b) for b in found.branches]
         lasting = [b for b in parted if b is not None]
         against = [b for b, kept in zip(found.branches, parted, strict=True) if kept is None]
@@ -295,13 +303,15 @@ class _Search:
         branches = list(chosen.branches)
         if self.question.by is None and self.setting.initial and not self._is_at_start:
             arrivals = Arrivals(self.setting, self._beginning, self.rule, tuple(self.when), self.parameter)
-            branches = arrivals.reached(branches)
+            branches = arrivals.reached(branches) or self._at_the_start(lasting)
         if not branches:
-            raise ProblemError(self._never_holds())
+            raise ProblemError(never_holds(self.question))
         if self._is_at_start:
             begins = while_it_begins(self.setting, self.rule, self._beginning.sign)
             if begins is None:
-                raise ProblemError(self._slip_has_ended("asks for slip that does not begin: friction prevents it"))
+                raise ProblemError(
+                    slip_has_ended(self.question, "asks for slip that does not begin: friction prevents it")
+                )
             branches = [replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *begins)))) for b in branches]
         if self.setting.stated_slips:
             branches = [replace(b, provided=True) if self._slip_is_open(b) else b for b in branches]
@@ -315,6 +325,21 @@ class _Search:
             mirrored=chosen.mirrored,
             verified=found.verified,
         )
+
+    def _at_the_start(self, branches: Sequence[AnswerBranch]) -> list[AnswerBranch]:
+        """The initial state, where the conditions hold there and at no later time: the force on the crest of a hill."""
+        found = []
+        for b in branches:
+            known = {self.parameter: b.values[0]} if self.parameter is not None and b.values else {}
+            start = {s: v.xreplace(known) for s, v in self.setting.initial.items()}
+            beginning = replace(self._beginning, initial=start)
+            places = [n for n, s in enumerate(b.states) if beginning.is_initial(s)]
+            is_possible = not (known and self.question.quantity.is_positive and sign_of(b.values[0]) == -1)
+            if places and is_possible:
+                values = tuple(b.values[n] for n in places) if len(b.values) == len(b.states) else b.values
+                rhs = values[0] if len(values) == 1 else b.rhs
+                found.append(replace(b, rhs=rhs, values=values, states=tuple(b.states[n] for n in places)))
+        return found
 
     def _confirmed_in_time(self, b: AnswerBranch) -> AnswerBranch:
         """The branch without a doubt, where the solution in time comes to the same value."""
@@ -361,7 +386,7 @@ class _Search:
         starts = after.known.accelerations[prime(v)].xreplace(dict(after.initial))
         way = sign_of_value(-sense * starts)
         if way in (0, -1):
-            raise ProblemError(self._never_holds())
+            raise ProblemError(never_holds(self.question))
         asked = _Search(self.question, after).answer()
         back = () if way == 1 else (more_than_zero(-sense * starts),)
         conditions = (*b.conditions, *back)
@@ -377,16 +402,14 @@ class _Search:
         radii = tuple(
             q
             for q in self.slots.coordinates
-            if self._starts_positive(q) and (first == f"e_{q}" or self.setting.is_kept_from_zero(q))
+            if sign_of_value(self.setting.initial.get(q, sp.S.Zero)) == 1
+            and (first == f"e_{q}" or self.setting.is_kept_from_zero(q))
         )
         own = tuple(q for q in self.slots.coordinates if q not in self.rule and q not in self.setting.fixed)
         initial = self.setting.initial
         values = self.setting.values
         ranges = bounds(self.setting.problem)
         return Beginning(initial, known.accelerations, self.slots, free, radii, self._turning, own, values, ranges)
-
-    def _starts_positive(self, q: sp.Symbol) -> bool:
-        return q in self.setting.initial and sign_of_value(self.setting.initial[q]) == 1
 
     def _turning(self) -> Sequence[sp.Expr] | None:
         """The coordinate at all states of rest, for one degree of freedom; None where they are not known."""
@@ -431,7 +454,8 @@ class _Search:
         wanted = {base(s) for s in mentioned} | ({self.question.by} - {t, None})
         accelerations = {a: e.xreplace(rule) for a, e in self.known.accelerations.items()}
         slipping = {base(s) for e in self._slips for s in e.free_symbols & state}
-        motions = closed_motions(accelerations, self.setting.initial, wanted | slipping)
+        places = self._places_of_no_matter(accelerations)
+        motions = closed_motions(accelerations, {**self.setting.initial, **places}, wanted | slipping)
         branches: list[AnswerBranch] = []
         ended = False
         for m in motions:
@@ -442,17 +466,30 @@ class _Search:
             ended = ended or None in lasting
             branches += [b for b in lasting if b is not None]
         if ended and not branches:
-            raise ProblemError(self._slip_has_ended())
-        if not motions:
+            raise ProblemError(slip_has_ended(self.question))
+        if not motions or any(b.rhs.free_symbols & {*places.values()} for b in branches):
             return None
+        branches = [replace(b, states=tuple(without(s, places.values()) for s in b.states)) for b in branches]
         if not branches:
             approached = any(fades(m.at_time(e.xreplace(rule))) for m in motions for e in self.when)
-            raise ProblemError(self._never_holds(approached))
+            raise ProblemError(never_holds(self.question, approached))
         return replace(
             self._asked(Route.SOLUTION, How.EXACT, ()),
             branches=tuple(_shown(b) for b in branches),
-            solutions={q: under_one_root(e) for q, e in motions[0].solutions.items()} if len(motions) == 1 else {},
+            solutions={}
+            if len(motions) > 1
+            else {
+                prime(q) if q in places else q: under_one_root(e.diff(t) if q in places else e)
+                for q, e in motions[0].solutions.items()
+            },
         )
+
+    def _places_of_no_matter(self, accelerations: Values) -> dict[sp.Symbol, sp.Symbol]:
+        """A letter for the initial value of each coordinate that is not given and does not occur in the equations."""
+        initial = self.setting.initial
+        occurring = set().union(*(e.free_symbols for e in accelerations.values()))
+        free = (q for q in self.slots.coordinates if q not in initial and prime(q) in initial and q not in occurring)
+        return {q: sp.Dummy(f"{q}_0", real=True) for q in free}
 
     @property
     def _slips(self) -> list[sp.Expr]:
@@ -475,12 +512,6 @@ class _Search:
         if conditions is None:
             return None
         return replace(b, conditions=tuple(dict.fromkeys((*b.conditions, *conditions))))
-
-    def _slip_has_ended(self, holds: str = "holds only after the slip has ended") -> Diagnostic:
-        first = self.question.when[0].span if self.question.when else self.question.span
-        message = f"the `when` of the question `{self.question.name}` {holds}"
-        help_ = "the friction is not that of slipping then: ask for the rolling, or for rest, in a file of its own"
-        return Diagnostic("never-holds", message, first, help=help_)
 
     def _at_time_of(self, motion: ClosedMotion) -> list[AnswerBranch] | None:
         """The quantity in one case of the motion, at the first time at which the conditions hold."""
@@ -527,10 +558,11 @@ class _Search:
             return [replace(b, conditions=b.conditions) for b in right]
         if any(is_zero(e) is not True for e in left):
             return None
-        at = without_roots_in_logarithms(shortest_form(factored_quotient(value.xreplace(rule))))
+        at = with_whole_logarithms(lambda e: shortest_form(factored_quotient(e)), value.xreplace(rule))
+        at = without_roots_in_logarithms(at)
         rates = {prime(q): e.diff(t) for q, e in motion.solutions.items()}
         senses = self.setting.known.senses
-        if not all(_keeps_sign(rates[v], senses[v], root) for v in rates if v in senses):
+        if not all(keeps_sign(rates[v], senses[v], root) for v in rates if v in senses):
             return None
         state = {t: root.value} | {q: e.xreplace(rule) for q, e in motion.solutions.items()}
         state |= {v: e.xreplace(rule) for v, e in rates.items()}
@@ -561,37 +593,6 @@ class _Search:
         branch = AnswerBranch(t, taken, (taken,), (), tuple(c for c in conditions if q not in c.lhs.free_symbols))
         asked = self._asked(Route.QUADRATURE, How.EXACT, used)
         return replace(asked, branches=(_shown(branch),), integrand=(q, under_one_root(speed), initial[q], end))
-
-    def _changes(self) -> Diagnostic:
-        message = f"the quantity of the question `{self.question.name}` changes during the motion"
-        help_ = "say at which state it is wanted, with `when`, or as a function of what, with `by`"
-        return Diagnostic("not-determined", message, self.question.written.whole, help=help_)
-
-    def _not_determined(self, free: frozenset[sp.Symbol]) -> Diagnostic:
-        listed = ", ".join(f"`{s}`" for s in sorted(free, key=str))
-        message = f"the quantity of the question `{self.question.name}` is not determined: it depends on {listed}"
-        missing = ", ".join(f"`{s}`" for s in self._not_given())
-        help_ = f"give {missing} at t = 0 in `initial`, or another condition in `when`"
-        return Diagnostic("not-determined", message, self.question.written.whole, help=help_)
-
-    def _never_holds(self, approached: bool = False) -> Diagnostic:
-        first = self.question.when[0].span if self.question.when else self.question.span
-        message = f"the `when` of the question `{self.question.name}` never holds in this motion"
-        help_ = "the motion from the given initial values does not get there: check the condition, and `initial`"
-        if approached:
-            message = f"the `when` of the question `{self.question.name}` holds only in the limit t → ∞"
-            help_ = "the motion approaches this state and is never there: ask when a part of the way is left"
-        return Diagnostic("never-holds", message, first, help=help_)
-
-
-def _keeps_sign(rate: sp.Expr, sense: int, root: TimeRoot) -> bool:
-    """Whether a velocity keeps the sign of the start, with which |q'| was replaced, up to a time."""
-    turns = times(rate)
-    if turns is None:
-        return False
-    if all(sign_of_value(turn.value - root.value) in (0, 1) for turn in turns):
-        return True
-    return sign_of_value(sense * rate.xreplace({t: root.value})) in (0, 1)
 
 
 def _shown(b: AnswerBranch) -> AnswerBranch:

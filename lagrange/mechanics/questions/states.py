@@ -370,3 +370,9 @@ def _check(place: Place, known: Values, problem: Problem, conditions: Sequence[t
             label = f"it would differ by {text(tidy_quotient(left))}"
             help_ = "change the values, or leave out those that follow from the others"
             raise ProblemError(Diagnostic("initial-contradicts", message, v.span, label, help_))
+
+
+def without(state: Values, letters: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
+    """A state without what contains one of some letters."""
+    unknown = {*letters}
+    return {s: e for s, e in state.items() if not e.free_symbols & unknown}

@@ -25,6 +25,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.records import record
 from lagrange.core.symbols import t
 from lagrange.mechanics.questions.branches import sign_of_value
+from lagrange.mechanics.questions.forms import with_whole_logarithms
 from lagrange.mechanics.questions.limits import LONGEST_EQUATION
 
 
@@ -226,7 +227,7 @@ def _logarithms(pieces: list[sp.Expr], letter: sp.Symbol, rate: sp.Expr) -> list
                 continue
             below = () if sign == 1 else (more_than_zero(v.value),)
             conditions = tuple(dict.fromkeys((*v.conditions, *below)))
-            roots.append(TimeRoot(factored_quotient(sp.log(v.value) / rate), conditions))
+            roots.append(TimeRoot(with_whole_logarithms(factored_quotient, sp.log(v.value) / rate), conditions))
         if len(values) == 2 and len(roots) == 2 and is_zero(values[0].value * values[1].value - 1):
             larger = sign_of_value(values[0].value - values[1].value)
             rising = sign_of(rate)
@@ -257,3 +258,13 @@ def in_order(roots: list[TimeRoot]) -> Iterator[TimeRoot]:
             yield r
             return
     yield from roots
+
+
+def keeps_sign(rate: sp.Expr, sense: int, root: TimeRoot) -> bool:
+    """Whether a velocity keeps the sign of the start, with which |q'| was replaced, up to a time."""
+    turns = times(rate)
+    if turns is None:
+        return False
+    if all(sign_of_value(turn.value - root.value) in (0, 1) for turn in turns):
+        return True
+    return sign_of_value(sense * rate.xreplace({t: root.value})) in (0, 1)

@@ -21,16 +21,13 @@ tried.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from itertools import islice, permutations, product
 
 import sympy as sp
 
-from lagrange.algebra.closed_forms.branching import solutions
 from lagrange.algebra.closed_forms.polynomial_roots import factors
-from lagrange.algebra.closed_forms.signs import sign_of
-from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
-from lagrange.algebra.exact.zero_test import DivisionByZeroError, Surface
+from lagrange.algebra.exact.zero_test import Surface
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -51,6 +48,7 @@ from lagrange.mechanics.equilibrium.friction.conditions_of_rest import (
     not_negative,
     without_weaker,
 )
+from lagrange.mechanics.equilibrium.friction.held_positions import equal_angles, held_coordinates
 from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     Inequality,
     NotEliminatedError,
@@ -58,7 +56,7 @@ from lagrange.mechanics.equilibrium.friction.linear_inequalities import (
     shortest,
     solvable,
 )
-from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK, MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
+from lagrange.mechanics.equilibrium.limits import MOST_CASES, MOST_ORDERS, MOST_ROUGH_CONTACTS
 from lagrange.mechanics.equilibrium.loads import loads
 from lagrange.problem.model import Friction, Problem
 
@@ -114,6 +112,7 @@ class AtRest:
     assumed      sines and cosines that are taken to be positive
     presupposed  what the equations are divided by, if its sign is not known: it is not zero
     verified     whether the forces satisfy Lagrange's equations at rest
+    equal        angles that the constraints make equal to others, if both are acute
     """
 
     configuration: Configuration
@@ -127,6 +126,7 @@ class AtRest:
     assumed: tuple[sp.Expr, ...]
     presupposed: tuple[sp.Expr, ...]
     verified: bool | None
+    equal: Mapping[sp.Symbol, sp.Expr] = field(default_factory=dict)
 
     @property
     def name(self) -> str:
@@ -238,7 +238,8 @@ def at_rest(
 
     Raises NotCoveredError if that cannot be decided, ProblemError if a contact is not as the file says.
     """
-    held = held_coordinates(configuration)
+    equal = equal_angles(configuration)
+    held = {**equal, **held_coordinates(configuration)}
     contacts = tuple(c.at(held) for c in rough_contacts(problem, newton, original, configuration))
     belts = belt_laws(problem, newton, configuration)
     system = _System(newton, contacts, original, configuration, work, problem.unknowns, _sought(problem, belts), held)
@@ -269,30 +270,10 @@ def at_rest(
                 tuple(sorted(signs.used, key=str)),
                 solved.presupposed,
                 _verified(solved, contacts, newton, original, configuration, held),
+                {q: e for q, e in equal.items() if held[q] == e},
             )
     span = contacts[0].friction.span if contacts else belts[0].belt.span
     raise NotCoveredError("friction at rest in contacts whose forces have no known signs", span)
-
-
-def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
-    """The coordinates that the constraints hold at a constant, of an angle the value with a positive cosine."""
-    finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
-    used = [q for q in coordinates if any(q in f.free_symbols for f in finite)]
-    if not used or len(used) > len(finite) or any(f.count_ops() > LONGEST_SLACK for f in finite):
-        return {}
-    turning = {f.args[0] for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan)}
-    try:
-        solved = solutions(finite, used)
-    except (NotAlgebraicError, DivisionByZeroError):
-        return {}
-    found = []
-    for b in solved.branches:
-        values = {r.lhs: r.rhs for r in b.relations if r.lhs in used and r.rhs.free_symbols.isdisjoint(used)}
-        if b.left or b.special or len(values) < len(used):
-            return {}
-        if all(sign_of(sp.cos(v)) == 1 for q, v in values.items() if q in turning):
-            found.append(values)
-    return found[0] if len(found) == 1 else {}
 
 
 def _is_evident(cases: Sequence[Sequence[RestCondition]], signs: Signs) -> bool:

@@ -1,0 +1,60 @@
+"""What the constraints say of the position where a system with rough contacts rests: coordinates that they hold, and
+angles that they make equal.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from lagrange.algebra.closed_forms.branching import solutions
+from lagrange.algebra.closed_forms.signs import sign_of
+from lagrange.algebra.closed_forms.unit_circle import NotAlgebraicError
+from lagrange.algebra.exact.zero_test import DivisionByZeroError
+from lagrange.mechanics.constraints.kinematics import Configuration
+from lagrange.mechanics.equilibrium.limits import LONGEST_SLACK
+
+
+def held_coordinates(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The coordinates that the constraints hold at a constant, of an angle the value with a positive cosine."""
+    finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
+    used = [q for q in coordinates if any(q in f.free_symbols for f in finite)]
+    if not used or len(used) > len(finite) or any(f.count_ops() > LONGEST_SLACK for f in finite):
+        return {}
+    turning = {f.args[0] for e in finite for f in e.atoms(sp.sin, sp.cos, sp.tan)}
+    try:
+        solved = solutions(finite, used)
+    except (NotAlgebraicError, DivisionByZeroError):
+        return {}
+    found = []
+    for b in solved.branches:
+        values = {r.lhs: r.rhs for r in b.relations if r.lhs in used and r.rhs.free_symbols.isdisjoint(used)}
+        if b.left or b.special or len(values) < len(used):
+            return {}
+        if all(sign_of(sp.cos(v)) == 1 for q, v in values.items() if q in turning):
+            found.append(values)
+    return found[0] if len(found) == 1 else {}
+
+
+def equal_angles(configuration: Configuration) -> dict[sp.Symbol, sp.Expr]:
+    """The acute angles that the constraints make equal: cos θ_2 = cos θ_1, where two legs stand on one floor.
+
+    Combinations of the constraints in which no other coordinate is left show that.
+    """
+    finite, coordinates = configuration.finite_constraints, configuration.slots.coordinates
+    turning = {q for f in finite for g in f.atoms(sp.sin, sp.cos) for q in g.free_symbols if q in coordinates}
+    others = [q for q in coordinates if q not in turning]
+    slopes = sp.Matrix([[f.diff(q) for q in others] for f in finite]) if finite and others else sp.Matrix()
+    if len(turning) < 2 or slopes.free_symbols or any(f.count_ops() > LONGEST_SLACK for f in finite):
+        return {}
+    equal: dict[sp.Symbol, sp.Expr] = {}
+    for combination in slopes.T.nullspace():
+        relation = sp.factor(sp.Add(*(c * f for c, f in zip(combination, finite, strict=True))).xreplace(equal))
+        for piece in sp.Mul.make_args(relation):
+            waves = sorted(piece.atoms(sp.sin, sp.cos), key=str)
+            if len(waves) != 2 or waves[0].func != waves[1].func:
+                continue
+            first, second = (w.args[0] for w in waves)
+            rate = sp.expand(piece).coeff(waves[0])
+            if first in turning and second in turning and sp.expand(piece - rate * (waves[0] - waves[1])) == 0:
+                equal = {q: e.xreplace({second: first}) for q, e in equal.items()} | {second: first}
+    return equal
