@@ -16,6 +16,7 @@ A name that the problem declares keeps its meaning. Each rule is one pass over t
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterator
 
 from lagrange.core.diagnostics import Fragment
@@ -48,7 +49,14 @@ _VARIATION = re.compile(rf"δ\s*(?P<name>{_NAME})(?!\s*\()")
 _DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
-_SUFFIX = re.compile(rf"(?P<name>{_NAME}?)_?(?P<dots>d{{1,3}}ot)(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])")
+_SUFFIX = re.compile(
+    rf"(?P<name>{_NAME}?)(?:_?(?P<dots>d{{1,3}}ot)|_(?P<short>d{{1,2}})|(?P<joined>dd))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
+)
+_PREFIX = re.compile(rf"(?<![A-Za-z0-9_'])(?P<dots>dd|d2|d{{1,2}}ot_?)(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
+_MODULE = re.compile(r"(?<![A-Za-z0-9_.)\]])(?:np|numpy|math|sp|sym|sympy|mpmath)\.(?=[A-Za-z])")
+_ITALIC = re.compile("[\u210e\U0001d400-\U0001d7ff]+")
+_DOTS_BEFORE_INDEX = re.compile(f"(?<=[^\\W\\d_])([¨˙])([0-9{''.join(SUBSCRIPTS)}]{{1,2}})")
+_INVERSE = re.compile(r"(?<![A-Za-z])(sin|cos|tan)\s*(?:\^\s*[({]\s*[-−]\s*1\s*[)}]|⁻¹)")
 _DERIVATIVE = re.compile(r"(?<![A-Za-z0-9_])(?:Derivative|Diff)\s*(?=\()")
 _TIMES = re.compile(r",\s*\(\s*([A-Za-z_0-9]+)\s*,\s*([1-4])\s*\)")
 _DOLLAR = re.compile(r"\$\s*([1-4])")
@@ -92,7 +100,9 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
     draft.apply(_dotted(draft.text))
+    draft.replace(_PREFIX, lambda m: _prefixed(m, scope))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
+    draft.replace(_INVERSE, r"a\1")
     _derivatives(draft, scope)
     _displacements(draft, scope)
     draft.apply(_of_argument(draft.text, scope))
@@ -143,14 +153,22 @@ def _displacements(draft: Draft, scope: Scope) -> None:
 
 def _characters(draft: Draft) -> None:
     draft.replace(_BLANK_DOTS, "")
-    draft.replace(_SPACING_DOTS, lambda m: {"¨": "''", "˙": "'"}.get(m[0], "''"))
+    draft.replace(_ITALIC, lambda m: unicodedata.normalize("NFKC", m[0]))
+    draft.replace(_DOTS_BEFORE_INDEX, lambda m: f"{m[2]}{_SPACED[m[1]]}")
+    draft.replace(_SPACING_DOTS, lambda m: _SPACED.get(m[0], "''"))
     draft.replace(_ODD, lambda m: _INVISIBLE[m[0]])
+
+
+_SPACED = {"¨": "''", "˙": "'"}
+_COLON_EQUALS = re.compile(r":\s?=(?!=)")
 
 
 def cleaned(fragment: Fragment) -> Fragment:
     """The text with invisible operators and odd signs replaced: they are harmless in an answer."""
     draft = Draft(fragment)
     _characters(draft)
+    draft.replace(_COLON_EQUALS, "=")
+    draft.replace(_MODULE, "")
     if "\\" not in draft.text and "$" not in draft.text:
         draft.replace(_GREEK_INDEX, lambda m: GREEK[m[0]])
     return draft.finished(latex=getattr(fragment, "latex", False))
@@ -194,10 +212,27 @@ def _with_primes(match: re.Match[str], scope: Scope) -> str | None:
     index = match["index"] or ""
     if not name or scope.role(written) is not Role.UNDECLARED:
         return None
+    short = match["short"] or match["joined"]
     for candidate in (name + index, f"{name}_{index}" if index else name):
-        if scope.role(scope.spelling(candidate)) is not Role.UNDECLARED or "_" in written:
-            return candidate + "'" * (len(match["dots"]) - 2)
+        if scope.role(scope.spelling(candidate)) is not Role.UNDECLARED or ("_" in written and not short):
+            return candidate + "'" * (len(short) if short else len(match["dots"]) - 2)
     return None
+
+
+def _prefixed(match: re.Match[str], scope: Scope) -> str | None:
+    """`ddx`, `d2theta`, `dot_x` as x'', theta'', x'."""
+    if scope.role(match[0]) is not Role.UNDECLARED or scope.role(scope.spelling(match["name"])) is Role.UNDECLARED:
+        return None
+    dots = match["dots"].rstrip("_")
+    return match["name"] + "'" * (len(dots) - 2 if dots.endswith("ot") else 2)
+
+
+def is_rate(name: str, scope: Scope) -> bool:
+    """Whether a name is that of a derivative of something that is known: `xddot`, `r_dd`, `ddx`, but not `x_d`."""
+    suffix, prefix = _SUFFIX.fullmatch(name), _PREFIX.fullmatch(name)
+    if suffix and suffix["short"] != "d" and scope.role(scope.spelling(suffix["name"].rstrip("_") + (suffix["index"] or ""))) is not Role.UNDECLARED:
+        return (_with_primes(suffix, scope) or name) != name
+    return prefix is not None and _prefixed(prefix, scope) is not None
 
 
 # Derivatives
@@ -350,7 +385,7 @@ _L_ALONG = re.compile(
 _L_POWER_GROUP = re.compile(r"\^\s*\(")
 _L_STARS = re.compile(r"\*\*")
 _L_NAMED = re.compile(
-    r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*(sgn|sign|arctan|arcsin|arccos|sin|cos|tan|ln|log|exp)\s*\}"
+    r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*([aA]rctan|[aA]rcsin|[aA]rccos|[Ss]in|[Cc]os|[Tt]an|[Cc]ot|sgn|sign|ln|log|exp)\s*\}"
 )
 _L_RM_D = re.compile(r"\\(?:dd|diff|differential|diffd|d)\s*(?=\{?\s*\\?[A-Za-z])(?![A-Za-z])")
 
@@ -365,7 +400,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")
     draft.replace(_L_DROPPED, lambda m: None if m[0].startswith("\\overline") else " ")
     draft.replace(_L_FRAC, r"\\frac")
-    draft.replace(_L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1] + " ")
+    draft.replace(_L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1].lower() + " ")
     draft.replace(_L_STARS, "^")
     draft.apply(_cancelled(draft.text, keep_cancelled))
     draft.apply(_braces(draft.text))

@@ -22,7 +22,7 @@ from lagrange.answers.limits import MAX_LINES
 from lagrange.answers.readings import GivenEquation, Reading, decimals_in, read_answer
 from lagrange.answers.references import Reference
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
-from lagrange.answers.written.notations import cleaned, rewritten, rewritten_latex
+from lagrange.answers.written.notations import cleaned, is_rate, rewritten, rewritten_latex
 from lagrange.answers.written.numbering import number_at_the_end
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
@@ -47,6 +47,12 @@ _ITEM = re.compile(r"\s*\(([a-h]|[ivx]{1,4})\)\s+")
 _IN_BRACKETS = re.compile(
     r"\s*(?:\\left\s*)?(?:\[|\\\{)(?P<inside>[^\[\]]*=[^\[\]]*?)(?:\\right\s*)?(?:\]|\\\})\s*\Z|\s*\\(?:text)?color\s*\{[^{}\\]{0,40}\}\s*\{(?P<colour>.*=.*)\}\s*\Z"
 )
+_LABEL = re.compile(
+    r"(?:\s*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
+    r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))\s*:"
+    r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
+)
+"""What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
 _NUMBER = re.compile(
     r"\s*(?:≈|\\approx)?\s*[-+−]?\s*(?P<number>[0-9]+(?:(?:[.,]|\{,\})[0-9]+)?|[0-9]*\.[0-9]+)"
@@ -150,6 +156,8 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     draft = Draft(cleaned(fragment))
     if (item := _ITEM.match(draft.text)) and item[1] not in declared:
         draft.keep(item.end(), len(draft.text))
+    if label := _LABEL.match(draft.text):
+        draft.keep(label.end(), len(draft.text))
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
     _without_braces(draft)
@@ -326,7 +334,7 @@ class _Sorting:
         texts = [w for w in texts if w not in ("|",)]
         match texts:
             case [name] if _is_name(name):
-                return name, ""
+                return ("", "") if is_rate(name, self.scope) else (name, "")
             case [name, "^", "2"] if _is_name(name):
                 return name, "^2"
             case [("sin" | "cos" | "tan") as function, "(", name, ")"] if _is_name(name):
@@ -471,11 +479,19 @@ def _undeclared(line: _Line) -> list[str]:
         return []
     names = []
     for d in line.reading.error.diagnostics:
-        match = re.match(r"`(\w+)` is not declared", d.message)
-        if d.code != "unknown-symbol" or match is None:
+        match = re.match(r"`(\w+)` is (?:not declared|neither a function)", d.message)
+        if d.code not in ("unknown-symbol", "unknown-function") or match is None:
+            return []
+        if d.code == "unknown-function" and not _multiplies(match[1], line.text):
             return []
         names.append(match[1])
     return names
+
+
+def _multiplies(name: str, text: str) -> bool:
+    """Whether a name before a parenthesis may be a factor, `S(x - a)`: a letter, and not applied to a number, `z(1)`."""
+    calls = re.findall(rf"(?<!\w){re.escape(name)}\s*\(([^()]*)\)?", text)
+    return len(name) <= 3 and not any(re.fullmatch(r"\s*(?:\d+|t)\s*", c) for c in calls)
 
 
 # Reading
