@@ -31,7 +31,8 @@ _NAMED = re.compile(
 _WORD_ARRAY = re.compile(r"\s*[{〖├]?\s*■\s*(?=\()")
 _ABOUT_PARTS = re.compile(r"\s*[^\W\d_][^=:*/^\\'()\[\]0-9]{3,60}:(?=\s)")
 _SPECIAL_CASE = re.compile(
-    r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z", re.IGNORECASE
+    r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z",
+    re.IGNORECASE,
 )
 _ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
 _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
@@ -145,7 +146,8 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         return
     if (aside := _ASIDE.search(text, start, end)) and "=" not in text[start : aside.start()]:
         if len(re.findall(r"[^\W\d_]{3,}", text[start : aside.start()])) > 1:
-            yield from _parts(text, aside.start(1), aside.end(1))
+            for first, last in cuts(aside[1], re.compile(",")):
+                yield from _parts(text, aside.start(1) + first, aside.start(1) + last)
             return
     if colon := _COLON.search(text, start, end):
         yield from _parts(text, start, colon.start(1))

@@ -50,12 +50,15 @@ _DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
 _SUFFIX = re.compile(
-    rf"(?P<name>{_NAME}?)(?:_?(?P<dots>d{{1,3}}ot)|_(?P<short>d{{1,2}})|(?P<joined>dd))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
+    rf"(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]+?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]*?)(?:_?(?P<dots>d{{1,3}}ot)|_(?P<short>d{{1,2}})|(?P<joined>dd))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
 )
 _PREFIX = re.compile(rf"(?<![A-Za-z0-9_'])(?P<dots>dd|d2|d{{1,2}}ot_?)(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _MODULE = re.compile(r"(?<![A-Za-z0-9_.)\]])(?:np|numpy|math|sp|sym|sympy|mpmath)\.(?=[A-Za-z])")
 _ITALIC = re.compile("[\u210e\U0001d400-\U0001d7ff]+")
 _DOTS_BEFORE_INDEX = re.compile(f"(?<=[^\\W\\d_])([¨˙])([0-9{''.join(SUBSCRIPTS)}]{{1,2}})")
+_INDEXED = re.compile(
+    rf"((?<![A-Za-z0-9_])[A-Za-z]+|[{''.join(GREEK)}])([\u0307\u0308]?)_(?:\{{([0-9]{{1,2}})\}}|([0-9]{{1,2}})(?![A-Za-z0-9_]))"
+)
 _INVERSE = re.compile(r"(?<![A-Za-z])(sin|cos|tan)\s*(?:\^\s*[({]\s*[-−]\s*1\s*[)}]|⁻¹)")
 _DERIVATIVE = re.compile(r"(?<![A-Za-z0-9_])(?:Derivative|Diff)\s*(?=\()")
 _TIMES = re.compile(r",\s*\(\s*([A-Za-z_0-9]+)\s*,\s*([1-4])\s*\)")
@@ -100,6 +103,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
     draft.apply(_dotted(draft.text))
+    draft.replace(_INDEXED, lambda m: _indexed(m, scope))
     draft.replace(_PREFIX, lambda m: _prefixed(m, scope))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
     draft.replace(_INVERSE, r"a\1")
@@ -219,6 +223,15 @@ def _with_primes(match: re.Match[str], scope: Scope) -> str | None:
     return None
 
 
+def _indexed(match: re.Match[str], scope: Scope) -> str | None:
+    """`m_1` as m1, and `φ̈_1` as φ1'', where these are declared and the names with an underscore are not."""
+    index = match[3] or match[4]
+    name = GREEK.get(match[1], match[1])
+    if scope.role(f"{name}_{index}") is not Role.UNDECLARED or scope.role(f"{name}{index}") is Role.UNDECLARED:
+        return None
+    return f" {name}{index}" + {"": "", "\u0307": "'", "\u0308": "''"}[match[2]]
+
+
 def _prefixed(match: re.Match[str], scope: Scope) -> str | None:
     """`ddx`, `d2theta`, `dot_x` as x'', theta'', x'."""
     if scope.role(match[0]) is not Role.UNDECLARED or scope.role(scope.spelling(match["name"])) is Role.UNDECLARED:
@@ -230,7 +243,11 @@ def _prefixed(match: re.Match[str], scope: Scope) -> str | None:
 def is_rate(name: str, scope: Scope) -> bool:
     """Whether a name is that of a derivative of something that is known: `xddot`, `r_dd`, `ddx`, but not `x_d`."""
     suffix, prefix = _SUFFIX.fullmatch(name), _PREFIX.fullmatch(name)
-    if suffix and suffix["short"] != "d" and scope.role(scope.spelling(suffix["name"].rstrip("_") + (suffix["index"] or ""))) is not Role.UNDECLARED:
+    if (
+        suffix
+        and suffix["short"] != "d"
+        and scope.role(scope.spelling(suffix["name"].rstrip("_") + (suffix["index"] or ""))) is not Role.UNDECLARED
+    ):
         return (_with_primes(suffix, scope) or name) != name
     return prefix is not None and _prefixed(prefix, scope) is not None
 
@@ -400,7 +417,9 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")
     draft.replace(_L_DROPPED, lambda m: None if m[0].startswith("\\overline") else " ")
     draft.replace(_L_FRAC, r"\\frac")
-    draft.replace(_L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1].lower() + " ")
+    draft.replace(
+        _L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1].lower() + " "
+    )
     draft.replace(_L_STARS, "^")
     draft.apply(_cancelled(draft.text, keep_cancelled))
     draft.apply(_braces(draft.text))
