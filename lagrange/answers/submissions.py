@@ -47,6 +47,7 @@ _LABEL = re.compile(r"[^=:\\${}()+*/^]{0,60}:(?!=)\s*")
 _FENCE = re.compile(r"\s{0,3}(?:[-*+]\s+|[0-9]{1,2}[.)]\s+)?(?P<fence>`{3,}|~{3,})")
 _SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=ticks)(?!`)")
 _BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
+_SENTENCE = re.compile(r"[.;:]\s|\n\s*\n|\\end\{|\\\]|\$\$|\\(?:sub)*section")
 _INLINE = ("$", r"\(", r"\)")
 _NOTHING = ("no-equations",)
 """The mistakes of a problem that has nothing to compare an answer with."""
@@ -126,11 +127,9 @@ def _in_latex(fragment: Fragment) -> Iterator[Fragment]:
     marks = marks_of(body.text)
     regions = _regions(body, marks)
     if regions or begins:
-        at = 0
         for r in regions:
-            words = re.split(r"[.;:]\s|\n\s*\n", body.text[max(at, r.opens - 200) : r.opens])[-1].strip()
+            words = _SENTENCE.split(body.text[max(0, r.opens - 200) : r.opens])[-1].strip()
             yield from (replace(e, beside=f"{words} {e.beside}".strip()) for e in rows(body, marks, r))
-            at = r.closes
     else:
         yield from _in_lines(body)
 

@@ -34,6 +34,7 @@ _SPECIAL_CASE = re.compile(
     r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z",
     re.IGNORECASE,
 )
+_LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
 _ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
 _COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
@@ -56,7 +57,7 @@ _TAIL = re.compile(
     r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
-_LIST = re.compile(r"\s*>?\s*(?:\w+\s*:?=\s*)?([\[{])")
+_LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
 _EQ = re.compile(
     r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve)\s*(?=\[|\()"
 )
@@ -144,11 +145,11 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         for first, last in cuts(text[array.end() + 1 : close], re.compile("@")):
             yield from _parts(text, array.end() + 1 + first, array.end() + 1 + last)
         return
-    if (aside := _ASIDE.search(text, start, end)) and "=" not in text[start : aside.start()]:
-        if len(re.findall(r"[^\W\d_]{3,}", text[start : aside.start()])) > 1:
-            for first, last in cuts(aside[1], re.compile(",")):
-                yield from _parts(text, aside.start(1) + first, aside.start(1) + last)
-            return
+    aside = _ASIDE.search(text, start, end)
+    if aside and len(_LONG_WORDS.findall(before := text[start : aside.start()])) > 1 and "=" not in before:
+        for first, last in cuts(aside[1], re.compile(",")):
+            yield from _parts(text, aside.start(1) + first, aside.start(1) + last)
+        return
     if colon := _COLON.search(text, start, end):
         yield from _parts(text, start, colon.start(1))
         yield from _parts(text, colon.end(1), end)

@@ -29,7 +29,7 @@ from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
 _INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+",
     "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
     "▒": "", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
-    "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
+    "⁄": "/", "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
 _BLANK_DOTS = re.compile("(?<=[^\\W\\d_])[ \u00a0]+(?=[\u0307\u0308\u20db])")
@@ -54,6 +54,8 @@ _SUFFIX = re.compile(
 )
 _PREFIX = re.compile(rf"(?<![A-Za-z0-9_'])(?P<dots>dd|d2|d{{1,2}}ot_?)(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _MODULE = re.compile(r"(?<![A-Za-z0-9_.)\]])(?:np|numpy|math|sp|sym|sympy|mpmath)\.(?=[A-Za-z])")
+_BY_VELOCITY = re.compile(rf",\s*diff\(\s*({_NAME})(?:\(\s*t\s*\))?\s*,\s*t\s*\)\s*\)")
+_RATIONAL = re.compile(r"\bRational\(\s*([0-9]{1,6})\s*,\s*([0-9]{1,6})\s*\)")
 _ITALIC = re.compile("[\u210e\U0001d400-\U0001d7ff]+")
 _DOTS_BEFORE_INDEX = re.compile(f"(?<=[^\\W\\d_])([¨˙])([0-9{''.join(SUBSCRIPTS)}]{{1,2}})")
 _INDEXED = re.compile(
@@ -99,6 +101,7 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_CALLED, lambda m: _function(m[1]) if scope.role(m[1]) is Role.UNDECLARED else None)
     draft.replace(_ELEMENTWISE, "")
     draft.replace(_DERIVATIVE, "diff")
+    draft.replace(_BY_VELOCITY, r", \1')")
     draft.replace(_BRACES_OF_TIME, r", \1, \2")
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
@@ -173,6 +176,7 @@ def cleaned(fragment: Fragment) -> Fragment:
     _characters(draft)
     draft.replace(_COLON_EQUALS, "=")
     draft.replace(_MODULE, "")
+    draft.replace(_RATIONAL, r"(\1/\2)")
     if "\\" not in draft.text and "$" not in draft.text:
         draft.replace(_GREEK_INDEX, lambda m: GREEK[m[0]])
     return draft.finished(latex=getattr(fragment, "latex", False))
@@ -243,12 +247,10 @@ def _prefixed(match: re.Match[str], scope: Scope) -> str | None:
 def is_rate(name: str, scope: Scope) -> bool:
     """Whether a name is that of a derivative of something that is known: `xddot`, `r_dd`, `ddx`, but not `x_d`."""
     suffix, prefix = _SUFFIX.fullmatch(name), _PREFIX.fullmatch(name)
-    if (
-        suffix
-        and suffix["short"] != "d"
-        and scope.role(scope.spelling(suffix["name"].rstrip("_") + (suffix["index"] or ""))) is not Role.UNDECLARED
-    ):
-        return (_with_primes(suffix, scope) or name) != name
+    if suffix and suffix["short"] != "d":
+        stem = suffix["name"].rstrip("_") + (suffix["index"] or "")
+        if scope.role(scope.spelling(stem)) is not Role.UNDECLARED:
+            return (_with_primes(suffix, scope) or name) != name
     return prefix is not None and _prefixed(prefix, scope) is not None
 
 
@@ -400,6 +402,7 @@ _L_ALONG = re.compile(
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
 )
 _L_POWER_GROUP = re.compile(r"\^\s*\(")
+_L_INVERSE = re.compile(r"\\(sin|cos|tan)\s*\^\s*\{\s*-\s*1\s*\}")
 _L_STARS = re.compile(r"\*\*")
 _L_NAMED = re.compile(
     r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*([aA]rctan|[aA]rcsin|[aA]rccos|[Ss]in|[Cc]os|[Tt]an|[Cc]ot|sgn|sign|ln|log|exp)\s*\}"
@@ -421,6 +424,7 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
         _L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1].lower() + " "
     )
     draft.replace(_L_STARS, "^")
+    draft.replace(_L_INVERSE, r"\\arc\1 ")
     draft.apply(_cancelled(draft.text, keep_cancelled))
     draft.apply(_braces(draft.text))
     for _ in range(4):  # nested, the outer first
@@ -432,6 +436,10 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(_power_groups(draft.text))
     return draft.finished(latex=True)
+
+
+def _named_function(match: re.Match[str]) -> str:
+    return rf"\operatorname{{{match[1]}}}" if match[1] in ("sgn", "sign") else f"\\{match[1].lower()} "
 
 
 def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:

@@ -2,8 +2,8 @@
 
 A derivation with one constraint prints its reaction as T, N or λ. Whoever answers `T = m g cos θ + m l θ'^2` means that
 force, if the problem declares no T. A name in several equations is an unknown force, or defined by one of them, as any
-other undeclared name. A T may also be the kinetic energy or a period: a T whose terms are all squares of velocities, that
-occurs with a V or in L, or that has the dimension of a time, is none.
+other undeclared name. A T may also be the kinetic energy or a period: a T whose terms are all squares of velocities,
+that occurs with a V or in L, or that has the dimension of a time, is no force.
 """
 
 from __future__ import annotations

@@ -47,8 +47,8 @@ _IN_BRACKETS = re.compile(
     r"\s*(?:\\left\s*)?(?:\[|\\\{)(?P<inside>[^\[\]]*=[^\[\]]*?)(?:\\right\s*)?(?:\]|\\\})\s*\Z|\s*\\(?:text)?color\s*\{[^{}\\]{0,40}\}\s*\{(?P<colour>.*=.*)\}\s*\Z"
 )
 _LABEL = re.compile(
-    r"(?:\s*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
-    r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))\s*:"
+    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
+    r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))[^:=+\\]{0,8}:"
     r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
 )
 """What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
@@ -76,7 +76,7 @@ _AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm"
 _RATE_ALONE = re.compile(r"\s*d([A-Za-z][A-Za-z0-9_]{0,20})\s*=(?!=)")
 _DIFFERENTIAL = re.compile(r"(?<![A-Za-z0-9_])[dδ](?:[A-Za-z]|θ|φ)|/\s*d")
 _APPROXIMATE = re.compile(
-    r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|<<"
+    r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|\\gg|<<|>>"
     r"|(?:\\to|\\rightarrow|→|->)\s*(?:0|\\infty|∞)|\blimit(?:ing)?\b|\bspecial case\b|\bwe recover\b|grenzfall",
     re.IGNORECASE,
 )
@@ -226,6 +226,7 @@ class _Sorting:
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
+        self._without_time(plain)
         self._write_rates(plain)
         self._use_printed_names(plain)
         self.moving = {m[k] for line in plain for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
@@ -268,6 +269,19 @@ class _Sorting:
             tuple(self.defined),
             len(quotes) > 0,
         )
+
+    def _without_time(self, lines: list[_Line]) -> None:
+        """`u(t)` of a speed u as u, as x(t) of a coordinate is x."""
+        velocities = {*self.scope.slots.velocities}
+        speeds = [n for n, v in self.scope.scalars.items() if not velocities.isdisjoint(v.free_symbols)]
+        if not speeds:
+            return
+        letters = [*speeds, *(c for c, n in GREEK.items() if n in speeds)]
+        pattern = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(map(re.escape, letters))})\s*\(\s*t\s*\)")
+        for line in lines:
+            draft = Draft(line.fragment)
+            if "\\" not in draft.text and draft.replace(pattern, r"\1"):
+                line.fragment = _finished(draft, line.fragment, False)
 
     def _write_rates(self, lines: list[_Line]) -> None:
         """`dtheta = omega; domega = ...` of a program as rates, where one of them is of a coordinate."""
@@ -538,7 +552,7 @@ def _undeclared(line: _Line) -> list[str]:
 
 
 def _multiplies(name: str, text: str) -> bool:
-    """Whether a name before a parenthesis may be a factor, `S(x - a)`: a letter, and not applied to a number, `z(1)`."""
+    """Whether a name before a parenthesis may be a factor, as in `S(x - a)`: a letter, and not applied to a number."""
     letters = {name, *(c for c, n in GREEK.items() if n == name)}
     calls = re.findall(rf"(?:{'|'.join(map(re.escape, letters))})\s*\(([^()]*)\)?", text)
     return (len(name) <= 3 or len(letters) > 1) and not any(re.fullmatch(r"\s*(?:\d+|t)\s*", c) for c in calls)

@@ -22,7 +22,7 @@ result. The share of a single particle need not vanish. In a possible displaceme
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 
 import sympy as sp
