@@ -16,7 +16,7 @@ import sympy as sp
 from lagrange.answers.references import Reference
 from lagrange.expressions.characters import GREEK
 from lagrange.mechanics.dynamics.newton import short_reactions
-from lagrange.values.dimensions import dimension, dimension_of_unit
+from lagrange.values.dimensions import NO_DIMENSION, dimension, dimension_of_unit
 
 _OF_ENERGY = re.compile(
     r"(?<![A-Za-z_])(?:[LEH]|\\mathcal\s*\{?L\}?)\s*:?={1,2}\s*T|(?<![A-Za-z_])T\s*[-+−–]\s*[VU](?![A-Za-z_])"
@@ -62,5 +62,5 @@ def _is_force(value: sp.Expr, units: Mapping[sp.Symbol, str]) -> bool | None:
     """Whether an expression has the dimension of a force; None if that is not known."""
     known = {s: d for s, unit in units.items() if unit and (d := dimension_of_unit(unit)) is not None}
     angles = {q for w in value.atoms(sp.sin, sp.cos, sp.tan) for q in w.args[0].free_symbols if q not in known}
-    stated = dimension(value, {**known, **dict.fromkeys(angles, dimension_of_unit("rad"))})  # type: ignore[arg-type]
+    stated = dimension(value, known | dict.fromkeys(angles, NO_DIMENSION))
     return None if stated is None else stated == dimension_of_unit("N")
