@@ -14,9 +14,10 @@ from collections.abc import Mapping, Sequence
 import sympy as sp
 
 from lagrange.answers.references import Reference
+from lagrange.core.units import NO_DIMENSION
 from lagrange.expressions.characters import GREEK
 from lagrange.mechanics.dynamics.newton import short_reactions
-from lagrange.values.dimensions import NO_DIMENSION, dimension, dimension_of_unit
+from lagrange.values.dimensions import dimension, dimension_of_unit
 
 _OF_ENERGY = re.compile(
     r"(?<![A-Za-z_])(?:[LEH]|\\mathcal\s*\{?L\}?)\s*:?={1,2}\s*T|(?<![A-Za-z_])T\s*[-+−–]\s*[VU](?![A-Za-z_])"
