@@ -127,7 +127,7 @@ def check_steady(
     alternatives: Sequence[Sequence[Fragment]], conditions: Sequence[Equilibrium], reference: Reference
 ) -> AnswerVerdict:
     """The verdict on steady motions. Those in one sense are complete if those in the opposite sense are steady too."""
-    verdict = check_equilibria(alternatives, conditions, reference)
+    verdict = _of_steady_motions(check_equilibria(alternatives, conditions, reference))
     if verdict.verdict is not Verdict.INCOMPLETE:
         return verdict
     opposite = {v: -v for v in reference.scope.slots.velocities}
@@ -147,6 +147,29 @@ def check_steady(
     remark = "the same motion in the opposite sense is taken to be meant as well"
     equations = tuple(replace(e, verdict=Verdict.EQUIVALENT, remarks=(*e.remarks, remark)) for e in verdict.equations)
     return replace(verdict, verdict=Verdict.EQUIVALENT, equations=equations, missing=0)
+
+
+_IN_EQUILIBRIUM = {
+    "which is not an equilibrium": "which is not a steady motion",
+    "there is no equilibrium": "there is no steady motion",
+    "in no position of equilibrium": "in no steady motion",
+    "the conditions of equilibrium do": "the conditions of steady motion do",
+}
+
+
+def _of_steady_motions(verdict: AnswerVerdict) -> AnswerVerdict:
+    """The verdict in words of steady motions."""
+
+    def said(text: str) -> str:
+        for of_rest, steady in _IN_EQUILIBRIUM.items():
+            text = text.replace(of_rest, steady)
+        return text
+
+    equations = tuple(
+        replace(e, diagnosis=said(e.diagnosis), hints=tuple(map(said, e.hints)), cause=said(e.cause))
+        for e in verdict.equations
+    )
+    return replace(verdict, equations=equations, diagnosis=said(verdict.diagnosis))
 
 
 def _read(alternative: Sequence[Fragment], reference: Reference) -> tuple[tuple[Reading, ...], tuple[Diagnostic, ...]]:

@@ -24,8 +24,8 @@ from lagrange.answers.models.letters import explained_frequencies
 from lagrange.answers.references import Reference
 from lagrange.answers.verdicts import UNDECIDED, AnswerVerdict, Verdict
 from lagrange.answers.written.decimals import as_written, rounded
+from lagrange.answers.written.reading import tried
 from lagrange.answers.written.statements import statement
-from lagrange.answers.written.working import tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector

@@ -106,9 +106,11 @@ Claim = tuple[sp.Expr, tuple[str, ...]]
 
 def _claims(fragment: Fragment, reaction: Reaction, reference: Reference) -> list[Claim]:
     """What may be meant, the meaning of the derivation first. Raises ProblemError if it cannot be read."""
-    from lagrange.answers.written.working import tried
+    from lagrange.answers.written.printed_names import printed_names
+    from lagrange.answers.written.reading import tried
 
-    scope = replace(reference.scope, decimals="")
+    short = printed_names(reference)
+    scope = replace(reference.scope, decimals="", scalars={**reference.scope.scalars, **short})
     if "=" in fragment.text:
         equation = tried(fragment, scope, lambda f: read_equation(f, scope, [], MAX_ANSWER_CHARACTERS, latex=True))
         lhs, rhs = equation.lhs, equation.rhs

@@ -20,7 +20,7 @@ Every equation knows its place in the file.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from pathlib import PurePath
 from time import perf_counter
@@ -47,6 +47,7 @@ _LABEL = re.compile(r"[^=:\\${}()+*/^]{0,60}:(?!=)\s*")
 _FENCE = re.compile(r"\s{0,3}(?:[-*+]\s+|[0-9]{1,2}[.)]\s+)?(?P<fence>`{3,}|~{3,})")
 _SPAN = re.compile(r"(?<!`)(?P<ticks>`{1,2})(?!`)(?P<code>[^`\n]{1,2000})(?P=ticks)(?!`)")
 _BODY, _END = re.compile(r"\\begin\s?\{document\}"), re.compile(r"\\end\s?\{document\}")
+_SENTENCE = re.compile(r"[.;:]\s|\n\s*\n|\\end\{|\\\]|\$\$|\\(?:sub)*section")
 _INLINE = ("$", r"\(", r"\)")
 _NOTHING = ("no-equations",)
 """The mistakes of a problem that has nothing to compare an answer with."""
@@ -126,7 +127,9 @@ def _in_latex(fragment: Fragment) -> Iterator[Fragment]:
     marks = marks_of(body.text)
     regions = _regions(body, marks)
     if regions or begins:
-        yield from (equation for r in regions for equation in rows(body, marks, r))
+        for r in regions:
+            words = _SENTENCE.split(body.text[max(0, r.opens - 200) : r.opens])[-1].strip()
+            yield from (replace(e, beside=f"{words} {e.beside}".strip()) for e in rows(body, marks, r))
     else:
         yield from _in_lines(body)
 
@@ -179,6 +182,7 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
     number = 0
     block: list[tuple[int, int, str]] = []
     words = ""
+    labels = frozenset(_label(m) for s, e in _lines(fragment.text) if (m := _NUMBER.match(fragment.text, s, e)))
     for start, end in _lines(fragment.text):
         line = fragment.text[start:end]
         inside = next_region and start < regions[next_region - 1].closes
@@ -186,7 +190,7 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
         if not inside and not opens and line.strip() and not line.lstrip().startswith(("#", "%", "//")):
             block.append((start, end, line))
             continue
-        for e in _of_block(fragment, block, number, bullet, words):
+        for e in _of_block(fragment, block, number, bullet, words, labels):
             number += 1
             yield e
         block, words = [], (block[-1][2] if block and "=" not in block[-1][2] else "")
@@ -194,17 +198,22 @@ def _in_lines(fragment: Fragment, bullet: re.Pattern[str] = _BULLET) -> Iterator
             in_region = rows(fragment, marks, regions[next_region])
             number, next_region = number + len(in_region), next_region + 1
             yield from (replace(e, beside=words) for e in in_region)
-    yield from _of_block(fragment, block, number, bullet, words)
+    yield from _of_block(fragment, block, number, bullet, words, labels)
 
 
 def _of_block(
-    fragment: Fragment, lines: list[tuple[int, int, str]], number: int, bullet: re.Pattern[str], words: str
+    fragment: Fragment,
+    lines: list[tuple[int, int, str]],
+    number: int,
+    bullet: re.Pattern[str],
+    words: str,
+    labels: frozenset[int],
 ) -> Iterator[Fragment]:
     """The equations in lines between empty ones."""
     for start, end in joined(lines):
         line = fragment.text[start:end]
         if has_sign_of_equality(line):
-            begins = start + _beginning(line, number, bullet)
+            begins = start + _beginning(line, number, bullet, labels)
             beside = f"{words} {fragment.text[start:begins]}".strip()
             for e in equations_of_line(_part(fragment, begins, end), beside):
                 number += 1
@@ -213,14 +222,21 @@ def _of_block(
             words = line.strip()
 
 
-def _beginning(line: str, number: int, bullet: re.Pattern[str]) -> int:
+def _label(numbered: re.Match[str]) -> int:
+    return int(numbered["round"] or numbered["point"])
+
+
+def _beginning(line: str, number: int, bullet: re.Pattern[str], labels: Collection[int] = ()) -> int:
     """Where the equation begins in a line: after a bullet, its number, or a label that ends with a colon.
 
-    `(2)` and `2.` are numbers before the second equation, and factors elsewhere.
+    `(2)` and `2.` are numbers before the second equation and where another line begins with `(1)` or `(3)`, and
+    factors elsewhere.
     """
     matched = bullet.match(line)
     at = matched.end() if matched else 0
-    if (numbered := _NUMBER.match(line, at)) and int(numbered["round"] or numbered["point"]) == number + 1:
+    if (numbered := _NUMBER.match(line, at)) and (
+        _label(numbered) == number + 1 or not {_label(numbered) - 1, _label(numbered) + 1}.isdisjoint(labels)
+    ):
         at = numbered.end()
     elif not numbered and (enumerated := _ENUMERATION.match(line, at)):
         at = enumerated.end()

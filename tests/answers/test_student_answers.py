@@ -97,3 +97,27 @@ def test_the_method_may_be_quoted(line: str) -> None:
     assert [e.verdict.value for e in graded.equations] == ["equivalent"]
     assert not any(m.startswith("error") for m in graded.messages)
     assert any("not judged" in m for m in graded.messages)
+
+
+@pytest.mark.parametrize(
+    ("stated", "verdict"),
+    [
+        ("T = m*g*cos(theta) + m*l*theta'^2", "equivalent"),
+        (r"T = mg\cos\theta + ml\dot\theta^2", "equivalent"),
+        ("T = m*g*cos(theta) - m*l*theta'^2", "wrong"),
+        ("lambda = -m/(2*l^2)*(g*y + x'^2 + y'^2)", "equivalent"),
+        ("λ = -m*g*y/(2*l^2)", "wrong"),
+    ],
+)
+def test_a_reaction_may_be_named_as_on_the_page(stated: str, verdict: str) -> None:
+    text = f'reactions: {{rod: "{stated}"}}\n'.replace("\\", "\\\\")
+    graded = grader_of("ex11-ideal-pendulum").grade(Submission("a", (("a.yaml", text.encode()),)))
+    assert [a.verdict.value for a in graded.others] == [verdict]
+
+
+def test_a_wrong_steady_motion_is_not_called_an_equilibrium() -> None:
+    text = b'steady: ["cos(theta) = 2*g/(l*phi\'^2)"]\n'
+    [steady] = grader_of("conical-pendulum").grade(Submission("a", (("a.yaml", text),))).others
+    words = " ".join([steady.diagnosis, *(e.diagnosis for e in steady.equations)])
+    assert "steady motion" in words
+    assert "equilibri" not in words

@@ -108,7 +108,7 @@ _COMMA = re.compile(",")
 
 
 def _read(fragment: Fragment, reference: Reference) -> _Stated:
-    from lagrange.answers.written.working import read_as_written
+    from lagrange.answers.written.reading import read_as_written
 
     limit, side = limit_of(fragment, "a condition", strict=True)
     reading = read_as_written(limit, reference.scope)

@@ -31,7 +31,7 @@ from lagrange.answers.verdicts import (
 )
 from lagrange.answers.written.decimals import as_written, remark_on, rounded_in_motion
 from lagrange.answers.written.notations import cleaned
-from lagrange.answers.written.working import read_as_written
+from lagrange.answers.written.reading import read_as_written
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError
 from lagrange.core.symbols import CONSTANT, base, variation
 from lagrange.expressions.edits import Draft

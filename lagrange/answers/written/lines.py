@@ -22,10 +22,21 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
-_SEPARATOR = re.compile(rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|\\n")
+_SEPARATOR = re.compile(rf";|(?<!@)@(?!@)|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|\\n")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
-_NAMED = re.compile(r"\s*[A-Za-z][A-Za-z0-9_]{0,20}\s*:=(?=[^=]*=)")
+_NAMED = re.compile(
+    r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>+|>>>)?\s*(?:[A-Za-z][A-Za-z0-9_]{0,20}\s*(?::=(?=[^=]*=)|=(?=[^=]*==[^=]*\Z)))?"
+)
+_WORD_ARRAY = re.compile(r"\s*[{〖├]?\s*■\s*(?=\()")
+_ABOUT_PARTS = re.compile(r"\s*[^\W\d_][^=:*/^\\'()\[\]0-9]{3,60}:(?=\s)")
+_SPECIAL_CASE = re.compile(
+    r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z",
+    re.IGNORECASE,
+)
+_LONG_WORDS = re.compile(r"[^\W\d_]{3,}")
+_ASIDE = re.compile(r"\(([^()]*=[^()]*)\)\s*[:.,;]?\s*\Z")
+_COLON = re.compile(r"=[^=:]{1,60}(:)\s(?=[^=]*=)")
 _NAMES_NEXT = re.compile(r"\s*[A-Za-z](?:_\w{1,8})?\s*=(?!=)")
 _LATEX_WORDS = re.compile(r"[\s,;.](?:where|with|wobei|mit)\s(?=[^=]*=)")
 _LEADING = re.compile(rf"\s*(?:{_ARROW}|[:.,&>]|\*\s)\s*")
@@ -46,7 +57,7 @@ _TAIL = re.compile(
     r"|provided|valid|and|wobei|mit|für)\b)[^=]*|\s+\((?P<remark>[^()=*^'/+]*)\)[.,;:]*|\s*[.,;:]+)\s*\Z",
     re.IGNORECASE,
 )
-_LIST = re.compile(r"\s*(?:\w+\s*=\s*)?([\[{])")
+_LIST = re.compile(r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>)?\s*(?:\w+\s*:?=\s*)?([\[{])")
 _EQ = re.compile(
     r"\s*(?:\w+\s*=\s*)?(?:sp\.|sympy\.)?Eq\s*(?=\()|\s*(?:\w+\s*=\s*)?(?:DSolve|Solve|NDSolve|solve|dsolve)\s*(?=\[|\()"
 )
@@ -129,6 +140,20 @@ def _words_of(text: str) -> str:
 
 def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
     """Where equations begin and end in plain text."""
+    if array := _WORD_ARRAY.match(text, start, end):
+        close = closings(text).get(array.end(), end)
+        for first, last in cuts(text[array.end() + 1 : close], re.compile("@")):
+            yield from _parts(text, array.end() + 1 + first, array.end() + 1 + last)
+        return
+    aside = _ASIDE.search(text, start, end)
+    if aside and len(_LONG_WORDS.findall(before := text[start : aside.start()])) > 1 and "=" not in before:
+        for first, last in cuts(aside[1], re.compile(",")):
+            yield from _parts(text, aside.start(1) + first, aside.start(1) + last)
+        return
+    if colon := _COLON.search(text, start, end):
+        yield from _parts(text, start, colon.start(1))
+        yield from _parts(text, colon.end(1), end)
+        return
     inside = _inside_list(text, start, end)
     if inside is not None:
         for first, last in cuts(text[inside[0] : inside[1]], re.compile(",")):
@@ -179,6 +204,8 @@ def _inside_list(text: str, start: int, end: int) -> tuple[int, int] | None:
 
 def _one(fragment: Fragment, start: int, end: int, beside: str) -> Iterator[Fragment]:
     text = fragment.text
+    if _SPECIAL_CASE.match(text, start, end):
+        return
     begin = _after_words(text, start, end)
     while begin < end and text[end - 1].isspace():
         end -= 1
@@ -207,7 +234,11 @@ def _from_call(fragment: Fragment, opening: int, beside: str) -> Iterator[Fragme
     if close is None:
         return
     sides = cuts(text[opening + 1 : close], re.compile(","))
-    if len(sides) == 2:
+    if text[opening - 1].lower() == "e":  # Solve, with what is asked for
+        first, last = sides[0]
+        for start, stop in _parts(text, opening + 1 + first, opening + 1 + last):
+            yield from _one(fragment, start, stop, beside)
+    elif len(sides) == 2:
         draft = Draft(_part(fragment, opening + 1, close))
         at = sides[0][1]
         draft.apply([(at, at + 1, " = ")])
@@ -218,6 +249,9 @@ def _after_words(text: str, start: int, end: int) -> int:
     """Where mathematics begins after words, arrows and labels."""
     named = _NAMED.match(text, start, end)
     at = named.end() if named else start
+    about = _ABOUT_PARTS.match(text, at, end)
+    if about and len(re.findall(r"[^\W\d_]{4,}", about[0])) > 1:
+        at = about.end()
     words = 0
     while at < end:
         if text[at].isspace():

@@ -16,6 +16,7 @@ A name that the problem declares keeps its meaning. Each rule is one pass over t
 from __future__ import annotations
 
 import re
+import unicodedata
 from collections.abc import Iterator
 
 from lagrange.core.diagnostics import Fragment
@@ -28,7 +29,7 @@ from lagrange.expressions.syntax_tree import FUNCTIONS, OPERATIONS, Role
 _INVISIBLE = {"\u2061": "", "\u2062": " ", "\u2063": ",", "\u2064": "+",
     "〖": "(", "〗": ")", "⟨": "(", "⟩": ")",
     "▒": "", "┤": ")", "├": "(", "′": "'", "´": "'", "`": "'", "‘": "'", "“": "''", "”": "''", "＝": "=",
-    "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
+    "⁄": "/", "≡": "=", "≔": "=", "≝": "=", "•": "*", "✕": "*", "∙": "*", "—": "-", "﹣": "-"}  # fmt: skip
 _ODD = re.compile(f"[{''.join(_INVISIBLE)}]")
 _SPACING_DOTS = re.compile("[¨˙]|\u00b4\u00b4")
 _BLANK_DOTS = re.compile("(?<=[^\\W\\d_])[ \u00a0]+(?=[\u0307\u0308\u20db])")
@@ -48,7 +49,19 @@ _VARIATION = re.compile(rf"δ\s*(?P<name>{_NAME})(?!\s*\()")
 _DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
-_SUFFIX = re.compile(rf"(?P<name>{_NAME}?)_?(?P<dots>d{{1,3}}ot)(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])")
+_SUFFIX = re.compile(
+    rf"(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]+?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]*?)(?:_?(?P<dots>d{{1,3}}ot)|_(?P<short>d{{1,2}})|(?P<joined>dd))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
+)
+_PREFIX = re.compile(rf"(?<![A-Za-z0-9_'])(?P<dots>dd|d2|d{{1,2}}ot_?)(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
+_MODULE = re.compile(r"(?<![A-Za-z0-9_.)\]])(?:np|numpy|math|sp|sym|sympy|mpmath)\.(?=[A-Za-z])")
+_BY_VELOCITY = re.compile(rf",\s*diff\(\s*({_NAME})(?:\(\s*t\s*\))?\s*,\s*t\s*\)\s*\)")
+_RATIONAL = re.compile(r"\bRational\(\s*([0-9]{1,6})\s*,\s*([0-9]{1,6})\s*\)")
+_ITALIC = re.compile("[\u210e\U0001d400-\U0001d7ff]+")
+_DOTS_BEFORE_INDEX = re.compile(f"(?<=[^\\W\\d_])([¨˙])([0-9{''.join(SUBSCRIPTS)}]{{1,2}})")
+_INDEXED = re.compile(
+    rf"((?<![A-Za-z0-9_])[A-Za-z]+|[{''.join(GREEK)}])([\u0307\u0308]?)_(?:\{{([0-9]{{1,2}})\}}|([0-9]{{1,2}})(?![A-Za-z0-9_]))"
+)
+_INVERSE = re.compile(r"(?<![A-Za-z])(sin|cos|tan)\s*(?:\^\s*[({]\s*[-−]\s*1\s*[)}]|⁻¹)")
 _DERIVATIVE = re.compile(r"(?<![A-Za-z0-9_])(?:Derivative|Diff)\s*(?=\()")
 _TIMES = re.compile(r",\s*\(\s*([A-Za-z_0-9]+)\s*,\s*([1-4])\s*\)")
 _DOLLAR = re.compile(r"\$\s*([1-4])")
@@ -88,11 +101,15 @@ def rewritten(fragment: Fragment, scope: Scope) -> Fragment:
     draft.replace(_CALLED, lambda m: _function(m[1]) if scope.role(m[1]) is Role.UNDECLARED else None)
     draft.replace(_ELEMENTWISE, "")
     draft.replace(_DERIVATIVE, "diff")
+    draft.replace(_BY_VELOCITY, r", \1')")
     draft.replace(_BRACES_OF_TIME, r", \1, \2")
     draft.replace(_TIMES, r", \1, \2")
     draft.replace(_DOLLAR, r", \1")
     draft.apply(_dotted(draft.text))
+    draft.replace(_INDEXED, lambda m: _indexed(m, scope))
+    draft.replace(_PREFIX, lambda m: _prefixed(m, scope))
     draft.replace(_SUFFIX, lambda m: _with_primes(m, scope))
+    draft.replace(_INVERSE, r"a\1")
     _derivatives(draft, scope)
     _displacements(draft, scope)
     draft.apply(_of_argument(draft.text, scope))
@@ -143,14 +160,23 @@ def _displacements(draft: Draft, scope: Scope) -> None:
 
 def _characters(draft: Draft) -> None:
     draft.replace(_BLANK_DOTS, "")
-    draft.replace(_SPACING_DOTS, lambda m: {"¨": "''", "˙": "'"}.get(m[0], "''"))
+    draft.replace(_ITALIC, lambda m: unicodedata.normalize("NFKC", m[0]))
+    draft.replace(_DOTS_BEFORE_INDEX, lambda m: f"{m[2]}{_SPACED[m[1]]}")
+    draft.replace(_SPACING_DOTS, lambda m: _SPACED.get(m[0], "''"))
     draft.replace(_ODD, lambda m: _INVISIBLE[m[0]])
+
+
+_SPACED = {"¨": "''", "˙": "'"}
+_COLON_EQUALS = re.compile(r":\s?=(?!=)")
 
 
 def cleaned(fragment: Fragment) -> Fragment:
     """The text with invisible operators and odd signs replaced: they are harmless in an answer."""
     draft = Draft(fragment)
     _characters(draft)
+    draft.replace(_COLON_EQUALS, "=")
+    draft.replace(_MODULE, "")
+    draft.replace(_RATIONAL, r"(\1/\2)")
     if "\\" not in draft.text and "$" not in draft.text:
         draft.replace(_GREEK_INDEX, lambda m: GREEK[m[0]])
     return draft.finished(latex=getattr(fragment, "latex", False))
@@ -194,10 +220,38 @@ def _with_primes(match: re.Match[str], scope: Scope) -> str | None:
     index = match["index"] or ""
     if not name or scope.role(written) is not Role.UNDECLARED:
         return None
+    short = match["short"] or match["joined"]
     for candidate in (name + index, f"{name}_{index}" if index else name):
-        if scope.role(scope.spelling(candidate)) is not Role.UNDECLARED or "_" in written:
-            return candidate + "'" * (len(match["dots"]) - 2)
+        if scope.role(scope.spelling(candidate)) is not Role.UNDECLARED or ("_" in written and not short):
+            return candidate + "'" * (len(short) if short else len(match["dots"]) - 2)
     return None
+
+
+def _indexed(match: re.Match[str], scope: Scope) -> str | None:
+    """`m_1` as m1, and `φ̈_1` as φ1'', where these are declared and the names with an underscore are not."""
+    index = match[3] or match[4]
+    name = GREEK.get(match[1], match[1])
+    if scope.role(f"{name}_{index}") is not Role.UNDECLARED or scope.role(f"{name}{index}") is Role.UNDECLARED:
+        return None
+    return f" {name}{index}" + {"": "", "\u0307": "'", "\u0308": "''"}[match[2]]
+
+
+def _prefixed(match: re.Match[str], scope: Scope) -> str | None:
+    """`ddx`, `d2theta`, `dot_x` as x'', theta'', x'."""
+    if scope.role(match[0]) is not Role.UNDECLARED or scope.role(scope.spelling(match["name"])) is Role.UNDECLARED:
+        return None
+    dots = match["dots"].rstrip("_")
+    return match["name"] + "'" * (len(dots) - 2 if dots.endswith("ot") else 2)
+
+
+def is_rate(name: str, scope: Scope) -> bool:
+    """Whether a name is that of a derivative of something that is known: `xddot`, `r_dd`, `ddx`, but not `x_d`."""
+    suffix, prefix = _SUFFIX.fullmatch(name), _PREFIX.fullmatch(name)
+    if suffix and suffix["short"] != "d":
+        stem = suffix["name"].rstrip("_") + (suffix["index"] or "")
+        if scope.role(scope.spelling(stem)) is not Role.UNDECLARED:
+            return (_with_primes(suffix, scope) or name) != name
+    return prefix is not None and _prefixed(prefix, scope) is not None
 
 
 # Derivatives
@@ -348,9 +402,10 @@ _L_ALONG = re.compile(
     r"\s*\{\s*(?:d|\\mathrm\s*\{\s*d\s*\})\s*(?P<x>\\?[A-Za-z]+(?:_\{?[A-Za-z0-9]{1,4}\}?)?)\s*\}"
 )
 _L_POWER_GROUP = re.compile(r"\^\s*\(")
+_L_INVERSE = re.compile(r"\\(sin|cos|tan)\s*\^\s*\{\s*-\s*1\s*\}")
 _L_STARS = re.compile(r"\*\*")
 _L_NAMED = re.compile(
-    r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*(sgn|sign|arctan|arcsin|arccos|sin|cos|tan|ln|log|exp)\s*\}"
+    r"\\(?:mathrm|text|operatorname\*?)\s*\{\s*([aA]rctan|[aA]rcsin|[aA]rccos|[Ss]in|[Cc]os|[Tt]an|[Cc]ot|sgn|sign|ln|log|exp)\s*\}"
 )
 _L_RM_D = re.compile(r"\\(?:dd|diff|differential|diffd|d)\s*(?=\{?\s*\\?[A-Za-z])(?![A-Za-z])")
 
@@ -365,8 +420,11 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.replace(_L_OVERSET, lambda m: "\\" + "d" * (m[1].count(".") or m[1].count("\\")) + "ot")
     draft.replace(_L_DROPPED, lambda m: None if m[0].startswith("\\overline") else " ")
     draft.replace(_L_FRAC, r"\\frac")
-    draft.replace(_L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1] + " ")
+    draft.replace(
+        _L_NAMED, lambda m: r"\operatorname{" + m[1] + "}" if m[1] in ("sgn", "sign") else "\\" + m[1].lower() + " "
+    )
     draft.replace(_L_STARS, "^")
+    draft.replace(_L_INVERSE, r"\\arc\1 ")
     draft.apply(_cancelled(draft.text, keep_cancelled))
     draft.apply(_braces(draft.text))
     for _ in range(4):  # nested, the outer first
@@ -378,6 +436,10 @@ def rewritten_latex(fragment: Fragment, scope: Scope, *, keep_cancelled: bool = 
     draft.apply(_of_argument_in_latex(draft.text, scope))
     draft.apply(_power_groups(draft.text))
     return draft.finished(latex=True)
+
+
+def _named_function(match: re.Match[str]) -> str:
+    return rf"\operatorname{{{match[1]}}}" if match[1] in ("sgn", "sign") else f"\\{match[1].lower()} "
 
 
 def _of_argument_in_latex(text: str, scope: Scope) -> Iterator[Edit]:

@@ -14,8 +14,11 @@ _WORD = r"(?:eq(?:uation|n)?s?\.?\s*|gl(?:eichung)?\.?\s*|no\.?\s*|#\s*)?"
 _ANY = rf"{_SPACE}[.,;]?\s*\(\s*{_WORD}(?:[0-9]{{1,3}}(?:[.\-][0-9]{{1,3}})?[a-z]?'*|\*{{1,3}}|†|[0-9]{{1,3}})\s*\)"
 _BRACKETS = rf"{_SPACE}[.,;]?\s*\[\s*{_WORD}[0-9]{{1,3}}(?:\.[0-9]{{1,3}})?[a-z]?\s*\]"
 _ROMAN = rf"{_WIDE}\(\s*(?:[ivx]{{1,4}}|[IVX]{{1,4}}|[a-hA-H])\s*\)"
+_IN_TEXT = (
+    r"\s*\\(?:text|textrm|mathrm|mbox|tag)\s*\{\s*\(\s*(?:[ivxIVX]{1,4}|[a-hA-H]|[0-9]{1,3}[a-z]?|\*{1,3})\s*\)\s*\}"
+)
 _CIRCLED = r"\s*[①-⑳❶-❿➀-➓]"
-_NUMBER = re.compile(rf"(?:{_ANY}|{_BRACKETS}|{_ROMAN}|{_CIRCLED})\s*[.,;]?\s*\Z")
+_NUMBER = re.compile(rf"(?:{_ANY}|{_BRACKETS}|{_ROMAN}|{_IN_TEXT}|{_CIRCLED})\s*[.,;]?\s*\Z")
 _LONGEST = 60
 """Characters at the end of an equation that are searched for its number."""
 

@@ -17,7 +17,8 @@ from dataclasses import replace
 import sympy as sp
 
 from lagrange.answers.written.notations import cleaned
-from lagrange.answers.written.working import too_long, tried
+from lagrange.answers.written.reading import tried
+from lagrange.answers.written.working import too_long
 from lagrange.core.diagnostics import Fragment, ProblemError
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector

@@ -11,19 +11,20 @@ equations or more, may be an unknown force; it is eliminated.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import TypeVar
 
 import sympy as sp
 
 from lagrange.answers.limits import MAX_LINES
-from lagrange.answers.readings import GivenEquation, Reading, decimals_in, read_answer
+from lagrange.answers.readings import GivenEquation, Reading, decimals_in
 from lagrange.answers.references import Reference
 from lagrange.answers.written.matrices import has_matrix, rows_of_matrices
-from lagrange.answers.written.notations import cleaned, rewritten, rewritten_latex
+from lagrange.answers.written.notations import cleaned, is_rate
 from lagrange.answers.written.numbering import number_at_the_end
+from lagrange.answers.written.printed_names import lines_with, may_be_force, printed_names
+from lagrange.answers.written.reading import read_as_written, tried
 from lagrange.core.diagnostics import Diagnostic, Fragment, ProblemError, Severity
 from lagrange.core.records import record
 from lagrange.core.vectors import Vector
@@ -32,10 +33,8 @@ from lagrange.expressions.edits import Draft, closings, cuts
 from lagrange.expressions.latex_layout import OneEquation, is_latex
 from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
 from lagrange.expressions.meaning import DIFFERENTIALS
-from lagrange.expressions.reader import Scope, read_otherwise, read_value, token_texts
+from lagrange.expressions.reader import Scope, read_value, token_texts
 from lagrange.expressions.scope import RESERVED
-
-T = TypeVar("T")
 
 _EQUALS = re.compile(r"(?<![<>!=:])==?(?![=>])")
 _ABOUT = re.compile(r"\\(?:approx|simeq|cong|thickapprox|sim)(?![A-Za-z])|[≈≃≅]|~=|(?<=\s)~(?=\s)")
@@ -47,6 +46,12 @@ _ITEM = re.compile(r"\s*\(([a-h]|[ivx]{1,4})\)\s+")
 _IN_BRACKETS = re.compile(
     r"\s*(?:\\left\s*)?(?:\[|\\\{)(?P<inside>[^\[\]]*=[^\[\]]*?)(?:\\right\s*)?(?:\]|\\\})\s*\Z|\s*\\(?:text)?color\s*\{[^{}\\]{0,40}\}\s*\{(?P<colour>.*=.*)\}\s*\Z"
 )
+_LABEL = re.compile(
+    r"(?:[\s&]*(?:\\(?:text(?:bf|it|rm|sf)?|mbox|mathrm|underline)\s*\{[^{}=]{1,60}:\s*\}"
+    r"|\\(?:[ns][ew]arrow|(?:up|down|left|right|curve|circle)arrow(?:left|right)?|curvearrow(?:left|right))[^:=+\\]{0,8}:"
+    r"|[↑↓→←↗↘↖↙↺↻⟲⟳]\s*:)\s*(?:&|~|\\q?quad|\\[,;: !])*)+"
+)
+"""What an equation is about, before it: `\\text{radial: }`, `\\searrow:`."""
 _TIME = re.compile(r"\s*\$?\s*t(?:_\{?[0-9a-z]{1,3}\}?)?\s*\Z")
 _NUMBER = re.compile(
     r"\s*(?:≈|\\approx)?\s*[-+−]?\s*(?P<number>[0-9]+(?:(?:[.,]|\{,\})[0-9]+)?|[0-9]*\.[0-9]+)"
@@ -68,8 +73,12 @@ _RATE_OF = re.compile(
 )
 """The rate of a letter: `dv/dt`, `\\frac{dv}{dx}`, `\\dot v`."""
 _AT_EQUILIBRIUM = frozenset({"0", "e", "eq", "s", "st", "stat", "G", "gl", "eqm", "star", "equilibrium"})
+_RATE_ALONE = re.compile(r"\s*d([A-Za-z][A-Za-z0-9_]{0,20})\s*=(?!=)")
+_DIFFERENTIAL = re.compile(r"(?<![A-Za-z0-9_])[dδ](?:[A-Za-z]|θ|φ)|/\s*d")
 _APPROXIMATE = re.compile(
-    r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|<<", re.IGNORECASE
+    r"small|approx|lineari[sz]|neglect|taylor|first[ -]order|klein|näherung|≈|\\approx|\\ll|\\gg|<<|>>"
+    r"|(?:\\to|\\rightarrow|→|->)\s*(?:0|\\infty|∞)|\blimit(?:ing)?\b|\bspecial case\b|\bwe recover\b|grenzfall",
+    re.IGNORECASE,
 )
 _NOT = re.compile(r"\bnot\b|\bwithout\b|n't\b|\bno\b|\bnon-?linear|\bnicht\b|\bohne\b|\bkein", re.IGNORECASE)
 _UNDOING: dict[str, Callable[[sp.Expr], sp.Expr]] = {
@@ -150,6 +159,8 @@ def _lines_of(fragment: Fragment, declared: Collection[str]) -> list[_Line]:
     draft = Draft(cleaned(fragment))
     if (item := _ITEM.match(draft.text)) and item[1] not in declared:
         draft.keep(item.end(), len(draft.text))
+    if label := _LABEL.match(draft.text):
+        draft.keep(label.end(), len(draft.text))
     if boxed := _IN_BRACKETS.match(draft.text):
         draft.keep(*boxed.span(boxed.lastgroup or 0))
     _without_braces(draft)
@@ -215,6 +226,9 @@ class _Sorting:
     def sorted(self, lines: list[_Line], eliminating: bool) -> Working:
         waiting = [line for line in lines if line.whole or not self._is_aside(line)]
         plain = [line for line in waiting if not line.whole and line.reading is None]
+        self._without_time(plain)
+        self._write_rates(plain)
+        self._use_printed_names(plain)
         self.moving = {m[k] for line in plain for m in _RATE_OF.finditer(line.text) for k in (1, 2) if m[k]}
         self.moving &= {*self.reference.parameters}
         for _ in range(3):
@@ -255,6 +269,63 @@ class _Sorting:
             tuple(self.defined),
             len(quotes) > 0,
         )
+
+    def _without_time(self, lines: list[_Line]) -> None:
+        """`u(t)` of a speed u as u, as x(t) of a coordinate is x."""
+        velocities = {*self.scope.slots.velocities}
+        speeds = [n for n, v in self.scope.scalars.items() if not velocities.isdisjoint(v.free_symbols)]
+        if not speeds:
+            return
+        letters = [*speeds, *(c for c, n in GREEK.items() if n in speeds)]
+        pattern = re.compile(rf"(?<![A-Za-z0-9_\\])({'|'.join(map(re.escape, letters))})\s*\(\s*t\s*\)")
+        for line in lines:
+            draft = Draft(line.fragment)
+            if "\\" not in draft.text and draft.replace(pattern, r"\1"):
+                line.fragment = _finished(draft, line.fragment, False)
+
+    def _write_rates(self, lines: list[_Line]) -> None:
+        """`dtheta = omega; domega = ...` of a program as rates, where one of them is of a coordinate."""
+        names = {}
+        for line in lines:
+            match = _RATE_ALONE.match(line.fragment.text)
+            if (
+                match is not None
+                and match[0].strip(" =") not in self.declared
+                and not _DIFFERENTIAL.search(line.fragment.text, match.end())
+            ):
+                names[match[1]] = line
+        if names.keys().isdisjoint({q.name for q in self.scope.slots.coordinates}):
+            return
+        pattern = re.compile(rf"(?<![A-Za-z0-9_'])d({'|'.join(map(re.escape, names))})(?![A-Za-z0-9_'(])")
+        for line in lines:
+            draft = Draft(line.fragment)
+            if "\\" not in draft.text and draft.replace(pattern, r"\1'"):
+                line.fragment = _finished(draft, line.fragment, False)
+
+    def _use_printed_names(self, lines: list[_Line]) -> None:
+        """Take T for the tension T_rod, as on a page, where it occurs in one equation and is no energy."""
+        texts = [f"{getattr(line.fragment, 'beside', '')} {line.fragment.text}" for line in lines]
+        for name, symbol in printed_names(self.reference).items():
+            found = lines_with(name, [line.fragment.text for line in lines])
+            if len(found) != 1:
+                continue
+            line = lines[found[0]]
+            alone, value = False, None
+            for side, other in (sides, sides[::-1]) if (sides := _sides(line.fragment)) else ():
+                if self._name_alone(side)[0] == name:
+                    alone = True
+                    try:
+                        value = tried(other, self.scope, lambda f: read_value(f, self.scope, latex=True))
+                    except ProblemError:
+                        value = None
+            if isinstance(value, Vector) or (symbol.name.startswith("lambda") and not alone):
+                continue
+            if may_be_force(name, value, texts, self.reference):
+                self.scope = replace(self.scope, scalars={**self.scope.scalars, name: symbol})
+                self.declared |= {name}
+                message = f"`{name}` is taken as `{symbol.name}`"
+                span = line.fragment.span(0, len(line.fragment.text))
+                self.notes.append(Diagnostic("read-as", message, span, level=Severity.NOTE))
 
     def _is_general_law(self, line: _Line) -> bool:
         """Whether an unreadable line has several undeclared names and no coordinate: F = m a, L = T − V."""
@@ -326,7 +397,7 @@ class _Sorting:
         texts = [w for w in texts if w not in ("|",)]
         match texts:
             case [name] if _is_name(name):
-                return name, ""
+                return ("", "") if is_rate(name, self.scope) else (name, "")
             case [name, "^", "2"] if _is_name(name):
                 return name, "^2"
             case [("sin" | "cos" | "tan") as function, "(", name, ")"] if _is_name(name):
@@ -471,71 +542,17 @@ def _undeclared(line: _Line) -> list[str]:
         return []
     names = []
     for d in line.reading.error.diagnostics:
-        match = re.match(r"`(\w+)` is not declared", d.message)
-        if d.code != "unknown-symbol" or match is None:
+        match = re.match(r"`(\w+)` is (?:not declared|neither a function)", d.message)
+        if d.code not in ("unknown-symbol", "unknown-function") or match is None:
+            return []
+        if d.code == "unknown-function" and not _multiplies(match[1], line.text):
             return []
         names.append(match[1])
     return names
 
 
-# Reading
-
-
-def read_as_written(
-    fragment: Fragment, scope: Scope, text: str = "", rounded: Mapping[str, sp.Expr] | None = None
-) -> Reading:
-    """One equation of an answer in whatever notation it is; if none can be read, the error of the first.
-
-    rounded  the names that are defined with decimals, in which these are symbols
-    """
-    first: Reading | None = None
-    for candidate in _notations(fragment, scope):
-        reading = read_answer(candidate, scope)
-        if reading.error is None:
-            shown = replace(reading, text=text or fragment.text.strip())
-            if rounded and not isinstance(candidate, GivenEquation):
-                wider = replace(scope, scalars={**scope.scalars, **rounded}, decimals="")
-                shown = replace(shown, source=(candidate, wider))
-            return replace(shown, other=_other(candidate, scope, shown))
-        first = first or reading
-    assert first is not None
-    return replace(first, text=text or fragment.text.strip())
-
-
-def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
-    """The text in the notations in which it may be, each tried after the one before it."""
-    if isinstance(fragment, GivenEquation) or len(fragment.text) > MAX_ANSWER_CHARACTERS:
-        return [fragment]
-    if is_latex(fragment):
-        kept = [rewritten_latex(fragment, scope, keep_cancelled=True)] if "cancel" in fragment.text else []
-        return [rewritten_latex(fragment, scope), *kept, fragment]
-    in_language = rewritten(fragment, scope)
-    braces = [rewritten_latex(in_language, scope)] if re.search(r"[_^]\{", fragment.text) else []
-    return [*([fragment] if in_language is not fragment else []), in_language, *braces]
-
-
-def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
-    """What can be read of one side in the first notation in which it can be. Raises the first ProblemError."""
-    first: ProblemError | None = None
-    for candidate in _notations(side, scope):
-        try:
-            return read(candidate)
-        except ProblemError as error:
-            first = first or error
-    assert first is not None
-    raise first
-
-
-def _other(fragment: Fragment, scope: Scope, reading: Reading) -> Reading | None:
-    """The other reading of an equation; None if it has none."""
-    if not reading.notes:
-        return None
-    try:
-        equation = read_otherwise(fragment, scope, MAX_ANSWER_CHARACTERS)
-    except ProblemError:
-        return None
-    if equation is None or isinstance(equation.lhs, Vector) or isinstance(equation.rhs, Vector):
-        return None
-    return replace(
-        reading, components=(sp.Add(equation.lhs, -equation.rhs),), sides=(equation.lhs, equation.rhs), other=None
-    )
+def _multiplies(name: str, text: str) -> bool:
+    """Whether a name before a parenthesis may be a factor, as in `S(x - a)`: a letter, and not applied to a number."""
+    letters = {name, *(c for c, n in GREEK.items() if n == name)}
+    calls = re.findall(rf"(?:{'|'.join(map(re.escape, letters))})\s*\(([^()]*)\)?", text)
+    return (len(name) <= 3 or len(letters) > 1) and not any(re.fullmatch(r"\s*(?:\d+|t)\s*", c) for c in calls)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
+from lagrange.mechanics.dynamics.newton import short_reactions
 from lagrange.mechanics.results import Solution
 
 VECTORS = ("r", "v", "F", "R", "omega", "H", "M", "Gamma", "pi")
@@ -19,7 +20,7 @@ def short_names(solution: Solution, taken: Collection[str]) -> dict[str, str]:
     """The shorter names by the full ones; `taken`: letters that the page uses for something else."""
     used = {*solution.problem.scope.names(), *taken}
     used |= {q.name for c in solution.choices for q in c.configuration.slots.coordinates}
-    return {**dict(_of_vectors(solution, used)), **dict(_of_reactions(solution, used))}
+    return {**dict(_of_vectors(solution, used)), **_of_reactions(solution, used)}
 
 
 def _of_vectors(solution: Solution, used: Collection[str]) -> Iterator[tuple[str, str]]:
@@ -39,26 +40,7 @@ def _of_vectors(solution: Solution, used: Collection[str]) -> Iterator[tuple[str
                 yield unit, stem
 
 
-def _of_reactions(solution: Solution, used: Collection[str]) -> Iterator[tuple[str, str]]:
-    """Of the only constraint; of several, without the words that all of them share."""
+def _of_reactions(solution: Solution, used: Collection[str]) -> dict[str, str]:
     if solution.law is None:
-        return
-    reactions = solution.law.newton.reactions
-    endings = _distinct([r.name for r in reactions])
-    for r, ending in zip(reactions, endings, strict=True):
-        symbols = {r.multiplier.name} | ({r.symbol.name} if r.symbol is not None else set())
-        for name in symbols:
-            letter, _, index = name.partition("_")
-            short = f"{letter}_{ending}" if ending else letter
-            if index == r.name and short != name and short not in used:
-                yield name, short
-
-
-def _distinct(names: list[str]) -> list[str]:
-    """The names without what all of them end in: upper and lower for upper_rod and lower_rod."""
-    if len(names) == 1:
-        return [""]
-    words = [n.split("_") for n in names]
-    while all(len(w) > 1 for w in words) and len({w[-1] for w in words}) == 1:
-        words = [w[:-1] for w in words]
-    return ["_".join(w) for w in words]
+        return {}
+    return {symbol.name: short for symbol, short in short_reactions(solution.law.newton, used)}

@@ -22,7 +22,7 @@ result. The share of a single particle need not vanish. In a possible displaceme
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import field, replace
 
 import sympy as sp
@@ -557,3 +557,28 @@ def _work(reaction: Reaction, configuration: Configuration, elimination: Elimina
         working=working,
         possible=sp.S.Zero if surface.is_zero(drift) else possible,
     )
+
+
+def short_reactions(newton: Newton, used: Collection[str]) -> Iterator[tuple[sp.Symbol, str]]:
+    """Reactions and multipliers with the shorter names that they have on a page: T for T_rod, the only constraint.
+
+    Of several constraints, words that all names end in are dropped: T_upper for the tension of the upper rod, if the
+    other is the lower rod. `used` are letters that mean something else.
+    """
+    endings = _distinct([r.name for r in newton.reactions])
+    for r, ending in zip(newton.reactions, endings, strict=True):
+        for symbol in dict.fromkeys((r.multiplier, *([r.symbol] if r.symbol is not None else []))):
+            letter, _, index = symbol.name.partition("_")
+            short = f"{letter}_{ending}" if ending else letter
+            if index == r.name and short != symbol.name and short not in used:
+                yield symbol, short
+
+
+def _distinct(names: list[str]) -> list[str]:
+    """The names without what all of them end in: upper and lower for upper_rod and lower_rod."""
+    if len(names) == 1:
+        return [""]
+    words = [n.split("_") for n in names]
+    while all(len(w) > 1 for w in words) and len({w[-1] for w in words}) == 1:
+        words = [w[:-1] for w in words]
+    return ["_".join(w) for w in words]

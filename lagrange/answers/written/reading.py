@@ -1,0 +1,85 @@
+"""One equation of an answer, or one side of it, read in whatever notation it is written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import TypeVar
+
+import sympy as sp
+
+from lagrange.answers.readings import GivenEquation, Reading, read_answer
+from lagrange.answers.written.notations import rewritten, rewritten_latex
+from lagrange.core.diagnostics import Fragment, ProblemError
+from lagrange.core.vectors import Vector
+from lagrange.expressions.latex_layout import is_latex
+from lagrange.expressions.limits import MAX_ANSWER_CHARACTERS
+from lagrange.expressions.reader import Scope, read_otherwise
+
+T = TypeVar("T")
+
+
+def read_as_written(
+    fragment: Fragment, scope: Scope, text: str = "", rounded: Mapping[str, sp.Expr] | None = None
+) -> Reading:
+    """One equation of an answer in whatever notation it is; if none can be read, the error of the first.
+
+    rounded  the names that are defined with decimals, in which these are symbols
+    """
+    first: Reading | None = None
+    for candidate in _notations(fragment, scope):
+        reading = read_answer(candidate, scope)
+        if reading.error is None:
+            shown = replace(reading, text=text or fragment.text.strip())
+            if rounded and not isinstance(candidate, GivenEquation):
+                wider = replace(scope, scalars={**scope.scalars, **rounded}, decimals="")
+                shown = replace(shown, source=(candidate, wider))
+            return replace(shown, other=_other(candidate, scope, shown))
+        if first is None or _errors(reading) < _errors(first):
+            first = reading
+    assert first is not None
+    return replace(first, text=text or fragment.text.strip())
+
+
+def _errors(reading: Reading) -> int:
+    return len(reading.error.diagnostics) if reading.error else 0
+
+
+def _notations(fragment: Fragment, scope: Scope) -> list[Fragment]:
+    """The text in the notations in which it may be, each tried after the one before it."""
+    if isinstance(fragment, GivenEquation) or len(fragment.text) > MAX_ANSWER_CHARACTERS:
+        return [fragment]
+    if is_latex(fragment):
+        kept = [rewritten_latex(fragment, scope, keep_cancelled=True)] if "cancel" in fragment.text else []
+        return [rewritten_latex(fragment, scope), *kept, fragment]
+    in_language = rewritten(fragment, scope)
+    braces = [rewritten_latex(in_language, scope)] if re.search(r"[_^]\{", fragment.text) else []
+    return [*([fragment] if in_language is not fragment else []), in_language, *braces]
+
+
+def tried(side: Fragment, scope: Scope, read: Callable[[Fragment], T]) -> T:
+    """What can be read of one side in the first notation in which it can be. Raises the first ProblemError."""
+    first: ProblemError | None = None
+    for candidate in _notations(side, scope):
+        try:
+            return read(candidate)
+        except ProblemError as error:
+            first = first or error
+    assert first is not None
+    raise first
+
+
+def _other(fragment: Fragment, scope: Scope, reading: Reading) -> Reading | None:
+    """The other reading of an equation; None if it has none."""
+    if not reading.notes:
+        return None
+    try:
+        equation = read_otherwise(fragment, scope, MAX_ANSWER_CHARACTERS)
+    except ProblemError:
+        return None
+    if equation is None or isinstance(equation.lhs, Vector) or isinstance(equation.rhs, Vector):
+        return None
+    return replace(
+        reading, components=(sp.Add(equation.lhs, -equation.rhs),), sides=(equation.lhs, equation.rhs), other=None
+    )
