@@ -22,7 +22,8 @@ from lagrange.expressions.syntax_tree import FUNCTIONS
 _COMMENT = re.compile(r"(?:^|\s)(?:#|%|//)[^\n]*|\(\*[^\n]*?\*\)|/\*[^\n]*?\*/")
 _LATEX_COMMENT = re.compile(r"(?<!\\)%[^\n]*|\s//\s[^\n]*")
 _ARROW = r"(?:==?>|-+>|=>|⇒|⟹|→|⟶|∴|⇔|⟺|↔|\bimplies\b|\bhence\b|\btherefore\b)"
-_SEPARATOR = re.compile(rf";|(?<!@)@(?!@)|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|\\n")
+_SEPARATOR = re.compile(rf";|{_ARROW}|\b(?:and|where|with)\b(?=[^=]*=)|\\n")
+_ROWS_OF_WORD = re.compile(rf"{_SEPARATOR.pattern}|(?<!@)@(?!@)")
 _SOFT = re.compile(r",|\s{3,}|\t")
 _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
 _NAMED = re.compile(
@@ -159,7 +160,8 @@ def _parts(text: str, start: int, end: int) -> Iterator[tuple[int, int]]:
         for first, last in cuts(text[inside[0] : inside[1]], re.compile(",")):
             yield from _parts(text, inside[0] + first, inside[0] + last)
         return
-    for first, last in cuts(text[start:end], _SEPARATOR):
+    are_rows = all("=" in row for row in text[start:end].split("@"))
+    for first, last in cuts(text[start:end], _ROWS_OF_WORD if are_rows else _SEPARATOR):
         pieces = cuts(text[start + first : start + last], _SOFT)
         whole = start + first
         begin = pieces[0][0]

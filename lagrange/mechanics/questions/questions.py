@@ -9,7 +9,7 @@ The routes are tried in this order, in each set of coordinates that has all that
     quadrature      t = ∫ dq/q', where q' is known from an integral
     numbers         with values for all parameters: the first time at which the conditions hold
 
-All but the last are exact. What is not found is said, with what is known; `rest` has questions about a system at rest.
+All but the last are exact; `rest` has questions about a system at rest.
 """
 
 from __future__ import annotations
@@ -596,6 +596,5 @@ class _Search:
 
 
 def _shown(b: AnswerBranch) -> AnswerBranch:
-    return replace(
-        b, rhs=under_one_root(without_leading_minus(without_roots_below(b.rhs))), conditions=joined(b.conditions)
-    )
+    rhs = under_one_root(without_leading_minus(without_roots_below(b.rhs)))
+    return replace(b, rhs=rhs, conditions=joined(b.conditions))
