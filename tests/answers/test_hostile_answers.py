@@ -9,6 +9,7 @@ from __future__ import annotations
 import builtins
 import os
 import sys
+import time
 from collections.abc import Callable
 
 import pytest
@@ -22,6 +23,7 @@ from lagrange.core.diagnostics import Fragment, ProblemError, Source
 from lagrange.problem.loader import read_problem
 from lagsolve.main import main
 from tests.answers.test_equations import given_reference
+from tests.support.shared import loaded
 
 REJECTED = "unreadable"
 
@@ -167,3 +169,13 @@ def test_hostile_answers_on_the_command_line(text: str) -> None:
     assert result.exit_code in (1, 2)
     assert "Traceback" not in result.output
     assert "internal" not in result.output
+
+
+def test_long_runs_of_letters_take_no_time() -> None:
+    from lagrange.answers.written.notations import rewritten
+
+    scope = reference(loaded("ex11-ideal-pendulum")).scope_of_answers
+    start = time.process_time()
+    for run in ("a" * 2000, "ab1_" * 500, "a " * 1000):
+        rewritten(Fragment.of(f"{run} = 0"), scope)
+    assert time.process_time() - start < 1

@@ -29,7 +29,7 @@ _EQUALS = re.compile(r"(?<![<>!=])=(?![=>])|==(?!>)")
 _NAMED = re.compile(
     r"\s*(?:(?:In|Out)\[[0-9]{0,4}\]\s*:?=|>+|>>>)?\s*(?:[A-Za-z][A-Za-z0-9_]{0,20}\s*(?::=(?=[^=]*=)|=(?=[^=]*==[^=]*\Z)))?"
 )
-_WORD_ARRAY = re.compile(r"\s*[{〖├]?\s*■\s*(?=\()")
+_WORD_ARRAY = re.compile(r"\s*(?:[{〖├]\s*)?■\s*(?=\()")
 _ABOUT_PARTS = re.compile(r"\s*[^\W\d_][^=:*/^\\'()\[\]0-9]{3,60}:(?=\s)")
 _SPECIAL_CASE = re.compile(
     r"\s*(?:for|if|when|in the case)\s+[^\s=]{1,12}\s*=\s*[^\s=]{1,12}\s*,?(?:\s+[^\W\d_]+){3,}[.!]?\s*\Z",

@@ -50,7 +50,7 @@ _DIFFERENTIAL = re.compile(rf"(?<![A-Za-z0-9_'])d\s?(?P<name>{_NAME})(?![A-Za-z0
 _ORDERS = {"²": 2, "³": 3}
 _DOTTED = re.compile(r"(?<![A-Za-z0-9_])(d{1,3})ot\s*(?=\()")
 _SUFFIX = re.compile(
-    rf"(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]+?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]*?)(?:_?(?P<dots>d{{1,3}}ot)|_(?P<short>d{{1,2}})|(?P<joined>dd))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
+    rf"(?<![A-Za-z_])(?P<name>(?:[{''.join(GREEK)}]|[A-Za-z]{{1,12}}?)[A-Za-z0-9_{''.join(SUBSCRIPTS)}]{{0,8}}?)(?:_?(?P<dots>d{{1,3}}ot)|_(?P<short>d{{1,2}})|(?P<joined>dd))(?P<index>_?[0-9]{{1,2}})?(?![A-Za-z0-9_(])"
 )
 _PREFIX = re.compile(rf"(?<![A-Za-z0-9_'])(?P<dots>dd|d2|d{{1,2}}ot_?)(?P<name>{_NAME})(?![A-Za-z0-9_'(])")
 _MODULE = re.compile(r"(?<![A-Za-z0-9_.)\]])(?:np|numpy|math|sp|sym|sympy|mpmath)\.(?=[A-Za-z])")
