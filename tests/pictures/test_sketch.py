@@ -14,7 +14,7 @@ from tests.support.drawings import figures
 from tests.support.shared import SHIPPED
 
 WITHOUT = {"contact-form", "contact-form-with-fixed-slope", "form-in-two-variables", "form-in-three-variables"}
-WITHOUT |= {"blade-from-a-lagrangian", "oscillating-circuit", "relativistic-oscillator"}
+WITHOUT |= {"oscillating-circuit", "relativistic-oscillator"}
 """Forms in variables that are no places of anything, and Lagrangians without masses."""
 FREE = {StrokeKind.AXIS, StrokeKind.FORCE, StrokeKind.REACTION, StrokeKind.REFERENCE, StrokeKind.HATCH}
 FREE |= {

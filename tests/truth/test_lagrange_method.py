@@ -234,7 +234,8 @@ def test_references_point_back_and_steps_come_in_order(name: str) -> None:
     three = (Rule.ENERGIES, Rule.LAGRANGE, Rule.EQUATIONS_OF_MOTION)
     assert [r for r in rules if r in three] == list(three) * several
     assert all(s.title and s.body for s in derivation.steps)
-    assert not any("d'Alembert" in words(s) for s in derivation.steps if s.rule is not Rule.QUASI_VELOCITIES)
+    if by_lagrange(name).solution.problem.lagrangian is None:  # of which the page says that d'Alembert cannot check it
+        assert not any("d'Alembert" in words(s) for s in derivation.steps if s.rule is not Rule.QUASI_VELOCITIES)
 
 
 @pytest.mark.parametrize("name", NAMES)

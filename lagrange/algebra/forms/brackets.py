@@ -11,11 +11,10 @@ from collections.abc import Sequence
 
 import sympy as sp
 
+from lagrange.algebra.forms.limits import LONGEST_DIRECTION
 from lagrange.core.records import record
 
 Direction = tuple[sp.Expr, ...]
-LONGEST = 12
-"""The most operations of a direction that is shown."""
 
 
 @record
@@ -29,7 +28,11 @@ class Manoeuvre:
 
 def manoeuvre(form: Sequence[sp.Expr], variables: Sequence[sp.Symbol]) -> Manoeuvre | None:
     """For a form in three variables with one coefficient 0 and short others; None for any other."""
-    if len(variables) != 3 or sum(a == 0 for a in form) != 1 or sum(int(a.count_ops()) for a in form) > LONGEST:
+    if (
+        len(variables) != 3
+        or sum(a == 0 for a in form) != 1
+        or sum(int(a.count_ops()) for a in form) > LONGEST_DIRECTION
+    ):
         return None
     n = next(k for k, a in enumerate(form) if a == 0)
     m, k = (j for j in range(3) if j != n)

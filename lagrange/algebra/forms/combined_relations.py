@@ -12,10 +12,8 @@ from itertools import combinations
 
 import sympy as sp
 
+from lagrange.algebra.forms.limits import LONGEST_COMBINED_RELATION
 from lagrange.core.records import record
-
-LONGEST = 30
-"""The most operations of a relation that is combined with another one."""
 
 
 @record
@@ -35,7 +33,7 @@ def combined_relations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Sy
 def _combinations(functions: Sequence[sp.Expr], coordinates: Sequence[sp.Symbol]) -> Iterator[CombinedRelation]:
     moving = {*coordinates}
     for (m, f), (n, g) in combinations(enumerate(functions), 2):
-        if max(f.count_ops(), g.count_ops()) > LONGEST:
+        if max(f.count_ops(), g.count_ops()) > LONGEST_COMBINED_RELATION:
             continue
         fewest = min(len(f.free_symbols & moving), len(g.free_symbols & moving))
         for q in sorted(f.free_symbols & g.free_symbols & moving, key=str):

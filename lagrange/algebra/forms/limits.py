@@ -59,6 +59,11 @@ MOST_SYMMETRY_VARIABLES = 5
 SPARE_SYMMETRY_ROWS = 4
 MOST_COMBINATION_VARIABLES = 3
 
+# Operations of a direction of which forward, turn, back, turn back is shown (`brackets`), and of each of two finite
+# relations that are combined (`combined_relations`).
+LONGEST_DIRECTION = 12
+LONGEST_COMBINED_RELATION = 30
+
 # Hidden relations (`first_integrals`): functions in the dictionary after each of its three stages.
 MOST_CANDIDATES = (70, 110, 150)
 # Terms integrated for it, operations of one [3], operations of a coefficient that is multiplied out [3], and entries of

@@ -227,7 +227,8 @@ class _Claim:
     ) -> list[dict[sp.Symbol, sp.Expr]]:
         if self.quantity.is_Symbol:
             shared = dict(states[0]) if len(states) == 1 and len(values) == 1 else {}
-            return [{**shared, self.quantity: v} for v in values]
+            reached = {s[self.quantity]: dict(s) for s in states if self.quantity in s}  # with its sine and cosine
+            return [reached.get(v, {**shared, self.quantity: v}) for v in values]
         return [dict(s) for s in states]
 
     def _is_open(self, e: sp.Expr) -> bool:

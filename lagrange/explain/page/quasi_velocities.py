@@ -59,16 +59,15 @@ def _are_long(solution: Solution) -> bool:
 
 
 def _without_rates(solution: Solution, block: Block) -> Block:
-    """The boxed equations with a reference to the kinematic ones, which stand above."""
+    """The boxed equations without the kinematic ones, which stand above."""
     form = solution.own.in_speeds
     if not isinstance(block, Display) or not block.boxed or form is None:
         return block
-    labels = [f"kinematic-{v.name}" for v in form.velocities.kinematic]
     kinematic = {*form.velocities.kinematic.items()}
     lines = [e for e in block.equations if e.sides not in kinematic]
-    if len(labels) < 3 or len(lines) == len(block.equations):
+    if len(kinematic) < 3 or len(lines) == len(block.equations):
         return block
-    lines[-1] = replace(lines[-1], condition=("with ", Ref(labels[0]), " to ", Ref(labels[-1])))
+    lines[-1] = replace(lines[-1], condition=("with the kinematic equations",))  # no reference: a brief page has none
     return replace(block, equations=tuple(lines))
 
 

@@ -37,6 +37,8 @@ MOST = 8
 """The most equations there."""
 LONGEST_ANSWER = 30
 """The most operations of one answer, frequency or condition there."""
+LONGEST_CONDITIONS = 16
+"""The most operations of the conditions beside an answer to a question."""
 LONGEST_WORDS = 12
 """The most operations of the conditions of stability beside an equilibrium."""
 
@@ -257,7 +259,9 @@ def _answers(solution: Solution, asked: Asked) -> Iterator[Equation]:
         clauses: list[tuple[Part, ...]] = []
         if asked.question.when:
             clauses.append(("when ", *listed(math(c.lhs, c.rhs) for c in asked.question.when)))
-        if b.conditions:
+        if sum(int((c.lhs - c.rhs).count_ops()) for c in b.conditions) > LONGEST_CONDITIONS:
+            clauses.append(("under conditions that are given below",))
+        elif b.conditions:
             clauses.append(("where ", *sign_conditions(b.conditions)))
         angle = angle_of(asked, b)
         if angle is not None:

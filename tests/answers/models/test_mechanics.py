@@ -17,7 +17,11 @@ def candidates(name: str) -> list[ReferenceCandidate]:
     return [c for c in reference_of(name).candidates if c.mechanics is not None]
 
 
-@pytest.mark.parametrize("name", asking("motion"))
+GIVEN_OUTRIGHT = {"oscillating-circuit", "relativistic-oscillator", "blade-from-a-lagrangian"}
+"""Problems with a `lagrangian:`, whose kinetic energy has no parts."""
+
+
+@pytest.mark.parametrize("name", [n for n in asking("motion") if n not in GIVEN_OUTRIGHT])
 def test_the_parts_add_up_to_the_derived_equations(name: str) -> None:
     assert all(c.models.mechanics is not None for c in candidates(name))
 
