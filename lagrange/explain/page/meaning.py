@@ -59,9 +59,14 @@ def operations(stated: Stated) -> int:
 
 def _in_short(meaning: Meaning, stated: Stated) -> Iterator[Block]:
     """The equations in the form of the answers, where that is the shorter one."""
-    motion = meaning.view.motion
+    motion, form = meaning.view.motion, meaning.view.in_speeds
     if motion is None or not stated or _are_shown(stated, [e.expression for e in motion.final]):
         return
+    if form is not None and form.equations is not None:
+        defined = form.velocities.defined
+        stated_by_rates = tuple((defined(a), defined(b), *more) for a, b, *more in stated)
+        if _are_shown(stated_by_rates, [defined(e) for e in form.equations.expressions]):
+            return
     rates = (row.velocity_form(motion.configuration.slots) for row in motion.completing)
     if operations(stated) < sum(int(e.count_ops()) for e in (*(e.expression for e in motion.final), *rates)):
         yield prose(Emphasis("In short"), ",")
