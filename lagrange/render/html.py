@@ -130,7 +130,7 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
   .desk { display: none; }
   .display { column-gap: .5rem; }
   .display math { font-size: 1em; }
-  .display > .equation { padding-left: 2rem; text-indent: -1.2rem; }
+  .display > .equation { padding-left: 1rem; text-indent: -.6rem; }
   .display.aligned > .left { padding-left: .6rem; }
   .display.aligned > .equation { padding-left: 1.2rem; }
   table { margin-left: 0; }
