@@ -133,6 +133,7 @@ figcaption { color: var(--quiet); font-size: .95em; margin-top: .3rem; }
   .display > .equation { padding-left: 1rem; text-indent: -.6rem; }
   .display.aligned > .left { padding-left: .6rem; }
   .display.aligned > .equation { padding-left: 1.2rem; }
+  .term { text-indent: -.4em; padding-left: .4em; }
   table { margin-left: 0; }
   th[scope=row] { position: sticky; left: 0; background: var(--paper); }
 }
