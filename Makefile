@@ -10,9 +10,9 @@ PYTHON ?= $(shell for p in python3 python3.14 python3.13 python3.12 python3.11 p
 # Where it is set, every child process of the tests would compile all modules again.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: demo test test-all lint sweep bench golden picture figures gallery api man clean
+.PHONY: demo test test-all lint sweep bench golden picture figures gallery site lock man clean
 
-$(VENV)/installed: pyproject.toml
+$(VENV)/python: pyproject.toml
 	@if [ -z "$(PYTHON)" ]; then \
 		echo "lagsolve needs Python 3.11 or later; here there is: $$(python3 --version 2>&1 || true)"; \
 		echo "Install a newer one, or say where it is: make PYTHON=/path/to/python3.12"; exit 1; fi
@@ -20,11 +20,17 @@ $(VENV)/installed: pyproject.toml
 		{ echo "lagsolve needs Python 3.11 or later, and $(PYTHON) is $$($(PYTHON) --version 2>&1)"; exit 1; }
 	@$(PYTHON) -m venv $(VENV) || \
 		{ echo "$(PYTHON) cannot make an environment; on Debian: apt install python3-venv"; exit 1; }
-	@echo "installing into $(VENV), which takes a minute or two"
+	@echo "installing into $(VENV), which takes some seconds"
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	@touch $@
+
+# With what the tests need.
+$(VENV)/installed: $(VENV)/python
+	@echo "installing what the tests need into $(VENV), which takes a minute or two"
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	@touch $@
 
-demo: $(VENV)/installed
+demo: $(VENV)/python
 	@$(BIN)/lagsolve problems/chapter6/ex11-ideal-pendulum.yaml
 	@echo
 	@echo "What to do next:"
@@ -70,12 +76,15 @@ figures: $(VENV)/installed
 gallery: $(VENV)/installed
 	@$(BIN)/python -m lagsolve.gallery gallery
 
-# The reference of `import lagrange`, from its docstrings, as web pages in api/. Pdoc comes with the extra `docs`.
-api: $(VENV)/installed
+# The documentation and the reference of `import lagrange` as a site with a search, in site/. MkDocs comes with the extra `docs`.
+site: $(VENV)/installed
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
-	@$(BIN)/python -m pdoc --output-directory api --docformat markdown lagrange '!lagrange.core' \
-		'!lagrange.algebra' '!lagrange.answers' '!lagrange.document' '!lagrange.explain' '!lagrange.expressions' \
-		'!lagrange.mechanics' '!lagrange.pictures' '!lagrange.problem' '!lagrange.render' '!lagrange.values'
+	@PYTHONPATH=. $(BIN)/python -m mkdocs build --strict --quiet
+
+# The versions that a release was tried with, and what their files must be: pip install --require-hashes -r requirements.lock
+lock:
+	@uv pip compile pyproject.toml --extra sim --universal --python-version 3.11 --generate-hashes \
+		--custom-compile-command "make lock" --output-file requirements.lock --quiet
 
 # The manual page lagsolve.1, from the help of the command.
 man: $(VENV)/installed
