@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 import yaml
+from packaging.requirements import Requirement
 
 import lagrange
 from lagsolve.command_group import COMMANDS
@@ -101,3 +102,25 @@ def test_another_package_of_the_same_name_is_noticed(tmp_path: Path) -> None:
     assert done.stderr.startswith("error[another-lagrange]: `lagrange` in ")
     assert "pip install --force-reinstall lagsolve" in done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_the_lock_file_pins_every_dependency_with_its_hashes() -> None:
+    text = (ROOT / "requirements.lock").read_text(encoding="utf-8")
+    pins = re.findall(r"^([\w-]+)==(\S+)(.*\n(?:    --hash=sha256:[0-9a-f]{64}.*\n)+)?", text, re.MULTILINE)
+    assert all(hashes for _, _, hashes in pins)
+    for wanted in map(Requirement, [*PROJECT["dependencies"], *PROJECT["optional-dependencies"]["sim"]]):
+        versions = [version for name, version, _ in pins if name == wanted.name]
+        assert versions
+        assert all(wanted.specifier.contains(v) for v in versions)
+
+
+def test_the_site_has_every_page_of_the_documentation() -> None:
+    [nav] = re.findall(r"^nav:\n.*", (ROOT / "mkdocs.yml").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+    pages = {
+        page
+        for part in yaml.safe_load(nav)["nav"]
+        for pages in part.values()
+        for page in (pages if isinstance(pages, list) else [pages])
+    }
+    beside = {"index.md", "api.md", "contributing.md", "changelog.md", "security.md"}
+    assert pages == beside | {path.name for path in (ROOT / "docs").glob("*.md")}
