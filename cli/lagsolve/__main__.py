@@ -38,7 +38,7 @@ def _import_nothing_from_here() -> None:
 
 
 def _refuse_another_lagrange() -> None:
-    """Ends where `lagrange` is the package of somebody else: one for interpolation has this name on the index too."""
+    """Exits if `lagrange` is not ours: the package index has another one, for interpolation."""
     import lagrange
 
     if "loads" in getattr(lagrange, "__all__", ()):

@@ -1,7 +1,7 @@
 """The outer limits of one command: `--timeout` and `--memory`.
 
 What solving may cost is counted in operations (`lagrange.core.effort`), so that every machine prints the same. Beside
-it stand these, for whoever runs files of strangers: an alarm after so many seconds, which gives up the running stage,
+it stand these, for those who run files of strangers: an alarm after so many seconds, which gives up the running stage,
 and a limit of the address space beyond what is in use at the start, where the system has them. What is known by then is
 still explained, in a quarter of the time.
 """

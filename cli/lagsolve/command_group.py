@@ -38,7 +38,7 @@ _OF_VERDICTS = {
 
 
 def write_stderr(text: str) -> None:
-    """A message, on standard error. Where that is closed or full nobody can be told; the exit status still says it."""
+    """A message, on standard error. If that is closed or full, only the exit status is left to say it."""
     from lagrange.core.printable import visible
 
     with suppress(OSError, ValueError):

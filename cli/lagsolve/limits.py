@@ -28,7 +28,7 @@ CHECK_SECONDS, CHECK_MEGABYTES = 60.0, 1024
 # -- grading: submissions and pages ------------------------------------------------------------------------------------
 
 MOST_FILES = 50
-"""In the folder of one submission; whoever has more has named the wrong folder."""
+"""In the folder of one submission; more than that means that the wrong folder was named."""
 
 MOST_PROBLEMS = 16
 """In one assignment: each is solved in every process, and kept there."""
@@ -62,7 +62,7 @@ AHEAD = 4
 """Submissions handed over for each process, so that none waits for the next; a thousand are not held in memory."""
 
 TRIES = 2
-"""Of a submission whose process is lost: once may be somebody else's fault (the system was short of memory)."""
+"""Of a submission whose process is lost: once may have another cause (the system was short of memory)."""
 
 STARTS = 3
 """Of a process that is lost before it is ready, after which the batch gives up."""

@@ -44,7 +44,7 @@ def write_file(path: Path, text: str | bytes, *, follow: bool = True) -> None:
 
 
 def write_figures(folder: Path, files: Mapping[str, str]) -> None:
-    """Writes the figures of a page beside it. Raises ProblemError where one would overwrite a file of somebody else."""
+    """Writes the figures of a page beside it. Raises ProblemError for a file that lagsolve did not write."""
     from lagrange.render.notes.svg_file import MARK
 
     for name in files:

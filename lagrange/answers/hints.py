@@ -83,7 +83,7 @@ class Advisor:
         sides: Sequence[sp.Expr | Vector],
         model: Explanation | None = None,
     ) -> tuple[str, ...]:
-        """The hint at each level; `why` is what can be said of the equation without looking for the mistake."""
+        """The hint at each level; `why` explains the verdict without a search for the mistake."""
         if change is None and units is None and convention is None and model is None:
             return (why,) * 3
         causes = (

@@ -158,7 +158,7 @@ class Reference:
 
     @cached_property
     def scope_of_answers(self) -> Scope:
-        """The names without letters of the derivation that are declared names but for their case.
+        """The names, other than letters of the derivation, that differ from declared names only in their case.
 
         `omega` for a declared `Omega` is a mistake in writing, and not the frequency of small oscillations.
         """

@@ -62,7 +62,7 @@ def allowed(units: float) -> Iterator[Allowance]:
 
 @contextmanager
 def unlimited() -> Iterator[None]:
-    """Lifts all allowances within the block, for whoever would rather wait."""
+    """Lifts all allowances within the block, for users who would rather wait."""
     token = _lifted.set(True)
     try:
         yield

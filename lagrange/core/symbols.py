@@ -138,7 +138,7 @@ class VectorSymbol(sp.Symbol):
 
 
 class UnitSymbol(sp.Symbol):
-    """A unit of measurement behind a number, `m/s^2`, for printing."""
+    """A unit of measurement after a number, `m/s^2`, for printing."""
 
     __slots__ = ()
 

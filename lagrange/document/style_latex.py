@@ -47,7 +47,7 @@ class Latex(Unicode):
         return Piece(str(int(number)), tight=True)
 
     def unit(self, name: str) -> Piece:
-        r"""A unit of measurement behind a number: `\,\mathrm{m/s^{2}}`."""
+        r"""A unit of measurement after a number: `\,\mathrm{m/s^{2}}`."""
         if name == "°":
             return Piece(r"^\circ")
         raised = re.sub(r"\^(-?\d+)", r"^{\1}", name).replace(" ", r"\,")

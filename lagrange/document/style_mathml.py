@@ -73,7 +73,7 @@ class MathML(Unicode):
         return Piece(f"<mn>{int(number)}</mn>", tight=True)
 
     def unit(self, name: str) -> Piece:
-        """A unit of measurement behind a number."""
+        """A unit of measurement after a number."""
         gap = "" if name == "°" else '<mspace width="0.25em"/>'
         return Piece(f"{gap}<mtext>{escape(super().unit(name).code.strip())}</mtext>")
 

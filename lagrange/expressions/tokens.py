@@ -140,7 +140,7 @@ class _Lexer:
             self._add(TokenKind.PRIMES, "'" * dots, start, count=dots)
 
     def _primes(self, text: str, start: int) -> None:
-        """Primes; with an index behind them, x'_0, they and the letter are the name of a velocity at one instant."""
+        """Primes; followed by an index, x'_0, they and the letter are the name of a velocity at one instant."""
         count = sum(PRIMES[c] for c in text)
         before = self.tokens[-1] if self.tokens else None
         index = _INDEX.match(self.text, self.at)

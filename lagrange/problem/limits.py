@@ -24,7 +24,7 @@ MAX_DEPTH = 20
 """Levels of lists and mappings, the scalar inside counted too. The keys need 6."""
 
 MAX_NODES = 20_000
-"""Values, those behind aliases counted as often as they are repeated. So many take 2 s to compose."""
+"""Values; those of an alias count each time it is used. This many take 2 s to compose."""
 
 MAX_ALIASES = 50
 """`*name` in a file. No shipped file has any; nested ones multiply, which MAX_NODES bounds."""

@@ -150,8 +150,8 @@ def _points(rows: Sequence[TableRow]) -> Iterator[str]:
     scores = [row.points / row.possible for row in rows if row.points is not None and row.possible]
     mean, highest = sum(scores) / len(scores), max(n for _, _, n in bins)
     yield f"<h3>Points</h3><p>Mean {100 * mean:.0f} % of the points.</p>"
-    told = ", ".join(f"{n} with {low} to {high} %" for low, high, n in bins if n)
-    yield f'<svg role="img" viewBox="-14 0 668 190" width="668" height="190"><title>Points: {told}</title>'
+    shares = ", ".join(f"{n} with {low} to {high} %" for low, high, n in bins if n)
+    yield f'<svg role="img" viewBox="-14 0 668 190" width="668" height="190"><title>Points: {shares}</title>'
     for place, (_, _, n) in enumerate(bins):
         height = 140 * n / highest
         x = 10 + place * 62

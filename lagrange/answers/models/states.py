@@ -4,7 +4,7 @@ At a random state of a prime field (or a real one, where there are roots) every 
 and ∂g_ij/∂q_l from the vectors J_i, so that a changed system costs a few sums and nothing has to be derived
 symbolically. Each equation becomes a row over (multipliers, accelerations, 1), as in `comparison`, and an answer
 follows from the changed system if its rows lie in the space of the changed rows. That is exact arithmetic: what agrees
-at one such state does so everywhere, but for a chance of 10^-24, and is confirmed at states that share no random
+at one such state does so everywhere, except with probability 10^-24, and is confirmed at states that share no random
 number with the first.
 """
 

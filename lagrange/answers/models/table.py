@@ -82,4 +82,4 @@ MODELS = (
 
 _NAMES = [m.name for m in MODELS]
 AS_BY_A_CONVENTION = frozenset(_NAMES[: _NAMES.index(MEASURED_FROM_ELSEWHERE) + 1])
-"""The models that another way of measuring a coordinate may stand behind."""
+"""The models that may come from another way of measuring a coordinate."""

@@ -369,7 +369,7 @@ def _reached_first(
 ) -> tuple[list[AnswerBranch], list[AnswerBranch]]:
     """The part of the branches that the motion reaches first, where it is certain that no turning point lies before it.
 
-    One coordinate goes on in the direction of the start up to the first turning point; what lies behind comes later.
+    One coordinate goes on in the direction of the start up to the first turning point; the other side comes later.
     """
     branches = list(branches)
     moving = [q for q in beginning.own if any(q in s for b in branches for s in b.states)]

@@ -28,7 +28,7 @@ SMALLEST_TIME = 1e-9
 LARGEST_DRIFT = 1e-6
 # Coordinates of coupled linear equations that are solved in time.
 MOST_COUPLED = 3
-# Numbers whose difference is smaller are not told apart.
+# Numbers whose difference is smaller count as equal.
 SMALLEST_DIFFERENCE = 1e-9
 # Operations of a value whose denominator is freed of roots.
 LONGEST_MULTIPLIED_OUT = 60

@@ -21,7 +21,7 @@ from lagrange.mechanics.questions.limits import LONGEST_INTEGRATED
 def time_between(q: sp.Symbol, speed: sp.Expr, start: sp.Expr, end: sp.Expr, way: int) -> sp.Expr | None:
     """The positive time in which q goes from `start` to `end` in the direction `way`; None where it is not found."""
     place = sp.Dummy(q.name, positive=True)
-    # |q'| is integrated over the way that is behind, so that roots of it are real.
+    # |q'| is integrated over the distance already covered, so that its roots are real.
     away = start + way * place
     size = sp.factor((way * speed).xreplace({q: away}))
     if size.count_ops() > LONGEST_INTEGRATED:

@@ -1,7 +1,7 @@
 """The time at which a condition holds, for motions in closed form.
 
     powers of t                         the roots of a polynomial
-    A cos ωt + B sin ωt + C = 0         the first root after t = 0, where its place can be told from the signs
+    A cos ωt + B sin ωt + C = 0         the first root after t = 0, where the signs determine it
     e^{λt}, cosh λt, sinh λt            a polynomial in E = e^{λt}; t = log(E)/λ
     A log(u(t)) + B = 0                 u(t) = e^{−B/A}
 
@@ -252,7 +252,7 @@ def _decays(term: sp.Expr) -> bool:
 
 
 def in_order(roots: list[TimeRoot]) -> Iterator[TimeRoot]:
-    """The first of several roots where that can be told; all of them otherwise."""
+    """The first of several roots where the order is known; all of them otherwise."""
     for r in roots:
         if all(o is r or sign_of_value(o.value - r.value) in (0, 1) for o in roots):
             yield r

@@ -48,7 +48,7 @@ class AnyOf:
 class Key:
     """A key of a form.
 
-    meaning   one or two sentences for whoever writes a file
+    meaning   one or two sentences for authors of files
     required  whether it must be there in every case
     example   a value to suggest where it is missing; empty for keys that no error suggests
     """

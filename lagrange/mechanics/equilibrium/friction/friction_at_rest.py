@@ -530,7 +530,7 @@ def _verified(
     configuration: Configuration,
     held: Mapping[sp.Symbol, sp.Expr],
 ) -> bool | None:
-    """Whether the forces satisfy Lagrange's equations at rest, but for the conditions that are equations."""
+    """Whether the forces satisfy Lagrange's equations at rest, apart from the conditions that are equations."""
     if solved.equations:
         return None
     slots = original.slots

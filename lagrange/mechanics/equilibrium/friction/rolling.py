@@ -5,7 +5,7 @@ reaction of these constraints. It is that of a contact at rest, so that
 
     |F| ≤ μ_s |N| ,
 
-F being the sum of the reactions at the point that touches but for N, the reaction that presses.
+F being the sum of the reactions at the point of contact except N, the normal one.
 """
 
 from __future__ import annotations
