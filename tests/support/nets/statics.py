@@ -119,11 +119,14 @@ def satisfies(system: System, r: Rest, relations: Sequence[str], conditions: Seq
 def _satisfies(system: System, r: Rest, q: Array, relations: Sequence[str], conditions: Sequence[str]) -> bool:
     names = system.scope(q, r.parameters)
     tolerance = 3e-3 if r.degenerate else 1e-5
+    varied = system.names(variables(q, 1), r.parameters)
+    zero = varied[system.coordinates[0]] * 0
     for text in relations:
         left = sides(text)[0]
         size = 1.0 if left in system.angles else 1 + abs(evaluate(left, names))
-        value = _residual(system, text, names)
-        if not abs(value) <= tolerance * size:
+        residual = zero + _residual(system, text, varied)
+        # A polynomial with large coefficients is large very near its root.
+        if not abs(residual.value) <= tolerance * (size + float(np.abs(residual.gradient).max())):
             return False
     return all(holds(c, names, 1e-5) is not False for c in conditions)
 
