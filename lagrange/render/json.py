@@ -27,7 +27,7 @@ from lagrange.render.json_numbers import (
     quantity,
     searched,
 )
-from lagrange.render.json_steps import block, shown
+from lagrange.render.json_steps import block, condition, shown
 
 if TYPE_CHECKING:
     from lagrange.algebra.closed_forms.solution_sets import Branch
@@ -109,7 +109,7 @@ def as_object(report: Report) -> dict[str, Any]:
         found["from_start"] = [
             {
                 "solutions": {q.name: write(e) for q, e in m.solutions.items()},
-                "conditions": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in m.conditions],
+                "conditions": [condition(c, write) for c in m.conditions],
             }
             for m in solution.from_start.motions
         ]
@@ -161,7 +161,7 @@ def _relations(branch: Branch, write: Write) -> list[str]:
 
 
 def _sign_conditions(branch: Branch, write: Write) -> list[str]:
-    return [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in branch.conditions]
+    return [condition(c, write) for c in branch.conditions]
 
 
 def _rest(resting: AtRest | Rolling, write: Write) -> dict[str, Any]:
@@ -442,7 +442,7 @@ def linearized(linearization: Linearization, write: Write) -> list[dict[str, Any
     for b, s in zip(linearization.branches, linearization.at, strict=True):
         entry: dict[str, Any] = {
             "equilibrium": [f"{write(r.lhs)} = {write(r.rhs)}" for r in b.equations],
-            "conditions": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions],
+            "conditions": [condition(c, write) for c in b.conditions],
         }
         oscillations = {"stable": None} if s is None else _oscillations(s, linearization, coordinates, write)
         entries.append(entry | oscillations)
@@ -474,7 +474,7 @@ def _oscillations(
     result |= {"stable": decided.get(stability.verdict.value), "stability": stability.verdict.value}
     where = stability.presupposed if stability.verdict.value == "stable" else stability.conditions
     if where:
-        result["stable_where"] = [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in where]
+        result["stable_where"] = [condition(c, write) for c in where]
     return result
 
 
@@ -575,7 +575,7 @@ def _asked(asked: Asked, values: Values, write: Write) -> dict[str, Any]:
         write(b.rhs) if b.lhs == question.quantity else f"{write(b.lhs)} = {write(b.rhs)}" for b in asked.branches
     ]
     each = [
-        [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions]
+        [condition(c, write) for c in b.conditions]
         + (["in the limit t → ∞"] if b.limit else [])
         + (["provided that the motion gets there"] if b.provided else [])
         for b in asked.branches

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from lagrange.core.symbols import prime
+from lagrange.render.json_steps import condition
 
 if TYPE_CHECKING:
     from lagrange.mechanics.equilibrium.driven.response import ForcedEquations, Response
@@ -113,7 +114,7 @@ def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
         entry: dict[str, Any] = {
             "cyclic": [q.name for q in found.cyclic],
             "conditions": [f"{write(r.lhs)} = {write(r.rhs)}" for r in family.relations(b)],
-            "exists_where": [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in b.conditions],
+            "exists_where": [condition(c, write) for c in b.conditions],
         }
         if s is not None:
             stability = s.judgement.stability
@@ -121,7 +122,7 @@ def steady_motions(found: SteadyMotions, write: Write) -> list[dict[str, Any]]:
             entry["linear"] = [f"{write(e)} = 0" for e in s.equations]
             entry["frequencies"] = [None if w is None else write(sp.sqrt(w)) for w in squares]
             entry["stability"] = stability.verdict.value
-            where = [f"{write(c.lhs)} {c.relation} {write(c.rhs)}" for c in stability.conditions]
+            where = [condition(c, write) for c in stability.conditions]
             if where:
                 entry["stable_where"] = " and ".join(where)
         entries.append(entry)

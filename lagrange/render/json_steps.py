@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
@@ -24,8 +24,17 @@ from lagrange.document.derivation import (
     Table,
     Task,
 )
+from lagrange.document.math_writer import TEXT
+
+if TYPE_CHECKING:
+    from lagrange.algebra.closed_forms.signs import SignCondition
 
 Write = Callable[[Any], str]
+
+
+def condition(c: SignCondition, write: Write) -> str:
+    """A condition in the language of problem files: a >= b."""
+    return f"{write(c.lhs)} {TEXT.relation(c.relation)} {write(c.rhs)}"
 
 
 def block(block: Block, write: Write) -> dict[str, Any]:

@@ -91,7 +91,7 @@ def test_lengths_within_their_range(k: str, limits: str, number: int) -> None:
 
 def test_a_range_that_depends_on_a_parameter_is_a_condition() -> None:
     result = solved(SPRING.format(k="50 N/m", range="[0, a]"))
-    assert as_object(result)["equilibrium_conditions"] == [["a*k ≥ m*g"]]
+    assert as_object(result)["equilibrium_conditions"] == [["a*k >= m*g"]]
 
 
 @pytest.mark.parametrize("assume", ["acute", "{range: [1 deg, 89 deg]}"])

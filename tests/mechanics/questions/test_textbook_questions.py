@@ -60,8 +60,8 @@ def test_how_far_it_slips_is_a_condition(problem: Read) -> None:
     letters = BALL.replace("{value: 9.81 m/s^2}", "positive").replace("{value: 0.1}", "positive")
     letters = letters.replace("{value: 7 m/s}", "positive")
     found = asked(problem(letters + 'ask: {v: {quantity: "x\'", when: x = L}, by: {quantity: "x\'", by: t}}'))
-    assert "12*v^2 >= 49*mu*g*L" in [c.replace("≥", ">=").replace("g*L*mu", "mu*g*L") for c in found["v"]["conditions"]]
-    assert any(c.startswith("t ≤") for c in found["by"]["conditions"])
+    assert "12*v^2 >= 49*mu*g*L" in [c.replace("g*L*mu", "mu*g*L") for c in found["v"]["conditions"]]
+    assert any(c.startswith("t <=") for c in found["by"]["conditions"])
 
 
 def test_a_number_in_a_question_hides_its_unit(problem: Read) -> None:

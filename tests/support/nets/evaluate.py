@@ -136,7 +136,7 @@ def sides(text: str) -> tuple[str, str, str]:
     if len(parts) != 3:
         raise NotReadError(f"{text!r} is no relation")
     left, relation, right = parts
-    return left, {"!=": "≠", ">=": "≥", "<=": "≤"}.get(relation, relation), right
+    return left, {"≠": "!=", "≥": ">=", "≤": "<="}.get(relation, relation), right
 
 
 def difference(text: str, names: Mapping[str, Any]) -> Any:
@@ -153,7 +153,7 @@ def holds(text: str, names: Mapping[str, Any], tolerance: float = 1e-7) -> bool 
         return None
     if abs(a - b) <= tolerance * (1 + abs(a) + abs(b)):
         return None if relation != "=" else True
-    return {"≠": True, "=": False, "≥": a > b, ">": a > b, "≤": a < b, "<": a < b}[relation]
+    return {"!=": True, "=": False, ">=": a > b, ">": a > b, "<=": a < b, "<": a < b}[relation]
 
 
 def names_in(text: str) -> set[str]:

@@ -165,7 +165,7 @@ def _points(
         for q in sampled(system, relations, parameters, rng):
             scope = system.scope(q, parameters)
             # Near an excluded place Newton's method converges slowly, and its points say nothing.
-            if any(holds(c, scope, 1e-4 if " ≠ " in c else 1e-7) in (False, None) for c in conditions):
+            if any(holds(c, scope, 1e-4 if " != " in c else 1e-7) in (False, None) for c in conditions):
                 outside = True
                 continue
             any_point = True
@@ -193,7 +193,7 @@ def _points(
     solvable = any(n in system.coordinates for t in relations for n in names_in(t))
     if open_existence and not all(SOLVED.match(t) for t in relations):
         return
-    if not solvable or any_point or outside or any(c.split()[-2] != "≠" for c in conditions):
+    if not solvable or any_point or outside or any(c.split()[-2] != "!=" for c in conditions):
         return
     if not any(True for parameters in draws for _ in sampled(system, relations, parameters, rng, 40)):
         yield Finding("no point", said, "no real point found that satisfies it")
