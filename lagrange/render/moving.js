@@ -2,7 +2,7 @@
 // The figure of a page that moves: it integrates the equations of motion that the page brings along, and draws them.
 // y = (q, q', t) is the state, z = (Q, Q', t, q) the same in the coordinates of the file, p are the parameters.
 const lagsolveFigure = (() => {
-  const CM = 42, MARGIN = 46, TOLERANCE = 1e-10, SVG = "http://www.w3.org/2000/svg";
+  const CM = 42, MARGIN = 46, TOLERANCE = 1e-10, MOST_STEPS = 1000, SVG = "http://www.w3.org/2000/svg";
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const plus = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
@@ -104,7 +104,8 @@ const lagsolveFigure = (() => {
     }
     function advanced(y, p, seconds) {
       const end = y[2 * n] + seconds;
-      while (end - y[2 * n] > 1e-12) {
+      for (let count = 0; end - y[2 * n] > 1e-12; count++) {
+        if (count == MOST_STEPS) return null;
         y = step(y, p, end - y[2 * n]);
         if (y === null || y.some(x => !isFinite(x))) return null;
       }
@@ -163,9 +164,9 @@ const lagsolveFigure = (() => {
     // What no longer holds: "contact" or "slip"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
     function broken(y, p, sense, side) {
       if (data.slips.length && F.sli(y, p).some((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9)) return "slip";
-      if (!data.guards.some(g => g)) return "";
+      if (!data.guards.some(g => g && g < 4)) return "";
       const f = forces(y, p).reactions;
-      return data.guards.some((g, i) => g && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
+      return data.guards.some((g, i) => g && g < 4 && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
     }
     // The sense in which a slip begins that is zero; 0 where friction holds it, with the static coefficient if there is one.
     function begins(y, p, i) {
@@ -271,7 +272,7 @@ const lagsolveFigure = (() => {
         const part = Math.min(piece, end - y[2 * n]);
         const next = M.advanced(y, p, part);
         // Where friction would change its sense to and fro, no step is short enough.
-        const sticks = next === null && data.slips.length && F.sli(y, p).some((s, i) => Math.abs(s) < 0.1 * (fastest[i] || 0));
+        const sticks = next === null && data.slips.length && (fails(y) == "slip" || F.sli(y, p).some((s, i) => Math.abs(s) < 0.1 * (fastest[i] || 0)));
         if (next === null && !sticks) { message = "The motion ends here: the accelerations are no longer determined."; return false; }
         const ending = sticks ? "slip" : fails(next);
         if (ending) {
