@@ -87,6 +87,15 @@ def _event(event: Event, simulation: Simulation, units: Units) -> str:
             return f"{at}: contact at {event.name} ends; the equations hold no longer"
         case EventKind.SLIP:
             return f"{at}: slip ends to have the sense that the file gives; the equations hold no longer"
+        case EventKind.AT_REST if event.time == 0:
+            return f"{at}: nothing slips at the start; what friction does at rest is not simulated"
+        case EventKind.AT_REST:
+            return f"{at}: the slip ends; what friction does at rest is not simulated"
+        case EventKind.REVERSED:
+            sides = "as the constraint is an equation; `>=` or `<=` would let contact end here"
+            return f"{at}: {event.name} changes its sign; the motion goes on, {sides}"
+        case EventKind.HELD if event.time == 0:
+            return f"{at}: nothing slips at the start, and friction holds it; the simulation ends"
         case EventKind.HELD:
             return f"{at}: slip ends, and friction keeps it from beginning again; the simulation ends"
         case EventKind.STOPPED:

@@ -15,7 +15,7 @@ why.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import chain
 from typing import TYPE_CHECKING, Any
@@ -39,7 +39,7 @@ from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.pictures.floats import NoValueError, value
 from lagrange.pictures.poses import Pose
 from lagrange.pictures.systems import SystemPicture
-from lagrange.problem.model import Keeper
+from lagrange.programs.contacts import coefficients_at_rest, guards
 from lagrange.programs.defaults import GRAVITY, angles_in, drawn_system, parameter_value, slip_speeds
 from lagrange.programs.languages import JAVASCRIPT, Argument, Function
 from lagrange.programs.starting import Start, start
@@ -316,20 +316,16 @@ class _Maker:
         self.slips = [int(kind) for kind, _ in found]
         return [self.put(e) for _, e in found]
 
-    def _guards(self) -> list[int]:
-        """For each reaction when the equations cease to hold; 0: never.
-
-        1 or -1: where λ does not have this sign. 2: where the force is negative. 3: where it changes its sign, as it
-        cannot pull on what lies on a surface.
-        """
-        frictions = self.view.dynamics.friction_forces if self.view.dynamics is not None else ()
-        pressed = {f.reaction.name: int(f.contact) for f in frictions if f.contact.is_Integer}
-        signs = []
-        for r in self.reaction_list:
-            side = r.constraint.side or pressed.get(r.name, 0)
-            pulls = r.constraint.by is Keeper.STRING and r.tension is not None
-            signs.append(side or (2 if pulls else 3 if r.constraint.by is Keeper.SURFACE else 0))
-        return signs
+    def _static(
+        self, parameters: Sequence[sp.Symbol], number: Callable[[sp.Symbol], float]
+    ) -> list[tuple[int, float]]:
+        """Of each coefficient of friction that is a parameter: its place, and the number of the static coefficient."""
+        out = []
+        for kinetic, static in coefficients_at_rest(self.solution.problem).items():
+            if kinetic in parameters:
+                numbers = {x: number(x) for x in static.free_symbols}
+                out.append((parameters.index(kinetic), value(static, numbers)))
+        return out
 
     def _equilibria(self) -> dict[str, list[sp.Expr]]:
         """The coordinates of each equilibrium in closed form, and the unknown forces there."""
@@ -405,7 +401,8 @@ class _Maker:
             "axes": int(elements is not None and "axes" not in elements.hidden),
             "loads": self.loads,
             "bound": self.bound,
-            "guards": self._guards(),
+            "guards": [*map(int, guards(self.view.dynamics, self.reaction_list).values())],
+            "static": self._static(parameters, number),
             "slips": self.slips,
             "timed": int(any(e.has(t) for e in expressions.get("eq", ()))),
             "begins": self.begins,

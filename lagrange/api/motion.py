@@ -113,7 +113,7 @@ class SimulatedMotion:
 
     def _meant(self, e: sp.Expr) -> sp.Expr:
         """An expression with the symbols of the problem: symbols are known by their names."""
-        e = sp.sympify(e, strict=True)
+        e = _expression(e)
         declared = {s.name: s for s in (t, *self.simulation.start.values)}
         rule = {
             s: declared.get(s.name, sp.Symbol(s.name, real=True)) for s in e.free_symbols if isinstance(s, sp.Symbol)
@@ -163,9 +163,9 @@ def simulated_motion(
     require("numpy", "scipy")
     problem = solution.problem
     states = state_equations(solution, choice).with_functions(
-        {n: sp.sympify(e, strict=True) for n, e in functions.items()}
+        {n: _expression(e) for n, e in functions.items()}
     )
-    require_functions(states, functions)
+    require_functions(states, functions, "`functions={{'{name}': ...}}`, in SymPy")
     known = [p.symbol.name for p in (*problem.parameters, *states.parameters)]
     coordinates = [q.symbol for q in problem.coordinates] + [q for c in problem.choices for q in c.coordinates]
     moving = {n for q in coordinates for n in (q.name, f"{q.name}'")} | {s.name for s in states.state}
@@ -181,6 +181,13 @@ def simulated_motion(
     end = longest_time(states, begun) if until is None else float(until)
     made = simulated(states, begun, end, questions=problem.questions, samples=samples)
     return SimulatedMotion(made, solution)
+
+
+def _expression(e: object) -> sp.Expr:
+    if not isinstance(e, sp.Expr | SupportsFloat) or isinstance(e, bool):
+        raise TypeError(f"this must be an expression of SymPy or a number, and not {type(e).__name__}")
+    made: sp.Expr = sp.sympify(e, strict=True)
+    return made
 
 
 def _initial(name: str, value: float) -> InitialValue:

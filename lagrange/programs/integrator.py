@@ -17,7 +17,7 @@ from typing import Any
 
 from lagrange.core.records import record
 from lagrange.programs.compiled import Compiled, compiled_text
-from lagrange.programs.limits import MOST_STEPS, SMALLEST_STEP
+from lagrange.programs.limits import MOST_STEPS, PACE, SLOWEST_PACE, SMALLEST_STEP
 
 Rate = Callable[..., Sequence[float]]
 """f(t, y_0, y_1, ...)."""
@@ -82,11 +82,15 @@ def steps(
     make_step = _functions(len(state))[0]
     time, slope = start, _first(rate, start, state)
     length = min(_first_length(rate, time, state, slope, relative, absolute), longest, end - start)
-    taken = 0
+    taken, looked = 0, start
     while time < end:
         if taken > MOST_STEPS:
             raise StoppedError(time, f"more than {MOST_STEPS:,} steps are needed")
         taken += 1
+        if taken % PACE == 0:
+            if time - looked < SLOWEST_PACE * (end - start):
+                raise StoppedError(time, f"more than {MOST_STEPS:,} steps would be needed")
+            looked = time
         last = time + length >= end * (1 - 1e-14)
         length = end - time if last else length
         if length < SMALLEST_STEP * max(abs(time), 1e-3):

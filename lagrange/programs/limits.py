@@ -9,6 +9,8 @@ LONGEST_PROGRAM = 200_000
 # Steps of one integration, and the shortest, as a share of the time: beyond, the motion has come to a singular place.
 MOST_STEPS = 2_000_000
 SMALLEST_STEP = 1e-13
+# So many steps must bring a motion on by this share of its time; at a hundredth of that pace it would never end.
+PACE, SLOWEST_PACE = 20_000, 1e-4
 
 # Iterations that bring a state to the constraints, and what is left of them there, relative to the size of the state.
 MOST_PROJECTIONS = 40
@@ -29,6 +31,12 @@ LARGEST_DRIFT = 1e-6
 SAMPLES_A_SECOND, LEAST_SAMPLES, MOST_SAMPLES = 50, 1000, 10_000
 # Changes of the sense of friction in one simulation.
 MOST_FLIPS = 200
+# Slips that are zero at the start: each may begin in two senses.
+MOST_AT_REST = 4
+# A slip in a plane that has become so much slower than it was has ended.
+ENDED_SLIP = 1e-6
+# A reaction that is more negative than this, relative to 1 + its size at the start, has the wrong sign.
+WRONG_SIGN = 1e-9
 # The width to which the time of an event is found.
 NARROW = 1e-12
 # Seconds that a motion is followed if neither the user nor the motion says how long.

@@ -44,6 +44,11 @@ class NumericalSystem:
         self._rule: dict[sp.Basic, sp.Basic] = {sp.sign(e): sp.Integer(s) for e, s in self.signs.items()}
         self._rule |= {s: sp.Integer(self.signs[e]) for s, e in states.signs.items() if e in self.signs}
 
+    @property
+    def slips(self) -> tuple[sp.Expr, ...]:
+        """Of the expressions with a sign those that are no reactions: speeds of slip."""
+        return tuple(e for e in self.signs if e not in self.states.signs.values())
+
     def with_signs(self, signs: Mapping[sp.Expr, int]) -> NumericalSystem:
         """The same motion with other signs."""
         return self if signs == self.signs else NumericalSystem(self.states, self.values, signs)
@@ -222,7 +227,7 @@ def _or_nan(value: Callable[..., float], time: float, state: Sequence[float]) ->
 def indicators(states: StateEquations) -> tuple[sp.Expr, ...]:
     """The expressions of the state on whose signs the equations depend."""
     moving = {t, *states.state}
-    more = (*states.reactions.values(), *states.contacts.values())
+    more = (*states.reactions.values(), *(c.value for c in states.contacts))
     found = {
         s.args[0]: None
         for e in (*states.expressions, *more)

@@ -66,8 +66,10 @@ def prepared(
     return Prepared(problem, solution, states, start(states, solution))
 
 
-def require_functions(states: StateEquations, given: Mapping[str, sp.Expr]) -> None:
-    """Raises ProblemError where a function that occurs has not been given."""
+def require_functions(
+    states: StateEquations, given: Mapping[str, sp.Expr], cure: str = "`--set '{name}={example}'`"
+) -> None:
+    """Raises ProblemError where a function that occurs has not been given; `cure` says how to give it."""
     missing = [name for name in states.functions if name not in given]
     if not missing:
         return
@@ -77,5 +79,5 @@ def require_functions(states: StateEquations, given: Mapping[str, sp.Expr]) -> N
     shown = f"{name}({', '.join(places)})"
     message = f"the motion depends on {shown}, of which nothing is known"
     example = "0.1*sin(3*t)" if places == ("t",) else f"{places[0]}^2/4"
-    help_ = f"give it as an expression in {', '.join(places)}: `--set '{name}={example}'`"
+    help_ = f"give it as an expression in {', '.join(places)}: {cure.format(name=name, example=example)}"
     raise ProblemError(Diagnostic("function-not-given", message, help=help_))

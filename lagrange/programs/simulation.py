@@ -5,8 +5,10 @@ functions of the state, located on the interpolating polynomial of the step in w
 
     the condition of a question       the first time is reported, and the motion goes on
     contact, slip in a stated sense   where it ends the equations end too, and so does the simulation
+    slip in a plane                   likewise, where its speed has become zero
     the sign of a slip, of |R|        the step ends there, and the motion goes on with the other sign; where neither
                                       sign goes on, friction holds the system, and the simulation ends
+    a two-sided reaction              that it changes its sign is reported, and the motion goes on
 
 Conserved quantities are not enforced: their drift, relative to the largest sum of the sizes of their terms, measures
 the errors of the integration. A zero that is only touched is not seen.
@@ -25,11 +27,13 @@ import sympy as sp
 
 from lagrange.core.diagnostics import NotCoveredError
 from lagrange.core.records import record
-from lagrange.core.symbols import partial, t
+from lagrange.core.symbols import partial
 from lagrange.problem.model import ENERGY, Question
+from lagrange.programs.contacts import Guard
 from lagrange.programs.integrator import State, Step, StoppedError, at, interpolated, steps
 from lagrange.programs.limits import (
     DEFAULT_TIME,
+    ENDED_SLIP,
     LARGEST_DRIFT,
     LEAST_SAMPLES,
     LONGEST_EXPANDED,
@@ -41,10 +45,12 @@ from lagrange.programs.limits import (
     ROUNDING,
     SAMPLES_A_SECOND,
     TOLERANCE,
+    WRONG_SIGN,
 )
 from lagrange.programs.numerical_system import NumericalSystem
 from lagrange.programs.starting import Start
 from lagrange.programs.state_equations import StateEquations
+from lagrange.programs.sticking import at_rest, beginning, growth
 
 Watched = Callable[..., float]
 
@@ -54,6 +60,8 @@ class EventKind(StrEnum):
 
     ASKED = "asked"  # the condition of a question holds
     CONTACT = "contact"  # a contact or a string ends
+    REVERSED = "reversed"  # the force of a two-sided constraint changes its sign
+    AT_REST = "at rest"  # slip in a plane ends
     SLIP = "slip"  # slip ends to have the sense for which the equations hold
     HELD = "held"  # slip ends, and friction keeps it from beginning again
     STOPPED = "stopped"  # the integration cannot go on
@@ -149,6 +157,10 @@ class _Watch:
     question: Question | None = None
 
 
+# Of what happens at one time, questions are answered first, and that a sign of |R| changes comes last.
+_LATER: Mapping[EventKind | None, float] = {EventKind.ASKED: 0.0, None: 2e-9}
+
+
 def simulated(
     states: StateEquations,
     start: Start,
@@ -199,13 +211,16 @@ class _Run:
         self.pieces: list[tuple[float, float, State, Sequence[State], int]] = []
         self.events: list[Event] = []
         self.count = self.flips = 0
+        self.sides: dict[str, int] = {}
         self.last: tuple[float, State] = (0.0, start.state)
 
     def go(self) -> None:
         """Integrates to the end."""
-        self.system = self._consistent(0.0, self.start.state)
         time, state = 0.0, self.start.state
         try:
+            self.system = self._consistent(time, state)
+            if not self._begins(time, state):
+                return
             while time < self.until:
                 again = self._smooth(time, state)
                 if again is None:
@@ -260,12 +275,42 @@ class _Run:
 
     # -- events --------------------------------------------------------------------------------------------------------
 
+    def _begins(self, time: float, state: State) -> bool:
+        """Whether the equations hold at the start: contacts press, and what is to slip does."""
+        resting = [e for e in self.system.slips if abs(self._safely(self.system.function(e), time, state)) <= NARROW]
+        if resting:
+            begun = beginning(self.system, resting, time, state)
+            if begun is None:
+                self._end(EventKind.HELD, str(resting[0]), time, state)
+                return False
+            self.system = self.system.with_signs(begun)
+        for e in self.states.plane_slips:
+            if not self._safely(self.system.function(e), time, state) > NARROW:
+                self._end(EventKind.AT_REST, str(e), time, state)
+                return False
+        for c in self.states.contacts:
+            x = self._safely(self.system.function(c.value), time, state)
+            self.sides[c.name] = (x > 0) - (x < 0)
+            if c.guard < Guard.KEEPS_SIGN and x < -WRONG_SIGN:
+                self._end(EventKind.CONTACT, c.name, time, state)
+                return False
+        return True
+
     def _watched(self) -> list[_Watch]:
         function, states = self.system.function, self.states
-        found = [_Watch(EventKind.CONTACT, n, function(e), falling=True) for n, e in states.contacts.items()]
-        found += [_Watch(EventKind.SLIP, str(e), function(e), falling=True) for e in states.slips]
+        ended, reversed_ = [], []
+        for c in states.contacts:
+            side = self.sides[c.name] if c.guard >= Guard.KEEPS_SIGN else 1
+            if c.guard is not Guard.TWO_SIDED and side:
+                ended.append(_Watch(EventKind.CONTACT, c.name, function(side * c.value), falling=True))
+            elif c.guard is Guard.TWO_SIDED and all(e.name != c.force for e in self.events):
+                reversed_.append(_Watch(EventKind.REVERSED, c.force, function(c.value)))
+        found = [*ended, *(_Watch(EventKind.SLIP, str(e), function(e), falling=True) for e in states.slips)]
+        for e in states.plane_slips:
+            least = ENDED_SLIP**2 * self._safely(function(e), 0.0, self.start.state)
+            found.append(_Watch(EventKind.AT_REST, str(e), function(e - least), falling=True))
         found += [_Watch(None, str(e), function(e), indicator=e) for e in self.system.signs]
-        return [*found, *(w for q in self.asked for w in self._watch_of(q))]
+        return [*found, *reversed_, *(w for q in self.asked for w in self._watch_of(q))]
 
     def _watch_of(self, question: Question) -> list[_Watch]:
         try:
@@ -285,11 +330,15 @@ class _Run:
         """Records the events of a step; returns where to go on, at infinity for nowhere, None to the next step."""
         coefficients = step.interpolation()
         roots = ((self._root(w.value, step, coefficients), w) for w in crossed)
-        places = sorted(roots, key=lambda p: p[0] + (0.0 if p[1].kind is EventKind.ASKED else 1e-9 * max(1.0, p[0])))
+        places = sorted(roots, key=lambda p: p[0] + _LATER.get(p[1].kind, 1e-9) * max(1.0, p[0]))
         for time, watch in places:
             state = self._on_constraints(time, at(step, coefficients, time))
             if watch.kind is EventKind.ASKED:
                 self._answer(watch, time, state)
+                continue
+            if watch.kind is EventKind.REVERSED:
+                if all(e.name != watch.name for e in self.events):
+                    self.events.append(Event(watch.kind, watch.name, time, state))
                 continue
             if time <= self.last[0] + NARROW * max(1.0, abs(time)) and watch.kind is None and self.flips:
                 continue  # the sign that has just been taken
@@ -364,19 +413,12 @@ class _Run:
         old = signs[watch.indicator]
         signs[watch.indicator] = -old
         other = self.system.with_signs(signs)
-        if self._tendency(other, watch.indicator, time, state) * -old <= 0:
+        leaving = at_rest(other) if watch.indicator in other.slips else other
+        if growth(leaving, watch.indicator, time, state) * -old <= 0:
             self._end(EventKind.HELD, watch.name, time, state)
             return math.inf, state
         self.system = other
         return time, state
-
-    def _tendency(self, system: NumericalSystem, e: sp.Expr, time: float, state: State) -> float:
-        """The rate at which an expression of the state changes."""
-        equations = self.states.equations
-        symbols = (*equations.state, *(s for s in (t,) if e.has(s)))
-        rates = [*system.rate(time, *state), *(1.0 for s in (t,) if e.has(s))]
-        slopes = [system.function(e.diff(s))(time, *state) for s in symbols]
-        return math.fsum(a * b for a, b in zip(slopes, rates, strict=True))
 
     # -- results -------------------------------------------------------------------------------------------------------
 

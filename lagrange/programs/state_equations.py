@@ -32,6 +32,7 @@ from lagrange.mechanics.dynamics.newton import Reaction
 from lagrange.mechanics.dynamics.quasi_equations import QuasiEquations
 from lagrange.mechanics.results import InCoordinates, Solution
 from lagrange.problem.model import Assumption, Parameter, Problem
+from lagrange.programs.contacts import Contact, contacts
 
 
 @record
@@ -146,8 +147,9 @@ class StateEquations:
     energy      T + V; None if there is no potential
     conserved   what stays constant, by name: `energy`, `p_theta`, ...
     reactions   forces of constraint by the names of the page, in state, parameters and multipliers
-    contacts    by name of a one-sided constraint: not negative while contact lasts
+    contacts    the reactions that are watched
     slips       speeds of slip, positive in the sense for which the file has written its friction
+    plane_slips of what slips in a plane, the squares of the speeds of slip
     signs       each open sign of a reaction, with the expression whose sign it is
     branches    the signs of square roots that the coordinates leave open
     given       expressions that have taken the place of undefined functions and prescribed motions, by name
@@ -160,8 +162,9 @@ class StateEquations:
     energy: sp.Expr | None = None
     conserved: Mapping[str, sp.Expr] = field(default_factory=dict)
     reactions: Mapping[str, sp.Expr] = field(default_factory=dict)
-    contacts: Mapping[str, sp.Expr] = field(default_factory=dict)
+    contacts: tuple[Contact, ...] = ()
     slips: tuple[sp.Expr, ...] = ()
+    plane_slips: tuple[sp.Expr, ...] = ()
     signs: Mapping[Sign, sp.Expr] = field(default_factory=dict)
     branches: tuple[Sign, ...] = ()
     given: Mapping[str, sp.Expr] = field(default_factory=dict)
@@ -186,7 +189,7 @@ class StateEquations:
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
         """The parameters that occur, in the order of the file; then open signs and unknown forces."""
-        more = (*self.conserved.values(), *self.reactions.values(), *self.contacts.values())
+        more = (*self.conserved.values(), *self.reactions.values(), *(c.value for c in self.contacts))
         used = _symbols((*self.expressions, *more, *([self.energy] if self.energy is not None else [])))
         declared = [p for p in self.problem.parameters if p.symbol in used]
         signs = [Parameter(s, Assumption.SIGN, meaning="+1 or -1") for s in (*self.branches, *self.signs) if s in used]
@@ -232,8 +235,9 @@ class StateEquations:
             energy=None if self.energy is None else put(self.energy),
             conserved={n: put(x) for n, x in self.conserved.items()},
             reactions={n: put(x) for n, x in self.reactions.items()},
-            contacts={n: put(x) for n, x in self.contacts.items()},
+            contacts=tuple(replace(c, value=put(c.value)) for c in self.contacts),
             slips=tuple(map(put, self.slips)),
+            plane_slips=tuple(map(put, self.plane_slips)),
             signs={s: put(x) for s, x in self.signs.items()},
             given={**self.given, **given},
         )
@@ -306,7 +310,7 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
     def here(e: sp.Expr) -> sp.Expr:
         return e.xreplace(rates)
 
-    contacts = dynamics.reactions.contacts if dynamics.reactions is not None else {}
+    watched = contacts(dynamics, law.newton.reactions, equations.multipliers)
     states = StateEquations(
         problem=problem,
         view=view,
@@ -315,8 +319,9 @@ def _of_view(view: InCoordinates, law: NewtonLaw, problem: Problem) -> StateEqua
         energy=_energy(found, here),
         conserved={name: here(e) for name, e in _named(found)},
         reactions={n: here(e) for n, e in _reactions(dynamics, law, equations)},
-        contacts={n: here(e) for n, e in contacts.items()},
+        contacts=tuple(replace(c, value=here(c.value)) for c in watched),
         slips=tuple(map(here, dynamics.slips)),
+        plane_slips=tuple(here(f.slip.dot(f.slip)) for f in dynamics.friction_forces if f.speed is None),
         signs={s: here(e) for s, e in dynamics.signs.items()},
         branches=view.signs,
     )

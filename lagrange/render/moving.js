@@ -2,7 +2,7 @@
 // The figure of a page that moves: it integrates the equations of motion that the page brings along, and draws them.
 // y = (q, q', t) is the state, z = (Q, Q', t, q) the same in the coordinates of the file, p are the parameters.
 const lagsolveFigure = (() => {
-  const CM = 42, MARGIN = 46, TOLERANCE = 1e-10, SVG = "http://www.w3.org/2000/svg";
+  const CM = 42, MARGIN = 46, TOLERANCE = 1e-10, MOST_STEPS = 1000, SVG = "http://www.w3.org/2000/svg";
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const plus = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1], a[2] + s * b[2]];
@@ -104,7 +104,8 @@ const lagsolveFigure = (() => {
     }
     function advanced(y, p, seconds) {
       const end = y[2 * n] + seconds;
-      while (end - y[2 * n] > 1e-12) {
+      for (let count = 0; end - y[2 * n] > 1e-12; count++) {
+        if (count == MOST_STEPS) return null;
         y = step(y, p, end - y[2 * n]);
         if (y === null || y.some(x => !isFinite(x))) return null;
       }
@@ -163,11 +164,23 @@ const lagsolveFigure = (() => {
     // What no longer holds: "contact" or "slip"; `sense` are the senses of slips that are not given, `side` the signs of reactions at first.
     function broken(y, p, sense, side) {
       if (data.slips.length && F.sli(y, p).some((s, i) => data.slips[i] == 2 ? s < 1e-9 : s * (data.slips[i] || sense[i]) < -1e-9)) return "slip";
-      if (!data.guards.some(g => g)) return "";
+      if (!data.guards.some(g => g && g < 4)) return "";
       const f = forces(y, p).reactions;
-      return data.guards.some((g, i) => g && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
+      return data.guards.some((g, i) => g && g < 4 && (g == 3 ? f[i].value * (side[i] || 0) : g == 2 ? f[i].value : g * f[i].lambda) < -1e-9) ? "contact" : "";
     }
-    return { rate, advanced, projected, violation, inFile, forces, broken };
+    // The sense in which a slip begins that is zero; 0 where friction holds it, with the static coefficient if there is one.
+    function begins(y, p, i) {
+      const q = p.slice(), slip = s => F.sli(s, p)[i], e = 1e-7;
+      for (const [k, x] of data.static) q[k] = Math.max(q[k], x);
+      const slope = [...Array(n).keys()].map(j => { const s = y.slice(); s[n + j] += e; return (slip(s) - slip(y)) / e; });
+      const size = slope.reduce((t, x) => t + x * x, 0);
+      if (size > 0) for (const sense of [1, -1]) {
+        const s = projected(y.map((x, j) => j >= n && j < 2 * n ? x + sense * e * slope[j - n] / size : x), p, -1), d = rate(s, q);
+        if (sense * (slip(s.map((x, j) => x + e * d[j])) - slip(s)) > 1e-9 * e) return sense;
+      }
+      return 0;
+    }
+    return { rate, advanced, projected, violation, inFile, forces, broken, begins };
   }
 
   return (place, F) => {
@@ -193,8 +206,8 @@ const lagsolveFigure = (() => {
       }
       return M.projected(s.every(isFinite) ? s : data.y.slice(), p, -1);
     }
-    let p = data.p.slice(), y = begin(), touched = false, playing = false, speed = 1, message = "";
-    let sense = [], side = [];
+    let p = data.p.slice(), y = begin(), touched = false, playing = false, speed = 1, message = "", remark = "";
+    let sense = [], side = [], fastest = [];
     let history = [], preview = [], reference = null, worst = 0, wrong = 0, shownAt = -1;
     let width = 600, height = 380, scale = 100, centre = [0, 0], force = 1, trace = [];
 
@@ -208,9 +221,9 @@ const lagsolveFigure = (() => {
     function restart() {
       const e = integrals(y);
       reference = { ...e, size: Math.max(Math.abs(e.T), Math.abs(e.T + e.V), Math.abs(e.I[energy] ?? 0), 1e-12) };
-      sense = data.slips.length ? F.sli(y, p).map(Math.sign) : [];
-      side = data.guards.includes(3) ? M.forces(y, p).reactions.map(f => Math.sign(f.value)) : [];
-      worst = 0; wrong = M.violation(y, p); history = []; trace = []; message = "";
+      sense = data.slips.length ? F.sli(y, p).map((s, i) => Math.abs(s) > 1e-12 || data.slips[i] ? Math.sign(s) : M.begins(y, p, i)) : [];
+      side = data.guards.some(g => g > 2) ? M.forces(y, p).reactions.map(f => Math.sign(f.value)) : [];
+      worst = 0; wrong = M.violation(y, p); history = []; trace = []; message = remark = ""; fastest = [];
       record();
     }
     const energy = data.conserved.indexOf(1);
@@ -239,23 +252,29 @@ const lagsolveFigure = (() => {
       if (energy >= 0) worst = Math.max(worst, Math.abs(e.I[energy] - reference.I[energy]) / reference.size);
       wrong = Math.max(wrong, M.violation(y, p));
       const r = data.bound.length ? M.forces(y, p).reactions.map(f => f.value) : [];
+      if (!remark && data.guards.some((g, i) => g == 4 && r[i] * side[i] < -1e-9))
+        remark = `Before t = ${number(y[2 * n], 4)} s a reaction has changed its sign: an equation acts on both sides. Written with ≥ or ≤, contact ends there.`;
       history.push({ y: y.slice(), r });
       if (history.length > 6000) history.splice(0, 1500);
+      if (data.slips.length) F.sli(y, p).forEach((s, i) => { fastest[i] = Math.max(fastest[i] || 0, Math.abs(s)); });
       leave();
     }
-    const fails = s => M.broken(s, p, sense, side);
+    const fails = s => M.broken(s, p, sense, side), held = () => sense.some((s, i) => !s && !data.slips[i]);
     const endings = {
       contact: "contact is lost, or a string goes slack. From here on other equations hold.",
       slip: "the slip ends. From here on other equations hold.",
     };
     function run(seconds, piece = 1 / 60) {
       if (!moving) return true;
+      if (held()) { message = "Friction holds what is at rest here."; return false; }
       const end = y[2 * n] + seconds;
       while (end - y[2 * n] > 1e-9) {
         const part = Math.min(piece, end - y[2 * n]);
         const next = M.advanced(y, p, part);
-        if (next === null) { message = "The motion ends here: the accelerations are no longer determined."; return false; }
-        const ending = fails(next);
+        // Where friction would change its sense to and fro, no step is short enough.
+        const sticks = next === null && data.slips.length && (fails(y) == "slip" || F.sli(y, p).some((s, i) => Math.abs(s) < 0.1 * (fastest[i] || 0)));
+        if (next === null && !sticks) { message = "The motion ends here: the accelerations are no longer determined."; return false; }
+        const ending = sticks ? "slip" : fails(next);
         if (ending) {
           let low = 0, high = part, at = y;
           for (let k = 0; k < 30 && !fails(y); k++) {
@@ -313,7 +332,7 @@ const lagsolveFigure = (() => {
         let s = y; const start = performance.now();
         for (let k = 0; k < 160 && performance.now() - start < 120; k++) {
           s = M.advanced(s, p, 0.05);
-          if (s === null || fails(s)) break;
+          if (s === null || fails(s) || held()) break;
           preview.push({ y: s, r: data.bound.length ? M.forces(s, p).reactions.map(f => f.value) : [] });
           const v = cells(s), b = [Infinity, -Infinity, Infinity, -Infinity];
           data.points.forEach(c => { const f = flat(three(v, c)); b[0] = Math.min(b[0], f[0]); b[1] = Math.max(b[1], f[0]); b[2] = Math.min(b[2], f[1]); b[3] = Math.max(b[3], f[1]); });
@@ -689,7 +708,7 @@ const lagsolveFigure = (() => {
       data.conserved.forEach((_, i) => write(`I${i}`, number(e.I[i])));
       f.forEach((r, i) => write(`R${i}`, number(r.value)));
       if (F.sta) F.sta(y, p).slice(0, data.shape.sta[0]).forEach((q, i) => write(`Q${i}`, number(Math.abs(q) < 1e-9 ? 0 : q)));
-      write("message", message);
+      write("message", message || remark);
       if (document.activeElement?.dataset.q === undefined || playing) all("input[data-q]").forEach(i => { const k = Number(i.dataset.q); i.value = data.angles[k] ? wrapped(y[k]) : y[k]; });
       all("output[data-q]").forEach(o => { const k = Number(o.dataset.q); o.textContent = number(data.angles[k] ? wrapped(y[k]) : y[k]); });
       all("output[data-u]").forEach(o => { o.textContent = number(y[n + Number(o.dataset.u)]); });

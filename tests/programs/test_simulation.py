@@ -268,6 +268,13 @@ def test_names_that_do_not_exist_are_refused() -> None:
         solved().simulate(1.0, values={"mass": 1})
     with pytest.raises(KeyError, match="angle"):
         solved().simulate(1.0, choice="angel")
+    with pytest.raises(TypeError, match="expression of SymPy"):
+        solved().simulate(1.0, functions={"u": "t^2"})  # type: ignore[dict-item]
+
+
+def test_a_function_that_is_missing_is_asked_for_as_python_gives_it() -> None:
+    with pytest.raises(ProblemError, match=r"functions=\{'l': \.\.\.\}"):
+        lagrange.solve(loaded("shortening-pendulum")).simulate(1.0)
 
 
 def test_plots_and_an_animation() -> None:

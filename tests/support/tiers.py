@@ -31,6 +31,7 @@ TIERS = {
         "docs/test_authors.py::test_the_makefile_builds_the_document",
         "docs/test_teachers.py",
         "problems/test_every_format.py",
+        "programs/test_contacts.py::test_a_page_ends_where_a_simulation_does",
         "programs/test_source.py::test_the_exported_f_satisfies_the_equations_of_the_page",
         "render/test_escape.py::test_tex_is_content",
         "render/test_html.py::test_a_browser_draws_everything_and_nothing_is_cut_off",
