@@ -204,8 +204,8 @@ BODY = Form(
         Key("mass", "expression", "Its mass; 0 by default."),
         Key(
             "inertia",
-            AnyOf(("expression", three("expression"))),
-            "About the mass centre: one moment about k, or three principal moments [A, B, C].",
+            AnyOf(("expression", three("expression"), three(three("expression")))),
+            "About the mass centre: one moment about k, three principal moments [A, B, C], or a symmetric matrix.",
             required=True,
             example="I_G",
         ),
