@@ -22,7 +22,7 @@ MOST_TRIVIAL_COORDINATES = 4
 # Small oscillations: equilibria [3], independent coordinates [3], operations of a coefficient of the characteristic
 # polynomial that is factored [9].
 MOST_EQUILIBRIA = 16
-MOST_OSCILLATING = 6
+MOST_OSCILLATING = 20
 LONGEST_COEFFICIENT = 100
 # Points of one equilibrium at which the check compares the linear equations.
 MOST_COMPARED_POINTS = 4
