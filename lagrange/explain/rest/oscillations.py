@@ -11,7 +11,7 @@ from lagrange.algebra.closed_forms.eigenmodes import Frequency
 from lagrange.algebra.closed_forms.single_equation import Relation
 from lagrange.algebra.closed_forms.solution_sets import Branch
 from lagrange.core.symbols import VectorSymbol, prime
-from lagrange.document.builders import display, listed, math, paragraph, prose
+from lagrange.document.builders import display, listed, math, paragraph, prose, series
 from lagrange.document.derivation import Block, Detail, Equation, Matrices, Part, Prose, Ref, Rule, Step
 from lagrange.explain.rest.statics import outside_ranges, singular_places
 from lagrange.explain.words import (
@@ -43,8 +43,30 @@ def explain_linearization(linearization: Linearization) -> Step:
     if any(s is not None for s in linearization.at):
         body.append(_names(linearization))
     for n, (b, s) in enumerate(zip(linearization.branches, linearization.at, strict=True), start=1):
-        body += explain_about(n, b, s, linearization)
+        if linearization.copy_of(n - 1) is None:
+            body += explain_about(n, b, s, linearization)
+            body += _copies(n, linearization)
     return Step(Rule.LINEARIZATION, title_in("Small oscillations", name), tuple(body))
+
+
+def _copies(n: int, linearization: Linearization) -> Iterator[Block]:
+    """`The same holds about (5), and about (6) and (7) with ξ_3 reversed.`"""
+    groups: dict[tuple[sp.Symbol, ...], list[int]] = {}
+    for k, copy in enumerate(linearization.copies, start=1):
+        if copy is not None and copy.of == n - 1:
+            groups.setdefault(copy.reversed, []).append(k)
+    if not groups:
+        return
+    places: list[tuple[Part, ...]] = []
+    for turned, numbers in sorted(groups.items(), key=lambda group: len(group[0])):
+        refs = listed(Ref(label_of(linearization, "at-rest", k)) for k in numbers)
+        signs = plural(len(turned), " with the sign of ", " with the signs of ")
+        end: tuple[Part, ...] = (signs, *listed(math(x) for x in turned), " reversed") if turned else ()
+        places.append(("about ", *refs, *end))
+    total = sum(map(len, groups.values()))
+    others = plural(total, "one more equilibrium", f"{total} more equilibria")
+    yield prose("The same equations, frequencies and verdict hold for ", f"{others}: ", *series(places, ", and "), ".",
+                detail=Detail.BRIEF)  # fmt: skip
 
 
 def label_of(linearization: Linearization, kind: str, n: int) -> str:

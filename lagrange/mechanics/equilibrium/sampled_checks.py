@@ -74,7 +74,7 @@ def check_oscillations(linear: Linearization) -> list[Check]:
     ]
     if signs:
         checks.append(Check("the stiffness has the stated signs", all_hold(signs), HOW, name))
-    listed = (s for s in linear.at if s is not None and s.frequencies and len(s.free) <= MOST_EXPANDED_ROWS)
+    listed = (s for s in linear.originals if s.frequencies and len(s.free) <= MOST_EXPANDED_ROWS)
     roots = [_are_all_roots(s) for s in listed]
     if roots:
         how = "exact: det(K − ω² M) is their product"
