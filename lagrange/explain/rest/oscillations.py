@@ -23,7 +23,7 @@ from lagrange.explain.words import (
     suffix_of,
     title_in,
 )
-from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA
+from lagrange.mechanics.equilibrium.limits import MOST_EQUILIBRIA, MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import Ground, VelocityTerms
 from lagrange.mechanics.equilibrium.linearization import Linearization, SmallOscillations
 from lagrange.mechanics.equilibrium.stability import Stability, StabilityVerdict
@@ -147,6 +147,9 @@ def explain_about(
     place: Part = Ref(label_of(linearization, "at-rest", n)) if is_stated else "any position"
     if s is None:
         if n > MOST_EQUILIBRIA or b.left or b.special:
+            return
+        if len(linearization.equilibrium.elimination.independent) > MOST_OSCILLATING:
+            yield prose(f"Linear equations of more than {MOST_OSCILLATING} coordinates are not worked out.")
             return
         yield prose(
             "At ", place, " there are no linear equations of motion: the coordinates or the forces are singular there."

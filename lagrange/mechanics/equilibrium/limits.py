@@ -19,7 +19,7 @@ MOST_BRANCH_POINTS = 12
 LONGEST_UNSOLVED = 60
 MOST_TRIVIAL_COORDINATES = 4
 
-# Small oscillations: equilibria [3], independent coordinates [3], operations of a coefficient of the characteristic
+# Small oscillations: equilibria [3], independent coordinates [3; 5 s for a chain of 20 masses], operations of a coefficient of the characteristic
 # polynomial that is factored [9].
 MOST_EQUILIBRIA = 16
 MOST_OSCILLATING = 20
