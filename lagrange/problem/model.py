@@ -442,6 +442,7 @@ class Answers:
     equilibrium: tuple[tuple[Fragment, ...], ...] = ()
     reactions: Mapping[str, Fragment] = field(default_factory=dict)
     frequencies: tuple[tuple[Fragment, ...], ...] = ()
+    decay: tuple[tuple[Fragment, ...], ...] = ()
     ask: Mapping[str, Fragment] = field(default_factory=dict)
     rest: tuple[Fragment, ...] = ()
     hamiltonian: Fragment | None = None

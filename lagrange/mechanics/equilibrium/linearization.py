@@ -42,6 +42,7 @@ from lagrange.mechanics.constraints.displacements import eliminate
 from lagrange.mechanics.constraints.kinematics import Configuration
 from lagrange.mechanics.dynamics.equations import EquationsOfMotion
 from lagrange.mechanics.dynamics.matrix_form import MatrixForm, matrix_form
+from lagrange.mechanics.equilibrium.damped_modes import DampedModes, damped_modes
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import LONGEST_COEFFICIENT, MOST_EQUILIBRIA, MOST_OSCILLATING
 from lagrange.mechanics.equilibrium.linear_stability import (
@@ -84,6 +85,7 @@ class SmallOscillations:
     unknown         ω or p
     judgement       the verdict on stability
     damped          if a single coordinate is damped, and stable
+    decaying        with damping, the modes as decay rates and frequencies; None: the polynomial is too large
     """
 
     free: tuple[int, ...]
@@ -94,6 +96,7 @@ class SmallOscillations:
     unknown: sp.Symbol
     judgement: StabilityJudgement
     damped: DampedOscillation | None = None
+    decaying: DampedModes | None = None
 
     @property
     def oscillates(self) -> bool:
@@ -299,7 +302,11 @@ def _mirrored(
     frequencies = tuple(replace(f, modes=tuple(map(mode, f.modes))) for f in s.system.frequencies)
     system = replace(s.system, mass=mass, damping=damping, stiffness=stiffness, frequencies=frequencies)
     equations = tuple(_equations(mass, damping, stiffness, moved))
-    return replace(s, shape=shape, system=system, equations=equations)
+    decaying = s.decaying
+    if decaying is not None:
+        shapes = (replace(m, shape=mode(m.shape) if m.shape else ()) for m in decaying.modes)
+        decaying = replace(decaying, modes=tuple(shapes))
+    return replace(s, shape=shape, system=system, equations=equations, decaying=decaying)
 
 
 def oscillations(
@@ -337,7 +344,10 @@ def oscillations(
     equations = tuple(_equations(mass, damping, stiffness, tuple(names[k] for k in free)))
     unknown = exponent if damped else omega
     judgement = judged(system, b, resting)
-    return SmallOscillations(free, shape, system, equations, written, unknown, judgement, _damped(system, judgement))
+    modes = damped_modes(matrices, polynomial, letter) if damped and polynomial is not None else None
+    return SmallOscillations(
+        free, shape, system, equations, written, unknown, judgement, _damped(system, judgement), modes
+    )
 
 
 def _in_powers(f: sp.Expr, letter: sp.Symbol) -> sp.Expr:

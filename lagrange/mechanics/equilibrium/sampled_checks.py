@@ -33,6 +33,7 @@ from lagrange.algebra.exact.zero_test import is_zero
 from lagrange.core.verdicts import all_hold
 from lagrange.mechanics.dynamics.checks import Check
 from lagrange.mechanics.dynamics.lagrangian import lagrange_equations
+from lagrange.mechanics.equilibrium.damped_modes import all_exponents_hold
 from lagrange.mechanics.equilibrium.equilibrium import Equilibrium
 from lagrange.mechanics.equilibrium.limits import (
     MOST_COMPARED_POINTS,
@@ -78,6 +79,13 @@ def check_oscillations(linear: Linearization) -> list[Check]:
     if roots:
         how = "exact: det(K − ω² M) is their product"
         checks.append(Check("the frequencies have the stated multiplicities", all_hold(roots), how, name))
+    damped = [(s.decaying, s.system) for s in linear.originals if len(s.free) <= MOST_EXPANDED_ROWS]
+    exponents = [all_exponents_hold(d, (s.mass, s.damping, s.stiffness)) for d, s in damped if d is not None]
+    if exponents:
+        how = "exact: det(K + p D + p² M) is their product"
+        checks.append(
+            Check("the decay rates and frequencies are those of all exponents", all_hold(exponents), how, name)
+        )
     return checks
 
 
