@@ -229,10 +229,12 @@ class _Exponents:
     """What can be stated of the modes at one equilibrium: their ω², or their decay rates.
 
     exact    in closed form; None where not all are
+    own      what ω² would be without damping, as far as known
     numbers  with the values of the parameters; None where some have none
     """
 
     exact: tuple[sp.Expr, ...] | None
+    own: tuple[sp.Expr, ...]
     numbers: tuple[sp.Expr, ...] | None
     values: dict[sp.Symbol, sp.Rational]
 
@@ -279,6 +281,7 @@ def check_decay(
     return _of_exponents("decay", stated, lists, damped, linearizations)
 
 
+_UNDAMPED = "these are the frequencies without damping"
 _NO_DECAY = "no equilibrium with decay rates is known: nothing is damped there, or the exponents have no closed form"
 
 
@@ -296,7 +299,8 @@ def _damped(f: Linearization, reference: Reference, *, rates: bool) -> Iterator[
         if any(e.free_symbols & coordinates for e in exact):
             continue
         numbers = None if found.complete else _in_numbers(s, values, rates=rates)
-        yield _Exponents(tuple(_different(exact)) if found.complete else None, numbers, values)
+        own = () if rates else tuple(m.own for m in found.modes if m.own is not None)
+        yield _Exponents(tuple(_different(exact)) if found.complete else None, own, numbers, values)
 
 
 def _different(exact: Sequence[sp.Expr]) -> Iterator[sp.Expr]:
@@ -351,7 +355,11 @@ def _of_exponents(
         return AnswerVerdict(Verdict.UNDECIDED, name=name, diagnosis=_NOT_ALL_KNOWN)
     if worst is not Verdict.WRONG:
         return AnswerVerdict(worst, name=name, diagnosis=UNDECIDED if worst is Verdict.UNDECIDED else "")
-    return AnswerVerdict(worst, name=name, diagnosis=f"not right: {', '.join(wrong)}" if wrong else _SEVERAL)
+    undamped = any(
+        all(any(vanishes_or_not(as_written(c - w)) for w in p.own) for c in claims) for claims in lists for p in places
+    )
+    why = f"not right: {', '.join(wrong)}" if wrong else _SEVERAL
+    return AnswerVerdict(worst, name=name, diagnosis=f"{why}; {_UNDAMPED}" if undamped else why)
 
 
 def _of_found(found: Sequence[int | None], place: _Exponents) -> Verdict:

@@ -336,9 +336,8 @@ def _decaying(n: int, s: SmallOscillations, found: DampedModes, linearization: L
     if found.proportional:
         lead = ("The damping is proportional, and the modes are those of the undamped system. ", *lead)
     roots = (" = −", math(delta), " ± i ", math(omega))
-    yield prose(
-        *lead, *((" while it oscillates with the frequency ", math(omega), ": ", math(p), *roots) if pairs else ()), ":"
-    )
+    wave = (" while it oscillates with the frequency ", math(omega), ", with ", math(p), *roots) if pairs else ()
+    yield prose(*lead, *wave, ":")
     lines: list[Equation] = []
     rates = [(m, r) for m in found.modes for r in (m.decays if m.oscillates is False else (m.rate,))]
     several = len(rates) > 1
